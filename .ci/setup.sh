@@ -1,0 +1,163 @@
+# shellcheck shell=bash
+# What cosys-sim, tests/run and .ci/run share: the Debian packages (packages.txt) and the builds.
+# To be sourced with `root` = the top of the tree. It speaks on stderr only and never reads stdin.
+: "${root:?}"
+
+say() { echo "cosys-sim: $*" >&2; }
+
+fail() { # PROBLEM (WHY) SUGGESTION; 3 = the environment failed
+  say "$@"
+  exit 3
+}
+
+# with_lock COMMAND...: two calls at once neither install nor build into each other.
+with_lock() {
+  mkdir -p "$root/build" 2>/dev/null || true
+  [[ -w $root/build ]] ||
+    fail "cannot write to $root/build (no permission, or the disk is full)" \
+      "Use a copy of the tree that is yours, or COSYS_SKIP_SETUP=1 for the program as it is."
+  (
+    trap 'exit 130' INT
+    if ! flock -n 9; then
+      say "waiting for another build in $root/build"
+      flock 9
+    fi
+    "$@"
+  ) 9>"$root/build/.lock" </dev/null
+}
+
+# quietly LOG COMMAND...: its output is shown only when it fails.
+quietly() {
+  local log=$root/build/$1
+  shift
+  "$@" >"$log" 2>&1 && return
+  local code=$?
+  tail -n 100 "$log" >&2
+  say "(all of it is in $log)"
+  return "$code"
+}
+
+# --- packages ---------------------------------------------------------------------------------
+
+packages_of() { # packages_of GROUP...
+  local group package rest
+  while read -r group package rest; do
+    [[ " $* " == *" $group "* ]] && echo "$package"
+  done <"$root/packages.txt"
+  return 0
+}
+
+missing_packages() { # missing_packages GROUP...
+  local wanted installed package
+  mapfile -t wanted < <(packages_of "$@")
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null) || true
+  for package in "${wanted[@]}"; do
+    [[ $'\n'$installed$'\n' == *$'\n'"installed $package"$'\n'* ]] || echo "$package"
+  done
+}
+
+as_root() {
+  if [[ $EUID -eq 0 ]]; then "$@"; else sudo "$@"; fi
+}
+
+apt_get() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 "$@"
+}
+
+apt_install() { # the lists are fetched only where those at hand do not do
+  local install=(install -y --no-install-recommends "$@")
+  apt_get "${install[@]}" || { apt_get update && apt_get "${install[@]}"; }
+}
+
+install_missing() { # install_missing GROUP...
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  local by_hand="apt-get install --no-install-recommends ${missing[*]}"
+  [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
+    fail "packages are missing (not root, and there is no sudo) As root: $by_hand"
+  say "installing ${missing[*]}"
+  quietly install.log apt_install "${missing[@]}" ||
+    fail "packages are missing (apt-get failed, see above) Install them by hand: $by_hand"
+}
+
+need_tools_without_apt() { # need_tools_without_apt GROUP...: the libraries are then for CMake to find
+  local tool
+  for tool in cmake ninja c++ pkg-config; do
+    command -v "$tool" >/dev/null || fail "there is no $tool (and no apt-get here to install it)" \
+      "Install what corresponds to these Debian packages:" "$(packages_of "$@" | paste -sd ' ')"
+  done
+}
+
+need_packages() { # need_packages GROUP...
+  if [[ ${COSYS_SKIP_SETUP:-0} == 1 ]]; then
+    return
+  elif ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    need_tools_without_apt "$@"
+  elif [[ -n $(missing_packages "$@") ]]; then
+    with_lock install_missing "$@"
+  fi
+}
+
+# --- builds -----------------------------------------------------------------------------------
+
+build_jobs() { # one per core, as long as each has 1.5 GB of memory: Eigen and TOML++ are heavy to compile
+  local cores memory_kb limit
+  cores=$(nproc)
+  memory_kb=$(awk '/^MemAvailable/ {print $2}' /proc/meminfo)
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null) || limit=max
+  [[ $limit == max || $limit -ge $((memory_kb * 1024)) ]] || memory_kb=$((limit / 1024))
+  local fit=$((memory_kb / 1500000))
+  echo $((fit < 1 ? 1 : fit < cores ? fit : cores))
+}
+
+is_set_up() { # is_set_up DIR: not by a configuration cut short, nor for a tree that has moved since
+  [[ $1/build.ninja -nt $1/CMakeCache.txt ]] && has_settings "$1" "CMAKE_HOME_DIRECTORY:INTERNAL=$root"
+}
+
+has_settings() { # has_settings DIR NAME:TYPE=VALUE...
+  local setting
+  for setting in "${@:2}"; do
+    grep -qxF "$setting" "$1/CMakeCache.txt" || return
+  done
+}
+
+configure() { # configure PRESET [NAME:TYPE=VALUE]...
+  local dir=$root/build/$1 settings=("${@:2}") fresh=()
+  if ! is_set_up "$dir"; then
+    fresh=(--fresh)
+  elif has_settings "$dir" "${settings[@]}"; then
+    return
+  fi
+  if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+  (cd "$root" && quietly "$1.log" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}")
+}
+
+build() { # build PRESET TARGET [NAME:TYPE=VALUE]...: brings the target up to date
+  configure "$1" "${@:3}" || fail "the build could not be set up (see above)" \
+    "Are these installed? $(packages_of build test | paste -sd ' ')"
+  quietly "$1.log" ninja -C "$root/build/$1" -j "$(build_jobs)" "$2" ||
+    fail "the build failed (see above) Run 'ninja -C $root/build/$1 $2' to try again."
+}
+
+program_is_fresh() { # a cheap stand-in for asking ninja; folders count, so files that came and went do too
+  local sources=(CMakeLists.txt CMakePresets.json dsp channel protocol sim .git/logs/HEAD)
+  [[ -x $program && -e $root/build/release/.program ]] &&
+    [[ -z $(cd "$root" && find "${sources[@]}" -newer build/release/.program -print -quit 2>/dev/null) ]]
+}
+
+build_program() {
+  program_is_fresh && return # another call may have built it while this one waited
+  local settings=()
+  # The program alone needs no test packages; a tree where the tests are on keeps them.
+  is_set_up "$root/build/release" || settings=(COSYS_TESTS:BOOL=OFF)
+  say "building$([[ -x $program ]] || echo " (the first time takes a few minutes)")"
+  touch "$root/build/.began"
+  build release cosys-sim "${settings[@]}"
+  mv "$root/build/.began" "$root/build/release/.program"
+}
+
+need_program() { # sets `program`
+  program=$root/build/release/bin/cosys-sim
+  program_is_fresh || with_lock build_program
+}

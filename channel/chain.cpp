@@ -1,0 +1,162 @@
+#include "channel/chain.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "channel/chain_loop.hpp"
+#include "channel/noise.hpp"
+
+namespace channel {
+namespace {
+
+CarrierDesign design_carrier(const LightSettings& light, dsp::Hertz sample_rate) {
+  const double cycles = light.carrier / sample_rate;
+  const double half = std::numbers::pi * cycles;
+  const double droop = std::sin(half) / half;  // of the mean over a sample, at the carrier
+  return {.step = static_cast<std::uint32_t>(std::llround(cycles * 0x1p32)),
+          .cycles = static_cast<float>(cycles),
+          .duty = static_cast<float>(light.duty),
+          .amplitude = static_cast<float>(light.signal.value * 1e3 / droop / cycles)};
+}
+
+/// Intervals of light on a drive wire, in samples.
+std::vector<Burst> bursts_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
+  std::vector<Burst> bursts;
+  bool lit = !drive.initial();
+  double since = 0;
+  for (const dsp::Seconds flip : drive.flips()) {
+    const double at = dsp::cycles(flip, sample_rate);
+    if (lit) bursts.push_back({since, at});
+    lit = !lit;
+    since = at;
+  }
+  if (lit) bursts.push_back({since, dsp::cycles(drive.end(), sample_rate)});
+  return bursts;
+}
+
+std::int64_t samples_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
+  return static_cast<std::int64_t>(std::ceil(dsp::cycles(drive.end(), sample_rate)));
+}
+
+/// Eight pins being written; a flip past a trial's own end is not that trial's.
+class PinWriter {
+ public:
+  PinWriter(std::span<const ChainInput> inputs, dsp::Hertz sample_rate) : rate_(sample_rate) {
+    for (const ChainInput& input : inputs) {
+      pins_.emplace_back(true, input.drive->end());
+      last_.push_back(samples_of(*input.drive, sample_rate));
+    }
+  }
+
+  static void write(void* self, std::int64_t sample, std::uint32_t lanes) {
+    static_cast<PinWriter*>(self)->write(sample, lanes);
+  }
+  std::vector<dsp::LogicTrace> take() { return std::move(pins_); }
+
+ private:
+  void write(std::int64_t sample, std::uint32_t lanes) {
+    for (std::size_t i = 0; i < pins_.size(); ++i) {
+      if ((lanes >> i & 1) == 0 || sample > last_[i]) continue;
+      pins_[i].flip_at(dsp::Seconds(static_cast<double>(sample) / rate_.value));
+    }
+  }
+
+  dsp::Hertz rate_;
+  std::vector<dsp::LogicTrace> pins_;
+  std::vector<std::int64_t> last_;
+};
+
+struct Recorder {
+  Recording* into;
+  void operator()(float irradiance, const ModuleTaps<float>& taps) const {
+    into->irradiance.push_back(irradiance);
+    into->band_pass.push_back(taps.band_pass);
+    into->threshold.push_back(taps.threshold);
+    into->integrator.push_back(taps.integrator);
+    into->agc_gain.push_back(taps.agc_gain);
+  }
+};
+
+/// Inputs of a group in the kernels' form, with the memory that they point to.
+struct PreparedGroup {
+  std::vector<std::vector<Burst>> bursts;
+  ChainKernelInput kernel;
+
+  PreparedGroup(const ChainDesign& design, std::span<const ChainInput> inputs, PinWriter& pins) {
+    kernel.carrier = &design.carrier;
+    kernel.module = &design.module;
+    kernel.noise_dark = design.noise_dark;
+    kernel.noise_lit = design.noise_lit;
+    kernel.on_flip = &PinWriter::write;
+    kernel.context = &pins;
+    for (const ChainInput& input : inputs) {
+      ChainKernelInput::Lane& lane = kernel.lane[bursts.size()];
+      bursts.push_back(bursts_of(*input.drive, design.sample_rate));
+      lane = {bursts.back().data(), bursts.back().size(), input.carrier_phase, input.noise_seed};
+      kernel.samples = std::max(kernel.samples, samples_of(*input.drive, design.sample_rate));
+    }
+  }
+};
+
+bool have_v3() {
+#ifdef COSYS_HAVE_V3
+  static const bool have = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                           __builtin_cpu_supports("bmi2");
+  return have;
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
+ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
+                         dsp::Hertz sample_rate) {
+  assert(sample_rate >= 4.0 * light.carrier && light.duty > 0 && light.duty < 1);
+  const dsp::Amperes dark = photocurrent(module, light.ambient);
+  const dsp::Amperes lit = dark + photocurrent(module, light.signal * light.duty);
+  const auto deviation = [&](dsp::Amperes mean) {
+    return static_cast<float>(
+        light.noise_scale *
+        sample_deviation_mw_per_m2(module, noise_density(module, mean), sample_rate));
+  };
+  return {.sample_rate = sample_rate,
+          .carrier = design_carrier(light, sample_rate),
+          .module = design_module(module, light.ambient, sample_rate),
+          .noise_dark = deviation(dark),
+          .noise_lit = deviation(lit)};
+}
+
+std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
+                                       std::span<const ChainInput> inputs) {
+  assert(inputs.size() <= lanes_per_group);
+  PinWriter pins(inputs, design.sample_rate);
+  const PreparedGroup group(design, inputs, pins);
+#ifdef COSYS_HAVE_V3
+  if (have_v3()) {
+    run_lanes_v3(group.kernel);
+    return pins.take();
+  }
+#endif
+  run_lanes_baseline(group.kernel);
+  return pins.take();
+}
+
+dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
+                                Recording* recording) {
+  const std::span<const ChainInput> inputs(&input, 1);
+  PinWriter pins(inputs, design.sample_rate);
+  const PreparedGroup group(design, inputs, pins);
+  if (recording != nullptr) {
+    run_chain<float>(group.kernel, Recorder{recording});
+  } else {
+    run_chain<float>(group.kernel, NoProbe{});
+  }
+  return pins.take().front();
+}
+
+const char* instruction_set() { return have_v3() ? "x86-64-v3" : "baseline"; }
+
+}  // namespace channel

@@ -1,0 +1,63 @@
+#pragma once
+// The chain from the wire that drives the LED to the wire that the receiver module gives: keying,
+// light, noise, module, flips. Wires are LogicTraces: low = light on the way in, and on the way
+// out. Results do not depend on how many trials run together nor on the instruction set.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "channel/keyed_carrier.hpp"
+#include "channel/receiver_module.hpp"
+#include "dsp/logic_trace.hpp"
+#include "dsp/units.hpp"
+
+namespace channel {
+
+struct ChainDesign {
+  dsp::Hertz sample_rate;
+  CarrierDesign carrier;
+  ModuleDesign module;
+  float noise_dark = 0;  // standard deviation of a sample, mW/m2
+  float noise_lit = 0;   // the same while the carrier is on
+};
+
+/// What the light of one operating point is made of.
+struct LightSettings {
+  dsp::WattsPerSquareMetre signal;   // effective, peak of the on/off wave
+  dsp::WattsPerSquareMetre ambient;  // effective, constant
+  dsp::Hertz carrier;                // its true frequency
+  double duty = 0.5;
+  double noise_scale = 1;
+};
+
+/// Needs a sample rate of at least 4 carrier cycles and duty in (0, 1).
+ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
+                         dsp::Hertz sample_rate);
+
+/// One trial: the wire that drives the LED, observed to its end, and the trial's random state.
+struct ChainInput {
+  const dsp::LogicTrace* drive;
+  std::uint32_t carrier_phase;  // at time 0, in 2^-32 cycles
+  std::array<std::uint32_t, 4> noise_seed;
+};
+
+constexpr int lanes_per_group = 8;
+
+/// The module's pin for each of up to eight trials, all at once.
+std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
+                                       std::span<const ChainInput> inputs);
+
+/// Every sample of one trial at the chain's taps.
+struct Recording {
+  std::vector<float> irradiance, band_pass, threshold, integrator, agc_gain;
+};
+
+/// The pin of one trial, computed alone; the same bits as in a group. Fills `recording` if given.
+dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
+                                Recording* recording = nullptr);
+
+/// Instruction set that propagate() uses on this machine: "x86-64-v3" or "baseline".
+const char* instruction_set();
+
+}  // namespace channel

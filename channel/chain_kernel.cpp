@@ -1,0 +1,11 @@
+// Built once for each instruction set (see CMakeLists.txt), which names the function and, through
+// COSYS_ISA, every template in it.
+#include "channel/chain_kernel.hpp"
+
+#include "channel/chain_loop.hpp"
+
+namespace channel {
+
+void COSYS_KERNEL(const ChainKernelInput& input) { run_chain<dsp::Lanes8>(input, NoProbe{}); }
+
+}  // namespace channel

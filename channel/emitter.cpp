@@ -1,0 +1,36 @@
+#include "channel/emitter.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace channel {
+namespace {
+
+double log_log(const Curve& curve, double at) {
+  const auto above = std::upper_bound(curve.x.begin(), curve.x.end(), at);
+  if (above == curve.x.end()) return curve.y.back();
+  const auto i = static_cast<std::size_t>(above - curve.x.begin());
+  const double share = std::log(at / curve.x[i - 1]) / std::log(curve.x[i] / curve.x[i - 1]);
+  return curve.y[i - 1] * std::pow(curve.y[i] / curve.y[i - 1], share);
+}
+
+}  // namespace
+
+dsp::WattsPerSteradian axial_intensity(const EmitterData& emitter, dsp::Amperes current) {
+  const Curve& curve = emitter.intensity_mw_per_sr;
+  assert(!curve.empty() && curve.x.size() == curve.y.size());
+  assert(curve.x.front() > 0 && current.value >= 0);
+  const double ma = current.value * 1e3;
+  const double mw_per_sr =
+      ma < curve.x.front() ? curve.y.front() * ma / curve.x.front() : log_log(curve, ma);
+  return dsp::WattsPerSteradian(mw_per_sr * 1e-3);
+}
+
+double relative_intensity(const EmitterData& emitter, dsp::Radians off_axis) {
+  if (off_axis.value > std::numbers::pi / 2) return 0;
+  return emitter.pattern(off_axis.value * 180 / std::numbers::pi);
+}
+
+}  // namespace channel

@@ -1,0 +1,91 @@
+#pragma once
+// The light at the module: a square carrier keyed on and off by a wire's level. Each sample is the
+// mean of the wave over its own interval, so carrier and keying edges fall where they fall: no
+// aliasing of edges, no whole-number coincidence of sample rate, carrier and baud is relied on.
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "dsp/lanes.hpp"
+
+namespace channel {
+
+/// Light is on from `on` to `off`, in samples from the start of the trial.
+struct Burst {
+  double on, off;
+};
+
+struct CarrierDesign {
+  std::uint32_t step;  // carrier cycles a sample, in 2^-32
+  float cycles;        // the same as a float; below 1
+  float duty;          // 0..1
+  float
+      amplitude;  // peak irradiance over `cycles`, made up for the droop of the mean over a sample
+};
+
+template <class T>
+class KeyedCarrier {
+ public:
+  struct Sample {
+    T irradiance;
+    dsp::Mask<T> lit;  // the burst is on in some part of this sample
+  };
+
+  explicit KeyedCarrier(const CarrierDesign& d)
+      : step_(d.step), cycles_(d.cycles), duty_(d.duty), amplitude_(d.amplitude) {}
+
+  /// Gives a lane its bursts (which must outlive this) and the carrier's phase at sample 0, in
+  /// 2^-32 cycles. Bursts are in order and at least a sample apart.
+  void load(int lane, std::span<const Burst> bursts, std::uint32_t phase) {
+    burst_[lane] = bursts.data();
+    end_[lane] = bursts.data() + bursts.size();
+    dsp::set_lane(phase_, lane, phase);
+  }
+
+  /// Prepares the samples [first, first + length); returns how many of them one burst a lane
+  /// covers: the length of the block to run.
+  int begin_block(std::int64_t first, int length) {
+    constexpr double far = 1 << 20;
+    for (int i = 0; i < dsp::lanes<T>; ++i) {
+      const double origin = static_cast<double>(first);
+      while (burst_[i] != end_[i] && burst_[i]->off <= origin) ++burst_[i];
+      const bool none = burst_[i] == end_[i];
+      dsp::set_lane(on_, i, static_cast<float>(none ? far : std::min(burst_[i]->on - origin, far)));
+      dsp::set_lane(off_, i,
+                    static_cast<float>(none ? far : std::min(burst_[i]->off - origin, far)));
+      if (none || burst_[i] + 1 == end_[i]) continue;
+      const double next = burst_[i][1].on - origin;
+      if (next < length) length = std::max(1, static_cast<int>(next));
+    }
+    return length;
+  }
+
+  /// Sample `i` of the block; to be called for each in turn.
+  Sample operator()(int i) {
+    const T zero(0.0f), one(1.0f), start(static_cast<float>(i));
+    const T from = dsp::smaller(dsp::larger(on_ - start, zero), one);
+    const T to = dsp::smaller(dsp::larger(off_ - start, zero), one);
+    const T phase = dsp::to_float(phase_ >> 8) * T(0x1p-24f);
+    phase_ = phase_ + step_;
+    const T light =
+        lit_time(dsp::fused(to, cycles_, phase)) - lit_time(dsp::fused(from, cycles_, phase));
+    return {amplitude_ * light, from < to};
+  }
+
+ private:
+  /// Cycles of light from phase 0 to phase p, p in [0, 2): the integral of the square wave.
+  T lit_time(T p) const {
+    const T one(1.0f);
+    const dsp::Mask<T> second = p >= one;
+    const T within = dsp::choose(second, p - one, p);
+    return dsp::choose(second, duty_, T(0.0f)) + dsp::smaller(within, duty_);
+  }
+
+  dsp::Words<T> step_, phase_ = dsp::Words<T>(0u);
+  T cycles_, duty_, amplitude_;
+  T on_, off_;  // the lane's burst, in samples from the block's start
+  const Burst* burst_[dsp::lanes<T>] = {};
+  const Burst* end_[dsp::lanes<T>] = {};
+};
+
+}  // namespace channel

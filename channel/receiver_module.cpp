@@ -1,0 +1,92 @@
+#include "channel/receiver_module.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace channel {
+namespace {
+
+using std::numbers::pi;
+
+double decibels(double db) { return std::pow(10.0, db / 20.0); }
+
+/// Ratio of Emin to the comparator's level, both as irradiance. A burst's envelope reaches the
+/// level after -tau ln(1 - VT/E) and leaves it tau ln(E/VT) after its end (tau = Q/pi cycles); the
+/// hold adds its length less the cycle that a comparator needs to see a peak. Solved for the pulse
+/// width that defines Emin.
+double emin_over_level(const ModuleData& data) {
+  const double tau = data.q / pi;
+  const double stretch = data.comparator_hold_cycles - 1.0;
+  return 1.0 + std::exp((data.emin_width_cycles - stretch) / tau);
+}
+
+/// Band-pass amplitude of an on/off wave of 50 % duty at f0 and unit peak.
+constexpr double fundamental = 2.0 / pi;
+
+SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
+  const double cycle = sample_rate.value / data.centre_hz;
+  const int per_tick = std::max(1, static_cast<int>(cycle));
+  const double ticks_per_cycle = cycle / per_tick;
+  const double tick_ms = 1e3 * per_tick / sample_rate.value;
+  const double attack_db = data.agc_attack_db_per_ms * tick_ms;
+  const double release_db = attack_db * data.agc_max_duty / (1.0 - data.agc_max_duty);
+  const double long_burst = std::floor(data.agc_long_burst_cycles * ticks_per_cycle);
+  return {.long_burst = static_cast<float>(long_burst),
+          .min_gap = static_cast<float>(data.agc_min_gap_cycles * ticks_per_cycle),
+          .attack = static_cast<float>(decibels(attack_db)),
+          .release = static_cast<float>(decibels(-release_db)),
+          .attack_of_long_burst = static_cast<float>(decibels(attack_db * long_burst)),
+          .highest = static_cast<float>(decibels(data.agc_range_db)),
+          .margin = static_cast<float>(decibels(-data.agc_margin_db)),
+          .samples_per_tick = per_tick};
+}
+
+}  // namespace
+
+BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_rate) {
+  assert(q > 0.5 && sample_rate > 2.0 * centre);
+  const double t = 1.0 / sample_rate.value;
+  const double w0 = 2 * pi * centre.value;
+  const double decay = w0 / (2 * q);
+  const double wd = w0 * std::sqrt(1 - 1 / (4 * q * q));
+  const double e = std::exp(-decay * t), c = std::cos(wd * t), s = std::sin(wd * t) / wd;
+  // exp(At) of u' = (w0/Q)(x - u) - w0 v, v' = w0 u.
+  const double uu = e * (c - decay * s), uv = -e * w0 * s, vu = e * w0 * s,
+               vv = e * (c + decay * s);
+  // A^-1 (exp(At) - 1) B, over the droop sinc(f0/fs) of an input held for a sample.
+  const double half = pi * centre.value * t;
+  const double droop = std::sin(half) / half;
+  const double ux = vu / q / droop;
+  const double vx = (-(uu - 1) - vu / q) / q / droop;
+  const auto f = [](double x) { return static_cast<float>(x); };
+  return {f(uu), f(uv), f(vu), f(vv), f(ux), f(vx)};
+}
+
+double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient) {
+  const double e = ambient.value;
+  const double light = data.ambient_k * e * (1.0 + e / data.ambient_es_w_per_m2);
+  return std::sqrt(data.emin_mw_per_m2 * data.emin_mw_per_m2 + light);
+}
+
+ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
+                           dsp::Hertz sample_rate) {
+  const double cycle = sample_rate.value / data.centre_hz;
+  const double level = emin_in_ambient(data, ambient) / emin_over_level(data);
+  const double atc_samples = data.atc_release_ms * 1e-3 * sample_rate.value;
+  return {.band_pass = design_band_pass(dsp::Hertz(data.centre_hz), data.q, sample_rate),
+          .limit = static_cast<float>(data.emax_w_per_m2 * 1e3),
+          .threshold = static_cast<float>(fundamental * level),
+          .atc_fraction = static_cast<float>(data.atc_fraction),
+          .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
+          .hold = static_cast<float>(data.comparator_hold_cycles * cycle),
+          .integrator = static_cast<float>(std::round(data.integrator_cycles * cycle)),
+          .agc = design_agc(data, sample_rate)};
+}
+
+dsp::Seconds nominal_delay(const ModuleData& data) {
+  return dsp::Seconds((data.comparator_hold_cycles + data.integrator_cycles) / data.centre_hz);
+}
+
+}  // namespace channel

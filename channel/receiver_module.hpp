@@ -1,0 +1,126 @@
+#pragma once
+// A receiver module (TSOP-like). ModuleData is the part as its data sheet says it (one TOML file a
+// part); ModuleDesign the same turned into numbers per sample; ReceiverModule<T> the stages at
+// work: limiter, band-pass, comparator at max(fixed threshold, fraction of peak), integrator,
+// Schmitt.
+#include <string>
+
+#include "channel/band_pass.hpp"
+#include "channel/curve.hpp"
+#include "channel/demodulator.hpp"
+#include "channel/slow_agc.hpp"
+#include "dsp/lanes.hpp"
+#include "dsp/units.hpp"
+
+namespace channel {
+
+struct ModuleData {
+  std::string name;
+  // Band-pass.
+  double centre_hz = 56e3;
+  double q = 10;
+  // Sensitivity. Emin: peak irradiance of a 30-cycle burst at f0 at which the output pulse is
+  // emin_width_cycles longer than the burst (a negative number: shorter).
+  double emin_mw_per_m2 = 0.12;
+  double emin_width_cycles = -5;
+  double emax_w_per_m2 = 50;
+  // Demodulator.
+  double comparator_hold_cycles = 1.25;
+  double integrator_cycles = 8;
+  double atc_fraction = 0.4;
+  double atc_release_ms = 10;
+  // Slow AGC; attack 0 means that the part has none.
+  double agc_attack_db_per_ms = 0.3;
+  double agc_max_duty = 0.305;
+  double agc_long_burst_cycles = 80;
+  double agc_min_gap_cycles = 29;
+  double agc_margin_db = 3;
+  double agc_range_db = 120;
+  // Front end and noise.
+  double aperture_mm2 = 6.7;
+  double responsivity_a_per_w = 0.65;
+  double feedback_ohm = 1e6;
+  double temperature_k = 300;
+  // Threshold in ambient light: Emin^2 grows by k*E*(1 + E/Es), E in W/m2, Emin in mW/m2.
+  double ambient_k = 0.047;
+  double ambient_es_w_per_m2 = 18;
+  // Response off axis, as relative distance against degrees; empty: cos^1.
+  Curve directivity;
+};
+
+/// Units inside: irradiance in mW/m2 as the peak of an on/off waveform of 50 % duty at the input,
+/// amplitude in mW/m2 behind the band-pass; times in samples.
+struct ModuleDesign {
+  BandPassDesign band_pass;
+  float limit;      // irradiance at which the input clips
+  float threshold;  // amplitude of the fixed comparator, slow AGC at rest
+  float atc_fraction, atc_decay;
+  float hold, integrator;
+  SlowAgcDesign agc;
+};
+
+/// Emin in ambient light: sqrt(Emin^2 + k E (1 + E / Es)), mW/m2. Vishay 82459 Fig. 6 within 6 %
+/// rms.
+double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient);
+
+ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
+                           dsp::Hertz sample_rate);
+
+/// Constant part of the delay from light to pin: hold and integrator.
+dsp::Seconds nominal_delay(const ModuleData& data);
+
+/// What the module has inside at one sample, for whoever wants to look.
+template <class T>
+struct ModuleTaps {
+  T band_pass, threshold, integrator, agc_gain;
+};
+
+template <class T>
+class ReceiverModule {
+ public:
+  explicit ReceiverModule(const ModuleDesign& d)
+      : limit_(d.limit),
+        threshold_(d.threshold),
+        margin_(d.agc.margin),
+        fixed_(d.threshold),
+        ticks_(d.agc.samples_per_tick),
+        to_tick_(ticks_),
+        band_pass_(d.band_pass),
+        follower_(d.atc_fraction, d.atc_decay),
+        signal_(d.hold),
+        activity_(d.hold),
+        integrator_(d.integrator),
+        agc_(d.agc) {}
+
+  /// One sample of irradiance in, the pin's level out: false (low) while light is reported.
+  dsp::Mask<T> operator()(T irradiance) {
+    const T u = band_pass_(dsp::smaller(dsp::larger(irradiance, -limit_), limit_));
+    const T following = follower_(u);
+    const T level = dsp::larger(fixed_, following);
+    const dsp::Mask<T> light = signal_(u > level);
+    const dsp::Mask<T> active = activity_(u > dsp::larger(fixed_ * margin_, following));
+    if (--to_tick_ == 0) tick(active);
+    taps_ = {u, level, integrator_.level(), gain_};
+    return !integrator_(light);
+  }
+  const ModuleTaps<T>& taps() const { return taps_; }
+
+ private:
+  void tick(dsp::Mask<T> active) {
+    to_tick_ = ticks_;
+    gain_ = agc_(active);
+    fixed_ = threshold_ * gain_;
+  }
+
+  T limit_, threshold_, margin_, fixed_;
+  T gain_ = T(1.0f);
+  int ticks_, to_tick_;
+  BandPass<T> band_pass_;
+  PeakFollower<T> follower_;
+  PulseHold<T> signal_, activity_;
+  PulseIntegrator<T> integrator_;
+  SlowAgc<T> agc_;
+  ModuleTaps<T> taps_;
+};
+
+}  // namespace channel

@@ -1,0 +1,58 @@
+#pragma once
+// What the program does, one function a command: results to stdout, messages to stderr, an exit
+// code back. Wrong input and a failing machine are thrown as Failure.
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/failure.hpp"
+#include "sim/parts.hpp"
+#include "sim/scenario.hpp"
+#include "sim/store.hpp"
+
+namespace sim {
+
+/// What all commands on a scenario take.
+struct ScenarioOptions {
+  std::vector<std::string> overrides;  // --set and its short forms
+  PartRoots parts;                     // --parts, then the program's own
+};
+
+/// Parts beside the scenario come before all others.
+LoadedScenario load_with(const ScenarioOptions& options, const std::filesystem::path& scenario);
+
+struct RunRequest {
+  std::vector<std::filesystem::path> scenarios;
+  ScenarioOptions options;
+  std::optional<std::filesystem::path> output;  // a file, or a folder for several scenarios
+  int threads = 0;                              // 0: one per processor
+  bool quiet = false, json = false;
+  std::string command;  // as the user typed it
+  ProgramInfo program;
+};
+ExitCode run_command(const RunRequest& request);
+
+struct TraceRequest {
+  std::filesystem::path scenario;
+  ScenarioOptions options;
+  std::uint64_t point = 0;
+  std::uint32_t trial = 0;
+  std::filesystem::path output;
+};
+ExitCode trace_command(const TraceRequest& request);
+
+/// The bytes of a device message on the line, to stdout.
+ExitCode encode_command(const std::string& message);
+
+struct DecodeRequest {
+  std::filesystem::path capture;
+  std::string wire;  // empty: "rx" if there is one, else the first
+  std::string uart = "mid-bit";
+  double baud = 600;
+  bool json = false;
+};
+ExitCode decode_command(const DecodeRequest& request);
+
+}  // namespace sim

@@ -1,0 +1,29 @@
+#pragma once
+// Where along a swept axis the frame loss crosses a level: binomial regression (logit link) against
+// the logarithm of the axis, or the axis itself if it is not positive. What cannot be fitted is an
+// outcome with its reason, never an exception.
+#include <string>
+
+#include "sim/result.hpp"
+
+namespace sim {
+
+struct Crossing {
+  enum class Kind {
+    fitted,        // at `at`, interval [low, high]
+    jump,          // between the neighbours [low, high]: too steep for a fit (separation)
+    unfitted,      // somewhere in [low, high]: the fit did not converge or contradicts a point
+    outside,       // no crossing inside the sweep, as far as can be told
+    not_monotone,  // the loss goes up and down beyond its intervals: no single crossing
+  };
+  Kind kind = Kind::outside;
+  double at = 0, low = 0, high = 0;
+};
+
+/// For an experiment with exactly one axis; points never reached are left out.
+Crossing frame_loss_crossing(const ExperimentResult& result, double level = 0.01);
+
+/// "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m"
+std::string crossing_sentence(const Axis& axis, const Crossing& crossing, double level = 0.01);
+
+}  // namespace sim

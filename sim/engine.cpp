@@ -1,0 +1,152 @@
+#include "sim/engine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "sim/trial.hpp"
+
+namespace sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t group_size = channel::lanes_per_group;
+
+/// What the workers of one point share.
+class Pool {
+ public:
+  Pool(const Link& link, const StopRule& stop, int threads)
+      : link_(link), rule_(stop), ahead_(4 * static_cast<std::uint64_t>(threads)) {}
+
+  void work() {
+    while (const auto group = take()) {
+      try {
+        give(*group,
+             run_group(link_, static_cast<std::uint32_t>(*group * group_size), size_of(*group)));
+      } catch (...) {
+        fail(std::current_exception());
+      }
+    }
+  }
+
+  /// Waits for the end or a moment; true at the end.
+  bool wait_a_moment() {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return over_; });
+    return over_;
+  }
+
+  void interrupt() { end(StopReason::interrupted); }
+
+  GroupResult sum() {
+    const std::lock_guard lock(mutex_);
+    return sum_;
+  }
+
+  /// To be called when all workers are done.
+  StopReason result() {
+    if (failure_) std::rethrow_exception(failure_);
+    return reason_;
+  }
+
+ private:
+  int size_of(std::uint64_t group) const {
+    return static_cast<int>(std::min(group_size, rule_.max_frames - group * group_size));
+  }
+
+  /// The next group to run, not too far ahead of the sum.
+  std::optional<std::uint64_t> take() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
+    if (over_ || next_ * group_size >= rule_.max_frames) return std::nullopt;
+    return next_++;
+  }
+
+  void give(std::uint64_t group, const GroupResult& result) {
+    const std::lock_guard lock(mutex_);
+    waiting_[group] = result;
+    while (!over_ && waiting_.contains(merged_)) {
+      const GroupResult& next = waiting_[merged_];
+      sum_.tally += next.tally;
+      sum_.simulated_s += next.simulated_s;
+      sum_.n_samples += next.n_samples;
+      waiting_.erase(merged_++);
+      if (const auto reason = stop_reason()) {
+        over_ = true;
+        reason_ = *reason;
+      }
+    }
+    changed_.notify_all();
+  }
+
+  std::optional<StopReason> stop_reason() const {
+    const bool enough =
+        rule_.max_frame_errors > 0 && sum_.tally.n_frames_lost >= rule_.max_frame_errors;
+    if (enough) return StopReason::max_frame_errors;
+    if (sum_.tally.n_frames >= rule_.max_frames) return StopReason::max_frames;
+    return std::nullopt;
+  }
+
+  void end(StopReason reason) {
+    const std::lock_guard lock(mutex_);
+    if (!over_) reason_ = reason;
+    over_ = true;
+    changed_.notify_all();
+  }
+
+  void fail(std::exception_ptr failure) {
+    end(StopReason::interrupted);
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = failure;
+  }
+
+  const Link& link_;
+  const StopRule rule_;
+  const std::uint64_t ahead_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t next_ = 0;    // group to be taken next
+  std::uint64_t merged_ = 0;  // groups in the sum
+  std::map<std::uint64_t, GroupResult> waiting_;
+  GroupResult sum_;
+  bool over_ = false;
+  StopReason reason_ = StopReason::interrupted;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options) {
+  const auto began = Clock::now();
+  Pool pool(link, stop, options.threads);
+  {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < options.threads; ++i) workers.emplace_back([&pool] { pool.work(); });
+    while (!pool.wait_a_moment()) {
+      if (options.interrupt != nullptr && *options.interrupt) pool.interrupt();
+      if (options.on_progress) options.on_progress(pool.sum().tally);
+    }
+  }
+  PointResult result;
+  result.stop = pool.result();
+  result.operating = link.operating;
+  const GroupResult sum = pool.sum();
+  result.tally = sum.tally;
+  result.simulated_s = sum.simulated_s;
+  result.n_samples = sum.n_samples;
+  result.elapsed_s = std::chrono::duration<double>(Clock::now() - began).count();
+  return result;
+}
+
+int default_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+}  // namespace sim

@@ -1,0 +1,31 @@
+#pragma once
+// The Monte Carlo engine: groups of eight trials on a pool of threads, added up in the order of
+// their numbers. The stop rule looks at that sum after each group, never at a clock, so the result
+// is the same for any number of threads; work done beyond the stop is thrown away.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "sim/link.hpp"
+#include "sim/result.hpp"
+
+namespace sim {
+
+struct StopRule {
+  std::uint64_t max_frames = 1000;
+  std::uint64_t max_frame_errors = 0;  // 0: no such limit
+};
+
+struct EngineOptions {
+  int threads = 1;
+  const std::atomic<bool>* interrupt = nullptr;     // polled; ends the point with what is complete
+  std::function<void(const Tally&)> on_progress{};  // from the calling thread, a few times a second
+};
+
+/// Runs one point to its stop. Coordinates are left to the caller.
+PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options);
+
+/// Threads to use when the user names none: one per processor this process may run on.
+int default_threads();
+
+}  // namespace sim

@@ -1,0 +1,27 @@
+#pragma once
+// Failure: what the user or the machine did wrong, thrown at the border and caught once in main.
+// The message is one line: PROBLEM (WHY) SUGGESTION, with file and line where there is one.
+#include <stdexcept>
+#include <string>
+
+namespace sim {
+
+enum class ExitCode {
+  done = 0,
+  check_failed = 1,
+  bad_input = 2,
+  environment = 3,
+  inconclusive = 4,
+  interrupted = 130
+};
+
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+}  // namespace sim

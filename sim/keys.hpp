@@ -1,0 +1,95 @@
+#pragma once
+// Keys: the one table of all that a scenario or a part file may say: name, unit, default, bounds,
+// meaning and place in the program. Loading, sweeping, --set, hashing and the README all follow it.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/failure.hpp"
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+/// Allowed values of a number; the ends belong to it unless they are open.
+struct Range {
+  double low = 0, high = 0;
+  bool low_open = false;
+  bool contains(double value) const;
+};
+
+enum class KeyType { number, whole_number, text, message, choice, part };
+
+/// What a key is called and what it may hold, whoever owns it.
+struct KeyFacts {
+  std::string name;       // "receiver.range_m"; in a part file "centre_hz"
+  std::string unit;       // "m"; "1" for a plain number; empty for text
+  Range range;            // of numbers
+  std::string long_name;  // a noun phrase: "distance along the floor"
+  std::string note;       // what else a user must know; may be empty
+  KeyType type = KeyType::number;
+};
+
+/// A key of a scenario. Exactly one of `number` and `text` is set.
+struct Key {
+  KeyFacts facts;
+  std::function<double&(Scenario&)> number;
+  std::function<std::string&(Scenario&)> text;
+  std::vector<std::string> choices;  // of KeyType::choice
+
+  const std::string& name() const { return facts.name; }
+  bool is_number() const { return static_cast<bool>(number); }
+};
+
+/// A number in a part's file. `required`: a data sheet prints it, so that no default can be right.
+template <class Part>
+struct PartNumber {
+  KeyFacts facts;
+  double Part::*member;
+  bool required;
+};
+
+/// A curve in a part's file: two lists of equal length, x increasing strictly.
+template <class Part>
+struct PartCurve {
+  std::string name, long_name;
+  KeyFacts x, y;
+  channel::Curve Part::*member;
+  bool required;
+};
+
+template <class Part>
+struct PartKeys {
+  std::string kind;    // "module"
+  std::string folder;  // "modules"
+  std::vector<PartNumber<Part>> numbers;
+  std::vector<PartCurve<Part>> curves;
+};
+
+const PartKeys<channel::ModuleData>& module_keys();
+const PartKeys<channel::EmitterData>& led_keys();
+
+/// All keys of a scenario, in the order of the README and of the canonical text.
+const std::vector<Key>& scenario_keys();
+
+/// The key of that name, or nothing.
+const Key* find_key(const std::string& name);
+
+/// The candidate that is spelt most like `name` (case aside); empty if there are none. The part of
+/// a candidate behind its dot counts too, so that "range_m" finds "receiver.range_m".
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
+
+/// What a bad input is answered with: one line, PROBLEM (WHY) SUGGESTION.
+Failure bad_input(const std::string& problem, const std::string& why,
+                  const std::string& suggestion);
+
+/// Throw unless the value may stand for the key; `place` says where it is written: "in x.toml:3".
+void check_number(const KeyFacts& facts, double value, const std::string& place);
+void check_text(const Key& key, const std::string& value, const std::string& place);
+
+/// "above 0 up to 1000": an allowed range in words.
+std::string in_words(const Range& range);
+
+/// The tables of scenarios/README.md, in Markdown.
+std::string key_reference();
+
+}  // namespace sim

@@ -1,0 +1,41 @@
+#pragma once
+// Link: one operating point with everything worked out that its trials share, from the bytes of the
+// message to the numbers per sample. Built once a point from a Scenario; constant from then on.
+#include <cstdint>
+#include <string>
+
+#include "channel/chain.hpp"
+#include "channel/geometry.hpp"
+#include "dsp/units.hpp"
+#include "protocol/uart.hpp"
+#include "sim/result.hpp"
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+struct Link {
+  // Device.
+  std::string message;     // as the user knows it
+  protocol::Bytes bytes;   // as the line carries it
+  dsp::Hertz device_baud;  // true rates, clock errors included
+  dsp::Seconds start_jitter, interval_min, interval_max;
+  int warmup_messages = 1;
+  // Light and module.
+  channel::ChainDesign chain;
+  dsp::Seconds delay;  // constant part, light to pin
+  // Receiver.
+  dsp::Hertz receiver_baud;
+  const protocol::UartReceiver* uart = nullptr;
+  // Randomness.
+  std::uint64_t seed = 0;
+  std::uint32_t point = 0;  // hash of the point's canonical text
+
+  OperatingPoint operating;
+};
+
+Link make_link(const Scenario& scenario);
+
+/// Light that the scenario's receiver gets, by path.
+channel::ReceivedLight light_of(const Scenario& scenario);
+
+}  // namespace sim

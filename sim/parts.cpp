@@ -1,0 +1,371 @@
+#include "sim/parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <set>
+#include <tuple>
+
+#include "sim/keys.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---- TOML text to entries ----
+
+constexpr std::size_t longest_file = 1 << 20;
+
+struct Located {
+  Entry entry;
+  std::tuple<std::size_t, std::size_t> where;  // line, column
+  bool may_repeat;
+};
+
+std::string place_of(const fs::path& path, std::size_t line) {
+  return fmt::format("in {}:{}", path.generic_string(), line);
+}
+
+std::string name_of(toml::node_type type) {
+  switch (type) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list that is not of numbers";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+Value list_of_numbers(const toml::array& list) {
+  std::vector<double> values;
+  for (const auto& item : list) {
+    if (!item.is_number()) return OtherValue{name_of(toml::node_type::array)};
+    values.push_back(*item.value<double>());
+  }
+  return values;
+}
+
+Value to_value(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  if (const auto* real = node.as_floating_point()) return real->get();
+  if (const auto* text = node.as_string()) return text->get();
+  if (const auto* list = node.as_array()) return list_of_numbers(*list);
+  return OtherValue{name_of(node.type())};
+}
+
+class Flattener {
+ public:
+  explicit Flattener(const fs::path& path) : path_(path) {}
+
+  void table(const toml::table& table, const std::string& prefix, bool may_repeat) {
+    for (const auto& [key, node] : table)
+      item(prefix + std::string(key.str()), key.source().begin, node, may_repeat);
+  }
+
+  std::vector<Located> take() { return std::move(found_); }
+
+ private:
+  void item(const std::string& key, const toml::source_position& at, const toml::node& node,
+            bool may_repeat) {
+    const auto* inner = node.as_table();
+    if (inner && !inner->empty()) return table(*inner, key + ".", may_repeat);
+    if (node.is_array_of_tables()) return tables(*node.as_array(), key + ".");
+    found_.push_back(
+        {{key, to_value(node), place_of(path_, at.line)}, {at.line, at.column}, may_repeat});
+  }
+
+  void tables(const toml::array& list, const std::string& prefix) {
+    for (const auto& element : list) table(*element.as_table(), prefix, true);
+  }
+
+  const fs::path& path_;
+  std::vector<Located> found_;
+};
+
+/// The TOML library takes a stack frame for each dot of a key, without a limit of its own.
+void refuse_deep_keys(const std::string& text, const fs::path& path) {
+  constexpr int most_dots = 250;
+  std::size_t line = 1;
+  int dots = 0;
+  for (const char c : text) {
+    if (c == '\n') ++line, dots = 0;
+    if (c == '.' && ++dots > most_dots)
+      throw bad_input("syntax error " + place_of(path, line),
+                      fmt::format("more than {} dots in a line", most_dots),
+                      "break the line in two");
+  }
+}
+
+toml::table parse_toml(const std::string& text, const fs::path& path) {
+  try {
+    return toml::parse(text, path.generic_string());
+  } catch (const toml::parse_error& error) {
+    throw bad_input("syntax error " + place_of(path, error.source().begin.line),
+                    std::string(error.description()), "correct this line");
+  }
+}
+
+void refuse_repetition(const std::vector<Located>& found) {
+  std::set<std::string> seen;
+  for (const auto& [entry, where, may_repeat] : found)
+    if (!may_repeat && !seen.insert(entry.key).second)
+      throw bad_input(entry.key + " " + entry.place, "given twice in this file",
+                      "remove one of the two");
+}
+
+// ---- part files ----
+
+bool same_name(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+std::vector<PartFile> parts_in(const fs::path& folder, const std::string& kind) {
+  std::vector<PartFile> parts;
+  std::error_code ignored;  // a root need not have the folder
+  for (const auto& file : fs::directory_iterator(folder, ignored))
+    if (file.path().extension() == ".toml")
+      parts.push_back({kind, file.path().stem().string(), file.path()});
+  std::ranges::sort(parts, {}, &PartFile::path);
+  return parts;
+}
+
+template <class Part>
+std::vector<PartFile> all_parts(const PartKeys<Part>& keys, const PartRoots& roots) {
+  std::vector<PartFile> all;
+  for (const auto& root : roots)
+    for (PartFile& part : parts_in(root / keys.folder, keys.kind))
+      if (std::ranges::none_of(all, [&](const auto& p) { return same_name(p.name, part.name); }))
+        all.push_back(std::move(part));
+  std::ranges::sort(all, {}, &PartFile::name);
+  return all;
+}
+
+template <class Part>
+Failure no_such_part(const PartKeys<Part>& keys, const std::string& name, const PartRoots& roots,
+                     const std::vector<PartFile>& parts, const std::string& asked) {
+  std::vector<std::string> folders, names;
+  for (const auto& root : roots) folders.push_back((root / keys.folder).generic_string());
+  for (const auto& part : parts) names.push_back(part.name);
+  return bad_input(
+      asked,
+      fmt::format("no {} of this name in {}", keys.kind,
+                  folders.empty() ? "any folder" : fmt::format("{}", fmt::join(folders, ", "))),
+      names.empty() ? fmt::format("add a file {}/NAME.toml", keys.folder)
+                    : fmt::format("did you mean {}?", nearest(name, names)));
+}
+
+/// What one part file says, against the keys that it may have.
+template <class Part>
+class PartReader {
+ public:
+  PartReader(const PartKeys<Part>& keys, const fs::path& path)
+      : keys_(keys),
+        file_("in " + path.generic_string()),
+        entries_(read_entries(read_text_file(path, keys.kind), path)) {}
+
+  Part read(const std::string& stem) const {
+    refuse_unknown();
+    Part part;
+    part.name = text("name", "add name = \"" + stem + "\"");
+    if (!same_name(part.name, stem))
+      throw bad_input(fmt::format("name = \"{}\" {}", part.name, find("name")->place),
+                      "the file has another name", "rename one of the two");
+    for (const auto& number : keys_.numbers) read_number(number, part);
+    for (const auto& curve : keys_.curves) read_curve(curve, part);
+    return part;
+  }
+
+ private:
+  std::vector<std::string> known() const {
+    std::vector<std::string> names{"name"};
+    for (const auto& n : keys_.numbers)
+      for (const char* leaf : {".value", ".source"}) names.push_back(n.facts.name + leaf);
+    for (const auto& c : keys_.curves)
+      for (const auto& leaf : {c.x.name, c.y.name, std::string("source")})
+        names.push_back(c.name + "." + leaf);
+    return names;
+  }
+
+  void refuse_unknown() const {
+    const auto names = known();
+    for (const auto& entry : entries_) {
+      refuse_bare_number(entry);
+      if (std::ranges::find(names, entry.key) == names.end())
+        throw bad_input(entry.key + " " + entry.place, "no such key in a part file",
+                        "did you mean " + nearest(entry.key, names) + "?");
+    }
+  }
+
+  void refuse_bare_number(const Entry& entry) const {
+    for (const auto& n : keys_.numbers)
+      if (n.facts.name == entry.key)
+        throw bad_input(
+            entry.key + " " + entry.place, "a number without its source",
+            "write " + entry.key + " = { value = NUMBER, source = \"document, page\" }");
+  }
+
+  const Entry* find(const std::string& key) const {
+    const auto at = std::ranges::find(entries_, key, &Entry::key);
+    return at == entries_.end() ? nullptr : &*at;
+  }
+
+  template <class Wanted>
+  const Wanted& get(const std::string& key, const char* wanted, const std::string& remedy) const {
+    const Entry* entry = find(key);
+    if (!entry) throw bad_input(key + " " + file_, "missing", remedy);
+    const auto* value = std::get_if<Wanted>(&entry->value);
+    if (!value)
+      throw bad_input(key + " " + entry->place,
+                      fmt::format("{} where {} is expected", kind_of(entry->value), wanted),
+                      remedy);
+    return *value;
+  }
+
+  const std::string& text(const std::string& key, const std::string& remedy) const {
+    const std::string& value = get<std::string>(key, "text", remedy);
+    if (value.empty()) throw bad_input(key + " " + find(key)->place, "empty", remedy);
+    return value;
+  }
+
+  bool has_any(const std::string& name) const {
+    return std::ranges::any_of(entries_,
+                               [&](const Entry& e) { return e.key.starts_with(name + "."); });
+  }
+
+  /// Whether the file has the item; it must then name its source.
+  bool present(const std::string& name, const std::string& sample, bool required) const {
+    if (!has_any(name)) {
+      if (!required) return false;
+      throw bad_input(name + " " + file_, "missing, though every data sheet prints it",
+                      "add " + sample);
+    }
+    require_source(name);
+    return true;
+  }
+
+  void require_source(const std::string& name) const {
+    const std::string remedy = "add source = \"document, page\" to it";
+    if (find(name + ".source")) return static_cast<void>(text(name + ".source", remedy));
+    const auto first = std::ranges::find_if(
+        entries_, [&](const Entry& e) { return e.key.starts_with(name + "."); });
+    throw bad_input(name + " " + first->place, "without its source", remedy);
+  }
+
+  void read_number(const PartNumber<Part>& number, Part& part) const {
+    const std::string& name = number.facts.name;
+    const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
+    if (!present(name, sample, number.required)) return;
+    const double value = get<double>(name + ".value", "a number", "write " + sample);
+    check_number(number.facts, value, find(name + ".value")->place);
+    part.*number.member = value;
+  }
+
+  void read_curve(const PartCurve<Part>& curve, Part& part) const {
+    const std::string sample =
+        fmt::format("{} = {{ {} = [...], {} = [...], source = \"document, figure\" }}", curve.name,
+                    curve.x.name, curve.y.name);
+    if (!present(curve.name, sample, curve.required)) return;
+    part.*curve.member = {axis(curve.name, curve.x, sample), axis(curve.name, curve.y, sample)};
+    check_shape(curve, part.*curve.member);
+  }
+
+  std::vector<double> axis(const std::string& curve, KeyFacts facts,
+                           const std::string& sample) const {
+    facts.name = curve + "." + facts.name;
+    const auto& values =
+        get<std::vector<double>>(facts.name, "a list of numbers", "write " + sample);
+    for (const double value : values) check_number(facts, value, find(facts.name)->place);
+    return values;
+  }
+
+  void check_shape(const PartCurve<Part>& curve, const channel::Curve& points) const {
+    const std::string at = curve.name + " " + find(curve.name + "." + curve.x.name)->place;
+    if (points.x.size() != points.y.size())
+      throw bad_input(at,
+                      fmt::format("{} has {} values, {} has {}", curve.x.name, points.x.size(),
+                                  curve.y.name, points.y.size()),
+                      "give both lists the same length");
+    if (points.x.size() < 2) throw bad_input(at, "a curve has at least two points", "add points");
+    if (std::ranges::adjacent_find(points.x, std::greater_equal<>()) != points.x.end())
+      throw bad_input(at, curve.x.name + " must increase from point to point", "sort the points");
+  }
+
+  const PartKeys<Part>& keys_;
+  std::string file_;
+  std::vector<Entry> entries_;
+};
+
+template <class Part>
+Part load_part(const PartKeys<Part>& keys, const std::string& name, const PartRoots& roots,
+               const std::string& asked) {
+  const auto parts = all_parts(keys, roots);
+  for (const auto& part : parts)
+    if (same_name(part.name, name)) return PartReader<Part>(keys, part.path).read(part.name);
+  throw no_such_part(keys, name, roots, parts, asked);
+}
+
+}  // namespace
+
+std::string kind_of(const Value& value) {
+  if (std::holds_alternative<double>(value)) return "a number";
+  if (std::holds_alternative<std::string>(value)) return "text";
+  if (std::holds_alternative<std::vector<double>>(value)) return "a list";
+  return std::get<OtherValue>(value).what;
+}
+
+std::string read_text_file(const fs::path& path, const std::string& what) {
+  const std::string name = path.generic_string();
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw bad_input(name, "a folder, not a " + what + " file", "name a .toml file in it");
+  if (!fs::exists(path, ignored)) throw bad_input(name, "no such file", "check the path");
+  std::ifstream file(path, std::ios::binary);
+  std::string text(longest_file + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad() || !file.is_open())
+    throw bad_input(name, "cannot be read", "check its permissions");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > longest_file)
+    throw bad_input(name, "longer than 1 MiB", "name a " + what + " file");
+  return text;
+}
+
+std::vector<Entry> read_entries(const std::string& text, const fs::path& path) {
+  refuse_deep_keys(text, path);
+  Flattener flattener(path);
+  flattener.table(parse_toml(text, path), "", false);
+  auto found = flattener.take();
+  std::ranges::stable_sort(found, {}, &Located::where);
+  refuse_repetition(found);
+  std::vector<Entry> entries;
+  for (auto& located : found) entries.push_back(std::move(located.entry));
+  return entries;
+}
+
+channel::ModuleData load_module(const std::string& name, const PartRoots& roots,
+                                const std::string& asked) {
+  return load_part(module_keys(), name, roots, asked);
+}
+
+channel::EmitterData load_led(const std::string& name, const PartRoots& roots,
+                              const std::string& asked) {
+  return load_part(led_keys(), name, roots, asked);
+}
+
+std::vector<PartFile> list_parts(const PartRoots& roots) {
+  auto parts = all_parts(led_keys(), roots);
+  const auto modules = all_parts(module_keys(), roots);
+  parts.insert(parts.end(), modules.begin(), modules.end());
+  return parts;
+}
+
+}  // namespace sim

@@ -1,0 +1,162 @@
+#include "sim/report_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sim/statistics.hpp"
+
+namespace sim {
+namespace {
+
+struct Cell {
+  std::string names[3];  // the header, from top to bottom
+  int width;             // negative: to the left, as in printf
+};
+
+constexpr int number_width = 10;    // "-1.234e-09"
+constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
+
+Cell axis_cell(const Axis& axis) {
+  const std::size_t dot = axis.key.rfind('.');
+  const std::string table = dot == std::string::npos ? "" : axis.key.substr(0, dot);
+  const std::string name = dot == std::string::npos ? axis.key : axis.key.substr(dot + 1);
+  const std::string unit = axis.unit.empty() || axis.unit == "1" ? "" : "[" + axis.unit + "]";
+  const std::size_t widest = std::max({table.size(), name.size(), unit.size()});
+  return {{table, name, unit}, std::max(number_width, static_cast<int>(widest))};
+}
+
+std::vector<Cell> cells_of(const std::vector<Axis>& axes) {
+  std::vector<Cell> cells;
+  for (const Axis& axis : axes) cells.push_back(axis_cell(axis));
+  cells.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
+  cells.push_back({{"", "SNR", "[dB]"}, 6});
+  cells.push_back({{"", "", "frames"}, number_width});
+  cells.push_back({{"", "bit", "errors"}, number_width});
+  cells.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
+  cells.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
+  cells.push_back({{"", "real", "time"}, 7});
+  cells.push_back({{"", "", "stopped by"}, -1});
+  return cells;
+}
+
+std::string line_of(const std::vector<Cell>& cells, const std::vector<std::string>& texts) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int width = cells[i].width;
+    line += width < 0 ? fmt::format("{:<{}}  ", texts[i], -width)
+                      : fmt::format("{:>{}}  ", texts[i], width);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+std::string decibel(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
+}
+
+// 1.23e-4: the exponent without its padding.
+std::string scientific(double value, int digits) {
+  if (value == 0) return "0";
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const std::size_t e = text.find('e');
+  return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+int digits_supported(const Estimate& e) {
+  const double relative = (e.high - e.low) / 2 / e.value;
+  return std::clamp(2 + static_cast<int>(std::floor(-std::log10(relative))), 2, 3);
+}
+
+std::string estimate_text(const Estimate& e) {
+  if (std::isnan(e.value)) return "-";
+  if (e.value == 0) return "< " + scientific(e.high, 2);
+  const int digits = digits_supported(e);
+  const int places = digits - 1 - static_cast<int>(std::floor(std::log10(e.value)));
+  const bool small = e.value < 0.01;
+  const auto text = [=](double v) {
+    return small ? scientific(v, digits) : fmt::format("{:.{}f}", v, places);
+  };
+  return fmt::format("{} [{}, {}]", text(e.value), text(e.low), text(e.high));
+}
+
+std::string real_time_factor(const PointResult& p) {
+  const double factor = p.simulated_s / p.elapsed_s;
+  if (!std::isfinite(factor)) return "-";
+  return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
+}
+
+nlohmann::ordered_json json_value(const Column& column, const PointResult& p, double ci_level) {
+  using Json = nlohmann::ordered_json;
+  struct Read {
+    const PointResult& p;
+    double level;
+    Json operator()(std::uint64_t Tally::*count) const { return p.tally.*count; }
+    Json operator()(std::uint64_t PointResult::*count) const { return p.*count; }
+    Json operator()(Column::Real real) const { return real(p, level); }
+    Json operator()(StopReason PointResult::*flag) const {
+      return measured(p) ? Json(stop_reason_name(p.*flag)) : Json(nullptr);
+    }
+  };
+  return std::visit(Read{p, ci_level}, column.value);
+}
+
+nlohmann::ordered_json json_point(const ExperimentResult& result, const PointResult& p) {
+  nlohmann::ordered_json point;
+  for (std::size_t i = 0; i < result.axes.size(); ++i) {
+    point[result.axes[i].key] = p.coordinates[i];
+  }
+  for (const Column& column : columns()) {
+    point[column.name] = json_value(column, p, result.ci_level);
+  }
+  return point;
+}
+
+}  // namespace
+
+std::string table_header(const std::vector<Axis>& axes) {
+  const std::vector<Cell> cells = cells_of(axes);
+  std::string header;
+  for (int row = axes.empty() ? 1 : 0; row < 3; ++row) {
+    std::vector<std::string> texts;
+    for (const Cell& cell : cells) texts.push_back(cell.names[row]);
+    header += line_of(cells, texts);
+  }
+  return header;
+}
+
+std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level) {
+  const bool known = measured(point);
+  std::vector<std::string> texts;
+  for (const double c : point.coordinates) texts.push_back(number(c));
+  texts.push_back(known ? number(point.operating.irradiance_mw_per_m2) : "-");
+  texts.push_back(known ? decibel(point.operating.snr_db) : "-");
+  texts.push_back(std::to_string(point.tally.n_frames));
+  texts.push_back(std::to_string(point.tally.n_bit_errors));
+  texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
+  texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
+  texts.push_back(real_time_factor(point));
+  texts.push_back(known ? stop_reason_name(point.stop) : "-");
+  return line_of(cells_of(axes), texts);
+}
+
+std::string to_json(const ExperimentResult& result) {
+  nlohmann::ordered_json json{
+      {"title", result.title},      {"command", result.command},
+      {"seed", result.seed},        {"ci_level", result.ci_level},
+      {"eb_convention", "average"}, {"result_digest", result_digest(result)}};
+  json["axes"] = nlohmann::ordered_json::array();
+  for (const Axis& a : result.axes) {
+    json["axes"].push_back({{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}});
+    json["axes"].back()["values"] = a.values;
+  }
+  json["points"] = nlohmann::ordered_json::array();
+  for (const PointResult& p : result.points) json["points"].push_back(json_point(result, p));
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace sim

@@ -1,0 +1,81 @@
+#pragma once
+// What an experiment leaves behind: axes, and for each point of their grid the counts, the
+// operating point and the cost. The store, the table and the JSON printer all read this and nothing
+// else.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/tally.hpp"
+
+namespace sim {
+
+/// One swept key. Points are ordered row-major: the last axis varies fastest.
+struct Axis {
+  std::string key;        // "receiver.range_m"
+  std::string unit;       // "m"
+  std::string long_name;  // "distance along the floor"
+  std::vector<double> values;
+};
+
+/// One operating point on every axis that people use.
+struct OperatingPoint {
+  double irradiance_mw_per_m2 = 0;  // effective, peak of the on/off waveform
+  double ambient_w_per_m2 = 0;
+  double snr_db = 0;            // behind the band-pass, in its noise bandwidth
+  double snr_bandwidth_hz = 0;  // that bandwidth
+  double ebn0_db = 0;           // average-energy convention
+};
+
+enum class StopReason : std::int16_t { max_frames = 0, max_frame_errors = 1, interrupted = 2 };
+
+struct PointResult {
+  std::vector<double> coordinates{};  // one value an axis
+  OperatingPoint operating{};
+  Tally tally{};
+  StopReason stop = StopReason::max_frames;
+  double elapsed_s = 0;         // wall clock
+  double simulated_s = 0;       // of the link's own time
+  std::uint64_t n_samples = 0;  // waveform samples simulated
+};
+
+struct ExperimentResult {
+  std::string title;
+  std::string scenario_toml;  // whole text, enough to repeat the run
+  std::string command;        // the command that repeats it
+  std::uint64_t seed = 0;
+  double ci_level = 0.95;
+  std::vector<Axis> axes;
+  std::vector<PointResult>
+      points;  // all points of the grid, row-major; unfinished ones have n_frames 0
+};
+
+/// One variable of the result file and of the JSON report: the table of them drives both, and the
+/// digest too, which covers every column that is a member of Tally.
+struct Column {
+  using Real = double (*)(const PointResult&, double ci_level);
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  std::variant<std::uint64_t Tally::*, std::uint64_t PointResult::*, StopReason PointResult::*,
+               Real>
+      value;
+};
+
+/// The table. At a point never reached the rates and the operating point are NaN.
+std::span<const Column> columns();
+
+/// Whether anything was counted at this point: false for those a stopped run never reached.
+bool measured(const PointResult& point);
+
+/// All reasons' names in the order of their numbers: "max_frames", ...
+std::span<const char* const> stop_reason_names();
+const char* stop_reason_name(StopReason reason);
+
+/// Hash (32 hex digits) of all counts of all points with their coordinates and of nothing else:
+/// equal digests, equal results.
+std::string result_digest(const ExperimentResult& result);
+
+}  // namespace sim

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+
+#include "sim/commands.hpp"
+#include "sim/curve_fit.hpp"
+#include "sim/engine.hpp"
+#include "sim/experiment.hpp"
+#include "sim/keys.hpp"
+#include "sim/progress_line.hpp"
+#include "sim/report_table.hpp"
+#include "sim/scenario.hpp"
+#include "sim/standard_output.hpp"
+#include "sim/sweep.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> interrupted = false;
+
+/// The first signal lets the run end in order; a second one kills it.
+void on_signal(int signal) {
+  interrupted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+fs::path output_of(const RunRequest& request, const fs::path& scenario) {
+  const fs::path name = scenario.stem().concat(".h5");
+  if (!request.output) return name;
+  const bool folder = request.scenarios.size() > 1 || fs::is_directory(*request.output) ||
+                      !request.output->has_filename();
+  return folder ? *request.output / name : *request.output;
+}
+
+void make_output_folder(const RunRequest& request) {
+  if (!request.output || (request.scenarios.size() < 2 && request.output->has_filename())) return;
+  std::error_code error;
+  fs::create_directories(*request.output, error);
+  if (error)
+    throw Failure(ExitCode::environment,
+                  fmt::format("cannot create the folder {} ({}) choose another place",
+                              request.output->string(), error.message()));
+}
+
+/// Two scenarios that would write one file are refused before any is run.
+void refuse_same_output(const RunRequest& request) {
+  for (std::size_t i = 0; i < request.scenarios.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const fs::path path = output_of(request, request.scenarios[i]);
+      if (path == output_of(request, request.scenarios[j]))
+        throw bad_input(
+            fmt::format("{} and {} would both be written to {}", request.scenarios[j].string(),
+                        request.scenarios[i].string(), path.string()),
+            "they have the same name", "rename one or run them one by one");
+    }
+  }
+}
+
+std::string closing_lines(const ExperimentResult& result, const fs::path& output) {
+  std::string text;
+  if (result.axes.size() == 1)
+    text += crossing_sentence(result.axes[0], frame_loss_crossing(result)) + "\n";
+  return text + fmt::format("{}: digest {}\n", output.string(), result_digest(result));
+}
+
+/// Writes the file while a run goes on, at most once a second.
+class Keeper {
+ public:
+  Keeper(fs::path output, ProgramInfo program)
+      : output_(std::move(output)), program_(std::move(program)) {}
+
+  void keep(const ExperimentResult& result, bool now) {
+    const auto time = std::chrono::steady_clock::now();
+    if (!now && time - last_ < std::chrono::seconds(1)) return;
+    write_result(output_, result, program_);
+    last_ = time;
+  }
+
+ private:
+  fs::path output_;
+  ProgramInfo program_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void run_scenario(const RunRequest& request, const LoadedScenario& scenario,
+                  const fs::path& output) {
+  Keeper keeper(output, request.program);
+  ProgressLine progress(!request.quiet);
+  if (!request.json) print(table_header(scenario.sweep));
+  ExperimentOptions options{.threads = request.threads > 0 ? request.threads : default_threads(),
+                            .interrupt = &interrupted};
+  options.on_progress = [&](const Progress& p) { progress.show(p); };
+  options.on_point = [&](const ExperimentResult& result, std::size_t point) {
+    progress.clear();
+    if (!request.json) print(table_row(result.axes, result.points[point], result.ci_level));
+    keeper.keep(result, false);
+  };
+  const ExperimentResult result = run_experiment(scenario, request.command, options);
+  keeper.keep(result, true);
+  print(request.json ? to_json(result) + "\n" : closing_lines(result, output));
+}
+
+}  // namespace
+
+LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
+  PartRoots roots = {scenario.has_parent_path() ? scenario.parent_path() : fs::path(".")};
+  roots.insert(roots.end(), options.parts.begin(), options.parts.end());
+  return load_scenario(scenario, options.overrides, roots);
+}
+
+ExitCode run_command(const RunRequest& request) {
+  refuse_same_output(request);
+  std::vector<LoadedScenario> scenarios;
+  for (const fs::path& path : request.scenarios)
+    scenarios.push_back(load_with(request.options, path));
+  make_output_folder(request);
+  for (const fs::path& path : request.scenarios) check_writable(output_of(request, path));
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  for (std::size_t i = 0; i < scenarios.size() && !interrupted; ++i)
+    run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]));
+  if (!interrupted) return ExitCode::done;
+  fmt::print(stderr,
+             "interrupted: what was finished is in the result file; run the same command "
+             "again for the rest\n");
+  return ExitCode::interrupted;
+}
+
+}  // namespace sim

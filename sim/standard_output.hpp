@@ -1,0 +1,16 @@
+#pragma once
+// stdout carries results, all of them or an error: a full disk behind a redirection is not silent.
+#include <cstdio>
+#include <string_view>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+
+inline void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw Failure(ExitCode::environment,
+                  "cannot write to standard output (it is closed or full) redirect it elsewhere");
+}
+
+}  // namespace sim

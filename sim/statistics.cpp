@@ -1,0 +1,88 @@
+#include "sim/statistics.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/beta.hpp>
+#include <cassert>
+#include <limits>
+
+namespace sim {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+double as_real(std::uint64_t count) { return static_cast<double>(count); }
+
+double student_quantile(double degrees_of_freedom, double level) {
+  const boost::math::students_t t(degrees_of_freedom);
+  return quantile(complement(t, (1 - level) / 2));
+}
+
+// Linearised variance of the ratio estimator errors / bits, frames being the sampled units
+// (Cochran, Sampling Techniques, 3rd ed. 1977, chapter 6).
+double variance_between_frames(const Tally& t, double r) {
+  const double squares = as_real(t.sum_bit_errors_squared) -
+                         2 * r * as_real(t.sum_bit_errors_times_bits) +
+                         r * r * as_real(t.sum_bits_squared);
+  const double frames = as_real(t.n_frames), bits = as_real(t.n_bits);
+  return std::max(0.0, squares) * frames / (frames - 1) / (bits * bits);
+}
+
+// Korn & Graubard, Survey Methodology 24 (1998) 193-201: bits / design effect, at most the bits,
+// corrected for a variance known only from so many frames.
+double effective_bits(const Tally& t, double r, double level) {
+  const double bits = as_real(t.n_bits);
+  const double variance = variance_between_frames(t, r);
+  const double independent = r * (1 - r);
+  const double effective = variance * bits > independent ? independent / variance : bits;
+  const double widening = student_quantile(as_real(t.n_frames) - 1, level) /
+                          student_quantile(std::max(1.0, bits - 1), level);
+  return effective / std::max(1.0, widening * widening);
+}
+
+Estimate estimate(double value, Interval ci) { return {value, ci.low, ci.high}; }
+
+Estimate frame_ratio(std::uint64_t part, std::uint64_t frames, double level) {
+  if (frames == 0) return {nothing, nothing, nothing};
+  return estimate(ratio(part, frames), clopper_pearson(as_real(part), as_real(frames), level));
+}
+
+}  // namespace
+
+Interval clopper_pearson(double successes, double trials, double level) {
+  assert(successes >= 0 && successes <= trials && level > 0 && level < 1);
+  const double tail = (1 - level) / 2;
+  Interval ci;
+  if (successes > 0) ci.low = boost::math::ibeta_inv(successes, trials - successes + 1, tail);
+  if (successes < trials)
+    ci.high = boost::math::ibetac_inv(successes + 1, trials - successes, tail);
+  return ci;
+}
+
+Interval bit_error_interval(const Tally& tally, double level) {
+  if (tally.n_bits == 0) return {};
+  const double r = ratio(tally.n_bit_errors, tally.n_bits);
+  const bool no_spread_to_see = r == 0 || r == 1 || tally.n_frames < 2;
+  const double trials =
+      no_spread_to_see ? as_real(tally.n_frames) : effective_bits(tally, r, level);
+  return clopper_pearson(r * trials, trials, level);
+}
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? nothing : as_real(part) / as_real(whole);
+}
+
+Estimate bit_error_ratio(const Tally& tally, double level) {
+  if (tally.n_bits == 0) return {nothing, nothing, nothing};
+  return estimate(ratio(tally.n_bit_errors, tally.n_bits), bit_error_interval(tally, level));
+}
+
+Estimate frame_loss_ratio(const Tally& tally, double level) {
+  return frame_ratio(tally.n_frames_lost, tally.n_frames, level);
+}
+
+Estimate undetected_error_ratio(const Tally& tally, double level) {
+  return frame_ratio(tally.n_frames_undetected, tally.n_frames, level);
+}
+
+}  // namespace sim

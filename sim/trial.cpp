@@ -1,0 +1,198 @@
+#include "sim/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dsp/philox.hpp"
+
+namespace sim {
+namespace {
+
+constexpr dsp::Seconds lead_in(20e-3);   // dark before the first message; the filter is at rest
+constexpr dsp::Seconds lead_out(20e-3);  // dark behind the last: module and UART have finished
+
+dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpose) {
+  return {.seed = link.seed,
+          .point = link.point,
+          .trial = trial,
+          .purpose = static_cast<std::uint32_t>(purpose)};
+}
+
+SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds start,
+                         const dsp::RandomAddress& jitter, std::uint32_t& draws) {
+  SentMessage message;
+  for (const std::uint8_t byte : link.bytes) {
+    start += jitter.uniform(draws++) * link.start_jitter;
+    message.byte_start.push_back(start);
+    start = protocol::send_byte(line, byte, start, link.device_baud);
+  }
+  message.end = start;
+  return message;
+}
+
+dsp::Seconds half_bit(const Link& link) { return dsp::period(link.device_baud) * 0.5; }
+
+/// When something heard at `at` must have left the device, less than half a bit wrong.
+bool within(const SentMessage& message, dsp::Seconds at, const Link& link) {
+  const dsp::Seconds sent = at - link.delay;
+  return sent >= message.byte_start.front() - half_bit(link) && sent < message.end;
+}
+
+void count_bits(const Link& link, const SentMessage& message, const dsp::LogicTrace& pin,
+                Tally& tally) {
+  dsp::TraceReader reader(pin);
+  for (std::size_t i = 0; i < link.bytes.size(); ++i) {
+    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
+      const dsp::Seconds centre =
+          message.byte_start[i] + dsp::period(link.device_baud) * (slot + 0.5);
+      ++tally.n_bits;
+      const bool heard = reader.level_at(centre + link.delay);
+      tally.n_bit_errors += heard != protocol::line_bit(link.bytes[i], slot);
+    }
+  }
+  tally.sum_bit_errors_squared = tally.n_bit_errors * tally.n_bit_errors;
+  tally.sum_bits_squared = tally.n_bits * tally.n_bits;
+  tally.sum_bit_errors_times_bits = tally.n_bit_errors * tally.n_bits;
+}
+
+/// Bytes are compared by the time they start, never by index: one lost start bit would otherwise
+/// make all that follow wrong.
+bool heard_byte(const Link& link, dsp::Seconds start, std::uint8_t value, const Reception& heard) {
+  const dsp::Seconds from = start + link.delay - half_bit(link);
+  const dsp::Seconds to = start + link.delay + half_bit(link);
+  auto byte = std::lower_bound(heard.bytes.begin(), heard.bytes.end(), from,
+                               [](const auto& b, dsp::Seconds t) { return b.start < t; });
+  for (; byte != heard.bytes.end() && byte->start < to; ++byte)
+    if (byte->value == value && !byte->framing_error) return true;
+  return false;
+}
+
+void count_bytes(const Link& link, const SentMessage& message, const Reception& heard,
+                 Tally& tally) {
+  tally.n_bytes = link.bytes.size();
+  for (std::size_t i = 0; i < link.bytes.size(); ++i)
+    tally.n_byte_errors += !heard_byte(link, message.byte_start[i], link.bytes[i], heard);
+  for (const protocol::UartByte& byte : heard.bytes)
+    tally.n_framing_errors += byte.framing_error && within(message, byte.start, link);
+}
+
+void count_rejected(protocol::CosysOutcome outcome, Tally& tally) {
+  using enum protocol::CosysOutcome;
+  switch (outcome) {
+    case ok:
+      return;
+    case unprintable:
+      ++tally.n_rejected_unprintable;
+      return;
+    case too_short:
+      ++tally.n_rejected_short;
+      return;
+    case not_hex:
+      ++tally.n_rejected_not_hex;
+      return;
+    case wrong_checksum:
+      ++tally.n_rejected_checksum;
+      return;
+    case overlong:
+      ++tally.n_rejected_overlong;
+      return;
+  }
+}
+
+bool overlaps_any(const Transmission& sent, const protocol::CosysFrame& frame, dsp::Seconds end,
+                  const Link& link) {
+  return std::any_of(sent.messages.begin(), sent.messages.end(), [&](const SentMessage& m) {
+    return within(m, frame.start, link) || within(m, end, link);
+  });
+}
+
+void count_frames(const Link& link, const Transmission& sent, const Reception& heard,
+                  Tally& tally) {
+  tally.n_frames = 1;
+  const SentMessage& counted = sent.messages.back();
+  bool delivered = false;
+  for (std::size_t i = 0; i < heard.frames.size(); ++i) {
+    const protocol::CosysFrame& frame = heard.frames[i];
+    if (!overlaps_any(sent, frame, heard.frame_end[i], link)) {
+      tally.n_frames_false += frame.outcome == protocol::CosysOutcome::ok;
+    } else if (within(counted, heard.frame_end[i], link)) {
+      const bool accepted = frame.outcome == protocol::CosysOutcome::ok;
+      delivered |= accepted && frame.message == link.message;
+      tally.n_frames_undetected += accepted && frame.message != link.message;
+      count_rejected(frame.outcome, tally);
+    }
+  }
+  tally.n_frames_ok = delivered;
+  tally.n_frames_lost = !delivered;
+}
+
+}  // namespace
+
+Transmission transmit(const Link& link, std::uint32_t trial) {
+  const dsp::RandomAddress timing = address(link, trial, Purpose::timing);
+  const dsp::RandomAddress jitter = address(link, trial, Purpose::jitter);
+  std::uint32_t draws = 0;
+  Transmission sent;
+  dsp::Seconds start = lead_in + timing.uniform(0) * dsp::period(link.device_baud);
+  for (int i = 0; i <= link.warmup_messages; ++i) {
+    sent.messages.push_back(send_message(link, sent.line, start, jitter, draws));
+    const dsp::Seconds spread = link.interval_max - link.interval_min;
+    const double u = timing.uniform(static_cast<std::uint32_t>(i) + 1);
+    start = sent.messages.back().end + link.interval_min + u * spread;
+  }
+  sent.line.observe_until(sent.messages.back().end + lead_out);
+  return sent;
+}
+
+channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent) {
+  return {.drive = &sent.line,
+          .carrier_phase = address(link, trial, Purpose::carrier_phase).block(0)[0],
+          .noise_seed = address(link, trial, Purpose::noise).block(0)};
+}
+
+Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
+  const double phase = address(link, trial, Purpose::uart_phase).uniform(0);
+  Reception heard{.pin = std::move(pin), .bytes = {}, .frames = {}, .frame_end = {}};
+  heard.bytes = link.uart->receive(heard.pin, link.receiver_baud, phase);
+  protocol::CosysDecoder decoder;
+  for (const protocol::UartByte& byte : heard.bytes) {
+    if (auto frame = decoder.push(byte)) {
+      heard.frames.push_back(std::move(*frame));
+      heard.frame_end.push_back(byte.start);
+    }
+  }
+  return heard;
+}
+
+Tally count(const Link& link, const Transmission& sent, const Reception& heard) {
+  Tally tally;
+  count_bits(link, sent.messages.back(), heard.pin, tally);
+  count_bytes(link, sent.messages.back(), heard, tally);
+  count_frames(link, sent, heard, tally);
+  return tally;
+}
+
+GroupResult run_group(const Link& link, std::uint32_t first, int n) {
+  std::vector<Transmission> sent;
+  std::vector<channel::ChainInput> inputs;
+  for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+  for (int i = 0; i < n; ++i)
+    inputs.push_back(chain_input(link, first + static_cast<std::uint32_t>(i),
+                                 sent[static_cast<std::size_t>(i)]));
+  std::vector<dsp::LogicTrace> pins = channel::propagate(link.chain, inputs);
+
+  GroupResult result;
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    const double duration = sent[i].line.end().value;
+    const Reception heard =
+        receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
+    result.tally += count(link, sent[i], heard);
+    result.simulated_s += duration;
+    result.n_samples +=
+        static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
+  }
+  return result;
+}
+
+}  // namespace sim

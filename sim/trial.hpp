@@ -1,0 +1,79 @@
+#pragma once
+// One trial: a device sends a message, a receiver module and a UART try to hear it. Read this and
+// trial.cpp first; everything else in the program is a detail of one of its lines.
+//
+//   step          what                                            value                type
+//   1 message     COSYS encode (once a point, sim/link)           bytes                Bytes
+//   2 UART        8N1 on the device's own clock                   level over time      LogicTrace
+//   3 keying      level 0 -> carrier on                           lit time             T
+//   4 light       LED pattern, direct + floor (once a point)      irradiance           T
+//   5 noise       shot (signal, ambient), thermal                 irradiance           T
+//   6 module      limiter, band-pass, threshold, integrator       pin level            Mask<T>
+//   7 flips       changes of the pin                              level over time      LogicTrace
+//   8 UART        a decoder on its own clock                      bytes, framing flags UartByte
+//   9 frames      COSYS decode                                    frame or a reason    CosysFrame
+//  10 count       sent against heard                              counters             Tally
+//
+// Steps 3-7 are channel::propagate. A trial sends `warmup_messages` first, so that the module's AGC
+// is where repetition takes it, and counts the last message only: one trial is one frame.
+#include <cstdint>
+#include <vector>
+
+#include "dsp/logic_trace.hpp"
+#include "protocol/cosys.hpp"
+#include "sim/link.hpp"
+#include "sim/tally.hpp"
+
+namespace sim {
+
+/// Causes of randomness; each has draws of its own, so a new one leaves the old as they were.
+enum class Purpose : std::uint32_t {
+  timing = 1,
+  jitter = 2,
+  carrier_phase = 3,
+  noise = 4,
+  uart_phase = 5
+};
+
+/// A message on the wire: when each of its characters starts, and when the last one ends.
+struct SentMessage {
+  std::vector<dsp::Seconds> byte_start;
+  dsp::Seconds end;
+};
+
+struct Transmission {
+  dsp::LogicTrace line;               // what keys the LED
+  std::vector<SentMessage> messages;  // in order; the last is the one that counts
+};
+
+/// Everything that one trial's receiver heard.
+struct Reception {
+  dsp::LogicTrace pin;
+  std::vector<protocol::UartByte> bytes;
+  std::vector<protocol::CosysFrame> frames;
+  std::vector<dsp::Seconds> frame_end;  // start of the byte that completed each frame
+};
+
+/// Steps 1-2: the trial's messages, at its own random instants.
+Transmission transmit(const Link& link, std::uint32_t trial);
+
+/// The random state of steps 3-7 for one trial.
+channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent);
+
+/// Steps 8-9: what the decoder makes of the pin.
+Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin);
+
+/// Step 10: the last message sent against what was heard.
+Tally count(const Link& link, const Transmission& sent, const Reception& heard);
+
+/// What a group of trials cost and gave.
+struct GroupResult {
+  Tally tally;
+  double simulated_s = 0;
+  std::uint64_t n_samples = 0;
+};
+
+/// All steps for trials first ... first + n - 1 (n up to channel::lanes_per_group) at once.
+GroupResult run_group(const Link& link, std::uint32_t first, int n);
+
+}  // namespace sim

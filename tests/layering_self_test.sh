@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Proves that layering_test.sh can fail: in a tree made for it, each include below is allowed or caught.
+set -euo pipefail
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+wrong=0
+
+expect() { # expect allowed|caught FILE INCLUDE
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree"/{dsp,channel,protocol,sim}
+  printf '// a comment\n#include %s\n' "$3" >"$tree/$2"
+  local found=allowed said
+  said=$("$here/layering_test.sh" "$tree") || found=caught
+  [[ $found == "$1" ]] || { echo "$2: #include $3 should be $1, is $found"; wrong=1; }
+  [[ $found == allowed || $said == "$2:2: "* ]] || { echo "$2:2 is not named in: $said"; wrong=1; }
+}
+
+expect allowed dsp/a.hpp '<vector>'
+expect allowed dsp/a.cpp '"dsp/units.hpp"'
+expect allowed channel/a.hpp '"dsp/units.hpp"'
+expect allowed protocol/a.cpp '"protocol/uart.hpp"'
+expect allowed sim/a.hpp '"channel/floor.hpp"'
+expect allowed sim/a.cpp '"protocol/uart.hpp"'
+expect caught dsp/a.cpp '"channel/floor.hpp"'
+expect caught dsp/a.cpp '"sim/failure.hpp"'
+expect caught channel/a.cpp '"protocol/uart.hpp"'
+expect caught protocol/a.hpp '"channel/floor.hpp"'
+expect caught protocol/a.hpp '"sim/failure.hpp"'
+expect caught channel/a.cpp '<sim/failure.hpp>'
+expect caught sim/a.cpp '"failure.hpp"'
+expect caught sim/a.cpp '"../dsp/units.hpp"'
+
+expect allowed dsp/spectrum.cpp '<fftw3.h>'
+expect allowed channel/geometry.cpp '<Eigen/Dense>'
+expect allowed sim/store.cpp '<hdf5.h>'
+expect allowed sim/trace_store.cpp '<hdf5_hl.h>'
+expect allowed sim/keys.cpp '<toml++/toml.h>'
+expect allowed sim/main.cpp '<CLI/CLI.hpp>'
+expect allowed sim/curve_fit.cpp '<armadillo>'
+expect allowed sim/main.cpp '<sys/stat.h>'
+expect caught dsp/spectrum.hpp '<fftw3.h>'
+expect caught dsp/philox.cpp '<fftw3.h>'
+expect caught channel/geometry.hpp '<Eigen/Dense>'
+expect caught sim/trial.cpp '"Eigen/Dense"'
+expect caught sim/tally.cpp '<hdf5.h>'
+expect caught sim/store.hpp '<H5public.h>'
+expect caught sim/trial.cpp '<toml++/toml.h>'
+expect caught sim/engine.cpp '<CLI/CLI.hpp>'
+expect caught sim/statistics.hpp '<boost/math/distributions/beta.hpp>'
+expect caught sim/failure.hpp '<fmt/format.h>'
+expect caught protocol/a.cpp '<nlohmann/json.hpp>'
+expect caught sim/statistics.hpp '<armadillo>'
+expect caught sim/a.cpp '<somebody/elses.hpp>'
+exit "$wrong"

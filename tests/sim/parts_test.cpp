@@ -1,0 +1,207 @@
+#include "sim/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "channel/emitter.hpp"
+#include "gtest/gtest.h"
+#include "sim/failure.hpp"
+#include "sim/keys.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
+
+// A folder of parts that lasts as long as one test.
+class Parts : public testing::Test {
+ protected:
+  Parts() {
+    for (const char* folder : {"modules", "leds"}) fs::create_directories(root_ / folder);
+  }
+  ~Parts() override { fs::remove_all(root_); }
+
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(root_ / file) << text;
+  }
+
+  /// What loading module "X" from a file of this text answers, the folder's name cut out.
+  std::string refusal(const std::string& text) const {
+    write("modules/x.toml", text);
+    return answer("X");
+  }
+
+  std::string answer(const std::string& name) const {
+    try {
+      sim::load_module(name, {root_}, "asked");
+    } catch (const sim::Failure& failure) {
+      EXPECT_EQ(failure.code(), sim::ExitCode::bad_input);
+      std::string line = failure.what();
+      for (auto at = line.find(root_.string()); at != std::string::npos;
+           at = line.find(root_.string()))
+        line.replace(at, root_.string().size(), "R");
+      return line;
+    }
+    return "accepted";
+  }
+
+  const fs::path root_ =
+      fs::path(testing::TempDir()) /
+      (std::string("parts_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::string number(const std::string& name, const std::string& value) {
+  return name + " = { value = " + value + ", source = \"s\" }\n";
+}
+
+// Six lines: the name and what is required of a module.
+const std::string least = "name = \"X\"\n" + number("centre_hz", "38000") +
+                          number("emin_mw_per_m2", "0.2") + number("emax_w_per_m2", "30") +
+                          number("agc_max_duty", "0.3") + number("agc_long_burst_cycles", "70") +
+                          number("agc_min_gap_cycles", "10");
+
+TEST_F(Parts, EveryNumberOfAModuleIsRead) {
+  for (const auto& field : sim::module_keys().numbers) {
+    const double value = (field.facts.range.low + field.facts.range.high) / 2;
+    std::string text = "name = \"X\"\n";
+    for (const auto& other : sim::module_keys().numbers)
+      if (other.required && other.facts.name != field.facts.name)
+        text += number(other.facts.name, fmt::format("{}", channel::ModuleData{}.*other.member));
+    write("modules/x.toml", text + number(field.facts.name, fmt::format("{}", value)));
+    EXPECT_EQ(sim::load_module("x", {root_}, "").*field.member, value) << field.facts.name;
+  }
+}
+
+TEST_F(Parts, WhatAModuleLeavesOutHasTheStructsDefault) {
+  write("modules/x.toml", least);
+  const auto module = sim::load_module("X", {root_}, "");
+  EXPECT_EQ(module.centre_hz, 38000);
+  EXPECT_EQ(module.q, channel::ModuleData{}.q);
+  EXPECT_TRUE(module.directivity.empty());
+}
+
+TEST_F(Parts, RefusesWithFileLineAndRemedy) {
+  EXPECT_EQ(refusal(least), "accepted");
+  EXPECT_EQ(refusal("name = \"X\"\ncentre_hz = 5\n"),
+            "centre_hz in R/modules/x.toml:2 (a number without its source) write centre_hz = { "
+            "value = NUMBER, source = \"document, page\" }");
+  EXPECT_EQ(refusal("name = \"X\"\ncentre_hz = { value = 38000 }\n"),
+            "centre_hz in R/modules/x.toml:2 (without its source) add source = \"document, page\" "
+            "to it");
+  EXPECT_EQ(refusal("name = \"X\"\ncentre_hz = { value = 38000, source = \"\" }\n"),
+            "centre_hz.source in R/modules/x.toml:2 (empty) add source = \"document, page\" to it");
+  EXPECT_EQ(refusal("name = \"X\"\n"),
+            "centre_hz in R/modules/x.toml (missing, though every data sheet prints it) add "
+            "centre_hz = { value = NUMBER, source = \"document, page\" }");
+  EXPECT_EQ(refusal("name = \"X\"\n" + number("centre_hz", "-5")),
+            "centre_hz = -5 in R/modules/x.toml:2 (centre of the band-pass must be at least 1000 "
+            "Hz) use a value 1000 to 1000000");
+  EXPECT_EQ(refusal(least + number("qq", "5")),
+            "qq.value in R/modules/x.toml:8 (no such key in a part file) did you mean q.value?");
+  EXPECT_EQ(refusal(least + "q = { value = \"5\", source = \"s\" }"),
+            "q.value in R/modules/x.toml:8 (text where a number is expected) write q = { value = "
+            "NUMBER, source = \"document, page\" }");
+  EXPECT_EQ(refusal(""), "name in R/modules/x.toml (missing) add name = \"x\"");
+  EXPECT_EQ(refusal("name = \"Y\""),
+            "name = \"Y\" in R/modules/x.toml:1 (the file has another name) rename one of the two");
+}
+
+TEST_F(Parts, RefusesCurvesOfNoShape) {
+  const auto curve = [&](const std::string& x, const std::string& y) {
+    return refusal(least + "[directivity]\nsource = \"s\"\ndegrees = " + x +
+                   "\nrelative_distance = " + y);
+  };
+  EXPECT_EQ(curve("[0, 90]", "[1, 0]"), "accepted");
+  EXPECT_EQ(curve("[0, 45, 90]", "[1, 0]"),
+            "directivity in R/modules/x.toml:10 (degrees has 3 values, relative_distance has 2) "
+            "give both lists the same length");
+  EXPECT_EQ(curve("[0]", "[1]"),
+            "directivity in R/modules/x.toml:10 (a curve has at least two points) add points");
+  EXPECT_EQ(curve("[0, 0]", "[1, 0]"),
+            "directivity in R/modules/x.toml:10 (degrees must increase from point to point) sort "
+            "the points");
+  EXPECT_EQ(curve("[0, 91]", "[1, 0]"),
+            "directivity.degrees = 91 in R/modules/x.toml:10 (angle off axis must be at most 90 "
+            "degree) use a value 0 to 90");
+  EXPECT_EQ(curve("[0, 90]", "[1, nan]").substr(0, 64),
+            "directivity.relative_distance = nan in R/modules/x.toml:11 (not ");
+}
+
+TEST_F(Parts, NameIsFoundWhateverItsCaseAndFirstRootWins) {
+  write("modules/x.toml", least);
+  EXPECT_EQ(sim::load_module("x", {root_, scenarios}, "").centre_hz, 38000);
+  EXPECT_EQ(sim::load_module("tSoP4856", {root_, scenarios}, "").centre_hz, 56000);
+  write("modules/tsop4856.toml", "name = \"TSOP4856\"" + least.substr(least.find('\n')));
+  EXPECT_EQ(sim::load_module("TSOP4856", {root_, scenarios}, "").centre_hz, 38000);
+  EXPECT_EQ(sim::load_module("TSOP4856", {scenarios, root_}, "").centre_hz, 56000);
+}
+
+TEST_F(Parts, UnknownNameNamesTheNearestAndWhereItWasSought) {
+  EXPECT_EQ(answer("Y"),
+            "asked (no module of this name in R/modules) add a file modules/NAME.toml");
+  write("modules/tsop4856.toml", "");
+  write("modules/irm.toml", "");
+  EXPECT_EQ(answer("TSOP4857"),
+            "asked (no module of this name in R/modules) did you mean tsop4856?");
+  EXPECT_EQ(answer("../modules/irm").substr(0, 25), "asked (no module of this ");
+}
+
+TEST_F(Parts, ListNamesEachPartOnce) {
+  write("modules/x.toml", "");
+  const auto parts = sim::list_parts({scenarios, root_, scenarios});
+  std::vector<std::string> names;
+  for (const auto& part : parts) names.push_back(part.kind + " " + part.name);
+  EXPECT_EQ(std::ranges::count(names, "LED tsal6200"), 1);
+  EXPECT_EQ(std::ranges::count(names, "module tsop4856"), 1);
+  EXPECT_EQ(std::ranges::count(names, "module x"), 1);
+}
+
+TEST(PartFacts, EveryPartOfTheProjectLoads) {
+  for (const auto& part : sim::list_parts({scenarios})) {
+    const bool led = part.kind == "LED";
+    EXPECT_NO_THROW(led ? void(sim::load_led(part.name, {scenarios}, ""))
+                        : void(sim::load_module(part.name, {scenarios}, "")))
+        << part.path;
+    EXPECT_EQ(part.name.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), std::string::npos);
+  }
+}
+
+TEST(PartFacts, Tsop4856IsTheDefaultModule) {
+  const auto module = sim::load_module("TSOP4856", {scenarios}, "");
+  for (const auto& field : sim::module_keys().numbers)
+    EXPECT_EQ(module.*field.member, channel::ModuleData{}.*field.member) << field.facts.name;
+}
+
+// Vishay 82459 rev 1.8 Fig. 11: response to irradiance is the square of the relative distance.
+TEST(PartFacts, Tsop4856RespondsOffAxisAsFig11) {
+  const auto curve = sim::load_module("TSOP4856", {scenarios}, "").directivity;
+  const double expected[][2] = {{0, 1}, {30, .499}, {45, .255}, {60, .118}, {80, .016}};
+  for (const auto& [degrees, response] : expected)
+    EXPECT_NEAR(curve(degrees) * curve(degrees), response, .01) << degrees;
+}
+
+// Vishay 81010 rev 2.4 Fig. 5 and characteristics p. 2 (72 mW/sr typical at 100 mA).
+TEST(PartFacts, Tsal6200ShinesAsFig5) {
+  const auto led = sim::load_led("TSAL6200", {scenarios}, "");
+  const double expected[][2] = {{10, 6.79}, {20, 14.3}, {50, 37.0}, {100, 72.3}, {400, 283}};
+  for (const auto& [ma, mw_per_sr] : expected)
+    EXPECT_NEAR(channel::axial_intensity(led, dsp::Amperes(ma / 1e3)).value * 1e3, mw_per_sr,
+                .005 * mw_per_sr);
+}
+
+// Vishay 81010 rev 2.4 Fig. 9: half intensity near 17 degrees, and a skirt that no cosine power
+// has.
+TEST(PartFacts, Tsal6200SpreadsAsFig9) {
+  const auto led = sim::load_led("TSAL6200", {scenarios}, "");
+  const double expected[][2] = {{0, 1},     {17, .51},  {25, .21}, {40, .063},
+                                {50, .046}, {60, .032}, {80, .01}, {90, 0}};
+  for (const auto& [degrees, intensity] : expected)
+    EXPECT_NEAR(channel::relative_intensity(led, dsp::degrees(degrees)), intensity,
+                std::max(.001, .03 * intensity))
+        << degrees;
+}
+
+}  // namespace

@@ -1,0 +1,63 @@
+// scenarios/README.md must print the program's own key table. To re-bless it after a change of
+// keys, run this test with COSYS_BLESS=1 and review the difference.
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "gtest/gtest.h"
+#include "sim/keys.hpp"
+#include "sim/parts.hpp"
+#include "sim/scenario.hpp"
+
+namespace {
+
+const std::filesystem::path scenarios = std::filesystem::path(COSYS_SOURCE_DIR) / "scenarios";
+const std::string begin_mark = "<!-- keys: begin (printed by the program) -->\n";
+const std::string end_mark = "\n<!-- keys: end -->";
+
+struct Readme {
+  std::string before, tables, after;
+};
+
+Readme read_readme() {
+  const std::string text = sim::read_text_file(scenarios / "README.md", "README");
+  const auto begin = text.find(begin_mark);
+  const auto end = text.find(end_mark);
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    throw std::runtime_error("scenarios/README.md has lost its two key marks");
+  const auto first = begin + begin_mark.size();
+  return {text.substr(0, first), text.substr(first, end - first), text.substr(end)};
+}
+
+TEST(ScenarioDocs, ReadmePrintsTheKeyTable) {
+  const Readme readme = read_readme();
+  if (std::getenv("COSYS_BLESS"))
+    std::ofstream(scenarios / "README.md") << readme.before << sim::key_reference() << readme.after;
+  else
+    EXPECT_EQ(readme.tables, sim::key_reference())
+        << "scenarios/README.md differs from sim/keys.cpp; run this test once with COSYS_BLESS=1";
+}
+
+TEST(ScenarioDocs, EveryKeySaysWhatItIs) {
+  for (const sim::Key& key : sim::scenario_keys()) {
+    EXPECT_FALSE(key.facts.long_name.empty()) << key.name();
+    EXPECT_NE(key.is_number(), static_cast<bool>(key.text)) << key.name();
+    EXPECT_EQ(key.is_number(), !key.facts.unit.empty()) << key.name();
+    EXPECT_EQ(key.is_number(), key.facts.range.low < key.facts.range.high) << key.name();
+  }
+}
+
+TEST(ScenarioDocs, EveryScenarioOfTheProjectLoadsAndOpensWithItsQuestion) {
+  int n = 0;
+  for (const auto& file : std::filesystem::directory_iterator(scenarios)) {
+    if (file.path().extension() != ".toml") continue;
+    ++n;
+    EXPECT_NO_THROW(sim::load_scenario(file.path(), {}, {scenarios})) << file.path();
+    const std::string text = sim::read_text_file(file.path(), "scenario");
+    EXPECT_TRUE(text.starts_with("# ")) << file.path();
+    EXPECT_NE(text.substr(0, text.find('\n')).find('?'), std::string::npos) << file.path();
+  }
+  EXPECT_GT(n, 0);
+}
+
+}  // namespace

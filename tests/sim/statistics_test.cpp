@@ -1,0 +1,254 @@
+#include "sim/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "sim/result.hpp"
+
+namespace {
+
+using sim::Tally;
+using Words = std::array<std::uint64_t, sizeof(Tally) / sizeof(std::uint64_t)>;
+
+void add_frame(Tally& tally, std::uint64_t bits, std::uint64_t errors) {
+  Tally frame;
+  frame.n_frames = 1;
+  frame.n_bits = bits;
+  frame.n_bit_errors = errors;
+  frame.sum_bits_squared = bits * bits;
+  frame.sum_bit_errors_squared = errors * errors;
+  frame.sum_bit_errors_times_bits = bits * errors;
+  tally += frame;
+}
+
+struct Bursts {
+  double p_bad_frame, p_bit_in_bad_frame;
+  int frames = 300, bits = 170;
+  double ber() const { return p_bad_frame * p_bit_in_bad_frame; }
+};
+
+Tally experiment(const Bursts& bursts, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  Tally tally;
+  for (int frame = 0; frame < bursts.frames; ++frame) {
+    std::uint64_t errors = 0;
+    if (uniform(random) < bursts.p_bad_frame) {
+      for (int bit = 0; bit < bursts.bits; ++bit) {
+        errors += uniform(random) < bursts.p_bit_in_bad_frame;
+      }
+    }
+    add_frame(tally, static_cast<std::uint64_t>(bursts.bits), errors);
+  }
+  return tally;
+}
+
+struct Coverage {
+  double clustered = 0, plain = 0;
+};
+
+bool covers(sim::Interval ci, double truth) { return ci.low <= truth && truth <= ci.high; }
+
+Coverage coverage(const Bursts& bursts) {
+  constexpr int experiments = 2000;
+  std::mt19937_64 random(20240517);
+  Coverage c;
+  for (int i = 0; i < experiments; ++i) {
+    const Tally t = experiment(bursts, random);
+    const auto plain = sim::clopper_pearson(static_cast<double>(t.n_bit_errors),
+                                            static_cast<double>(t.n_bits), 0.95);
+    c.clustered += covers(sim::bit_error_interval(t, 0.95), bursts.ber()) / double{experiments};
+    c.plain += covers(plain, bursts.ber()) / double{experiments};
+  }
+  return c;
+}
+
+TEST(ClopperPearson, AgreesWithMatlabBerconfint) {
+  const auto ci = sim::clopper_pearson(100, 1e6, 0.95);
+  EXPECT_NEAR(ci.low, 8.136471e-5, 5e-12);
+  EXPECT_NEAR(ci.high, 1.216255e-4, 5e-11);
+}
+
+TEST(ClopperPearson, HasClosedFormsAtTheEnds) {
+  for (const double n : {1.0, 10.0, 300.0, 1e6}) {
+    const auto none = sim::clopper_pearson(0, n, 0.95);
+    EXPECT_EQ(none.low, 0);
+    EXPECT_NEAR(none.high, -std::expm1(std::log(0.025) / n), 1e-12);
+    const auto all = sim::clopper_pearson(n, n, 0.95);
+    EXPECT_NEAR(all.low, std::exp(std::log(0.025) / n), 1e-12);
+    EXPECT_EQ(all.high, 1);
+  }
+}
+
+TEST(ClopperPearson, LeavesHalfTheDoubtInEachTail) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 200; ++i) {
+    const int n = std::uniform_int_distribution(2, 60)(random);
+    const int k = std::uniform_int_distribution(1, n - 1)(random);
+    const auto ci = sim::clopper_pearson(k, n, 0.9);
+    const auto probability = [&](int j, double p) {
+      return std::exp(std::lgamma(n + 1.0) - std::lgamma(j + 1.0) - std::lgamma(n - j + 1.0) +
+                      j * std::log(p) + (n - j) * std::log1p(-p));
+    };
+    double at_least = 0, at_most = 0;
+    for (int j = k; j <= n; ++j) at_least += probability(j, ci.low);
+    for (int j = 0; j <= k; ++j) at_most += probability(j, ci.high);
+    EXPECT_NEAR(at_least, 0.05, 1e-9);
+    EXPECT_NEAR(at_most, 0.05, 1e-9);
+  }
+}
+
+TEST(ClopperPearson, KnowsNothingWithoutTrials) {
+  const auto ci = sim::clopper_pearson(0, 0, 0.95);
+  EXPECT_EQ(ci.low, 0);
+  EXPECT_EQ(ci.high, 1);
+}
+
+TEST(BitErrorInterval, CoversTheTruthWhenBitsFailTogether) {
+  const Coverage c = coverage({.p_bad_frame = 0.1, .p_bit_in_bad_frame = 0.2});
+  EXPECT_GE(c.clustered, 0.935);
+  EXPECT_LE(c.clustered, 0.98);
+  EXPECT_LT(c.plain, 0.70);
+}
+
+TEST(BitErrorInterval, CoversTheTruthWhenBadFramesAreRare) {
+  const Coverage c = coverage({.p_bad_frame = 0.02, .p_bit_in_bad_frame = 0.2});
+  EXPECT_GE(c.clustered, 0.935);
+  EXPECT_LE(c.clustered, 0.98);
+  EXPECT_LT(c.plain, 0.70);
+}
+
+TEST(BitErrorInterval, IsClopperPearsonForIndependentBits) {
+  std::mt19937_64 random(3);
+  const Tally t =
+      experiment({.p_bad_frame = 1, .p_bit_in_bad_frame = 0.05, .frames = 3000}, random);
+  const auto clustered = sim::bit_error_interval(t, 0.95);
+  const auto plain = sim::clopper_pearson(static_cast<double>(t.n_bit_errors),
+                                          static_cast<double>(t.n_bits), 0.95);
+  EXPECT_NEAR((clustered.high - clustered.low) / (plain.high - plain.low), 1, 0.05);
+}
+
+TEST(BitErrorInterval, IsNeverNarrowerThanClopperPearson) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform;
+  for (int i = 0; i < 500; ++i) {
+    const Bursts bursts{uniform(random), uniform(random) * uniform(random),
+                        1 + static_cast<int>(uniform(random) * 40), 170};
+    const Tally t = experiment(bursts, random);
+    const auto clustered = sim::bit_error_interval(t, 0.95);
+    const auto plain = sim::clopper_pearson(static_cast<double>(t.n_bit_errors),
+                                            static_cast<double>(t.n_bits), 0.95);
+    EXPECT_LE(clustered.low, plain.low + 1e-12);
+    EXPECT_GE(clustered.high, plain.high - 1e-12);
+  }
+}
+
+// By hand: ratio 0.2, variance 2 * (10^2 + 10^2) / 200^2 = 0.01, so 0.2 * 0.8 / 0.01 = 16 effective
+// bits; Student's t at 1 and 199 degrees of freedom: 12.70620 and 1.971957.
+TEST(BitErrorInterval, TrustsFewFramesLess) {
+  Tally t;
+  add_frame(t, 100, 10);
+  add_frame(t, 100, 30);
+  const double effective = 16 * std::pow(1.971957 / 12.70620, 2);
+  const auto expected = sim::clopper_pearson(0.2 * effective, effective, 0.95);
+  EXPECT_NEAR(sim::bit_error_interval(t, 0.95).low, expected.low, 1e-6);
+  EXPECT_NEAR(sim::bit_error_interval(t, 0.95).high, expected.high, 1e-6);
+}
+
+// Equal ratios in all frames leave no variance between them, which must not narrow anything.
+TEST(BitErrorInterval, TakesEvenlySpreadErrorsForIndependentBits) {
+  Tally t;
+  for (int i = 0; i < 1000; ++i) add_frame(t, 100, 1);
+  const auto plain = sim::clopper_pearson(1000, 100000, 0.95);
+  const auto clustered = sim::bit_error_interval(t, 0.95);
+  EXPECT_LE(clustered.low, plain.low);
+  EXPECT_NEAR(clustered.high / plain.high, 1, 0.01);
+}
+
+TEST(BitErrorInterval, CountsFramesWhenNothingOrEverythingFailed) {
+  Tally none, all;
+  for (int i = 0; i < 50; ++i) add_frame(none, 170, 0);
+  for (int i = 0; i < 50; ++i) add_frame(all, 170, 170);
+  EXPECT_EQ(sim::bit_error_interval(none, 0.95).high, sim::clopper_pearson(0, 50, 0.95).high);
+  EXPECT_EQ(sim::bit_error_interval(all, 0.95).low, sim::clopper_pearson(50, 50, 0.95).low);
+}
+
+TEST(Ratios, AreNotANumberWhereNothingWasCounted) {
+  EXPECT_TRUE(std::isnan(sim::ratio(0, 0)));
+  EXPECT_EQ(sim::ratio(1, 4), 0.25);
+  for (const auto ratio :
+       {sim::bit_error_ratio, sim::frame_loss_ratio, sim::undetected_error_ratio}) {
+    const sim::Estimate e = ratio(Tally{}, 0.95);
+    EXPECT_TRUE(std::isnan(e.value) && std::isnan(e.low) && std::isnan(e.high));
+  }
+}
+
+TEST(Ratios, UseTheirOwnCounts) {
+  Tally t;
+  t.n_frames = 200;
+  t.n_frames_lost = 10;
+  t.n_frames_undetected = 4;
+  EXPECT_EQ(sim::frame_loss_ratio(t, 0.95).value, 0.05);
+  EXPECT_EQ(sim::frame_loss_ratio(t, 0.95).high, sim::clopper_pearson(10, 200, 0.95).high);
+  EXPECT_EQ(sim::undetected_error_ratio(t, 0.95).value, 0.02);
+  EXPECT_EQ(sim::undetected_error_ratio(t, 0.95).low, sim::clopper_pearson(4, 200, 0.95).low);
+}
+
+TEST(TallySum, AddsEveryCounter) {
+  Words a{}, b{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = i + 1;
+    b[i] = 1000 * (i + 1);
+  }
+  Tally sum = std::bit_cast<Tally>(a);
+  sum += std::bit_cast<Tally>(b);
+  const auto words = std::bit_cast<Words>(sum);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(words[i], 1001 * (i + 1)) << i;
+}
+
+sim::ExperimentResult one_point() {
+  sim::ExperimentResult result;
+  result.axes = {{"receiver.range_m", "m", "distance", {2.5}}};
+  Words words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = i;
+  result.points = {{.coordinates = {2.5}, .tally = std::bit_cast<Tally>(words)}};
+  return result;
+}
+
+TEST(Digest, DependsOnEveryCounterAndCoordinate) {
+  const std::string digest = sim::result_digest(one_point());
+  for (std::size_t i = 0; i < Words{}.size(); ++i) {
+    sim::ExperimentResult other = one_point();
+    auto words = std::bit_cast<Words>(other.points[0].tally);
+    words[i] ^= std::uint64_t{1} << 40;
+    other.points[0].tally = std::bit_cast<Tally>(words);
+    EXPECT_NE(sim::result_digest(other), digest) << i;
+  }
+  sim::ExperimentResult elsewhere = one_point();
+  elsewhere.points[0].coordinates[0] = 2.6;
+  EXPECT_NE(sim::result_digest(elsewhere), digest);
+  sim::ExperimentResult longer = one_point();
+  longer.points.push_back(longer.points[0]);
+  EXPECT_NE(sim::result_digest(longer), digest);
+}
+
+TEST(Digest, DependsOnNothingElse) {
+  sim::ExperimentResult other = one_point();
+  other.title = other.command = other.scenario_toml = "other";
+  other.seed = 99;
+  other.points[0].elapsed_s = 3;
+  other.points[0].n_samples = 7;
+  other.points[0].stop = sim::StopReason::interrupted;
+  other.points[0].operating.snr_db = 12;
+  EXPECT_EQ(sim::result_digest(other), sim::result_digest(one_point()));
+}
+
+// A stored digest must mean the same for ever; if this changes, format_version must.
+TEST(Digest, IsTheSameOnEveryMachineAndInEveryVersion) {
+  EXPECT_EQ(sim::result_digest(one_point()), "3f73be44af0f0a9570118d6967a0229d");
+}
+
+}  // namespace
