@@ -3,6 +3,7 @@
 // mean of the wave over its own interval, so carrier and keying edges fall where they fall: no
 // aliasing of edges, no whole-number coincidence of sample rate, carrier and baud is relied on.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -10,10 +11,14 @@
 
 namespace channel {
 
-/// Light is on from `on` to `off`, in samples from the start of the trial.
+/// Light is on from `on` to `off`, in samples from the start of the trial; both as edge_at() gives.
 struct Burst {
   double on, off;
 };
+
+/// An edge on a grid so fine (0.2 ns at 1 MS/s) that its time from any block's start is exact as a
+/// float: where blocks begin, and so which trials run together, cannot change a bit.
+inline double edge_at(double samples) { return std::round(samples * 4096) / 4096; }
 
 struct CarrierDesign {
   std::uint32_t step;  // carrier cycles a sample, in 2^-32
@@ -45,12 +50,13 @@ class KeyedCarrier {
   /// Prepares the samples [first, first + length); returns how many of them one burst a lane
   /// covers: the length of the block to run.
   int begin_block(std::int64_t first, int length) {
-    constexpr double far = 1 << 20;
+    constexpr double far = 1 << 11;
     for (int i = 0; i < dsp::lanes<T>; ++i) {
       const double origin = static_cast<double>(first);
       while (burst_[i] != end_[i] && burst_[i]->off <= origin) ++burst_[i];
       const bool none = burst_[i] == end_[i];
-      dsp::set_lane(on_, i, static_cast<float>(none ? far : std::min(burst_[i]->on - origin, far)));
+      dsp::set_lane(on_, i,
+                    static_cast<float>(none ? far : std::clamp(burst_[i]->on - origin, -far, far)));
       dsp::set_lane(off_, i,
                     static_cast<float>(none ? far : std::min(burst_[i]->off - origin, far)));
       if (none || burst_[i] + 1 == end_[i]) continue;

@@ -111,7 +111,7 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
                   Tally& tally) {
   tally.n_frames = 1;
   const SentMessage& counted = sent.messages.back();
-  bool delivered = false;
+  bool delivered = false, deceived = false;
   for (std::size_t i = 0; i < heard.frames.size(); ++i) {
     const protocol::CosysFrame& frame = heard.frames[i];
     if (!overlaps_any(sent, frame, heard.frame_end[i], link)) {
@@ -119,12 +119,13 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
     } else if (within(counted, heard.frame_end[i], link)) {
       const bool accepted = frame.outcome == protocol::CosysOutcome::ok;
       delivered |= accepted && frame.message == link.message;
-      tally.n_frames_undetected += accepted && frame.message != link.message;
+      deceived |= accepted && frame.message != link.message;
       count_rejected(frame.outcome, tally);
     }
   }
   tally.n_frames_ok = delivered;
   tally.n_frames_lost = !delivered;
+  tally.n_frames_undetected = deceived;
 }
 
 }  // namespace

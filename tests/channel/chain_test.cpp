@@ -1,0 +1,130 @@
+// The chain from wire to wire: eight trials at once are each the trial alone, to the last bit; a
+// clear link is the identity plus a delay; noise is what it should be behind the band-pass.
+#include "channel/chain.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "burst_bench.hpp"
+#include "channel/noise.hpp"
+#include "gtest/gtest.h"
+
+namespace channel {
+namespace {
+
+/// A random wire of bits of 1/600 s that starts and ends dark.
+dsp::LogicTrace random_wire(std::mt19937& random, int bits) {
+  dsp::LogicTrace wire(true);
+  std::uniform_real_distribution<double> u(0, 1);
+  const double start = 5e-3 + u(random) * 5e-3;
+  for (int i = 0; i < bits; ++i) wire.set_at(dsp::Seconds(start + i / 600.0), random() % 2 == 0);
+  wire.set_at(dsp::Seconds(start + bits / 600.0), true);
+  wire.observe_until(dsp::Seconds(start + bits / 600.0 + 5e-3 * u(random) + 2e-3));
+  return wire;
+}
+
+ChainDesign noisy_design(double e_mw_per_m2) {
+  return design_chain(ModuleData{},
+                      {.signal = dsp::WattsPerSquareMetre(e_mw_per_m2 * 1e-3),
+                       .ambient = dsp::WattsPerSquareMetre(5),
+                       .carrier = dsp::Hertz(59e3)},
+                      dsp::Hertz(1e6));
+}
+
+TEST(ChainDeterminism, EightTogetherAreEachAlone) {
+  std::mt19937 random(1);
+  for (const double e : {0.5, 1.0, 30.0}) {  // around the threshold, so that noise decides
+    std::vector<dsp::LogicTrace> wires;
+    for (int i = 0; i < 8; ++i) wires.push_back(random_wire(random, 40 + 10 * i));
+    std::vector<ChainInput> inputs;
+    for (std::uint32_t i = 0; i < 8; ++i)
+      inputs.push_back({&wires[i], i * 7919u << 16, {i, 1, 2, 3}});
+    const ChainDesign design = noisy_design(e);
+    const auto together = propagate(design, inputs);
+    ASSERT_EQ(together.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_EQ(together[i], propagate_alone(design, inputs[i])) << e << " lane " << i;
+    }
+    const std::span<const ChainInput> all(inputs);
+    EXPECT_EQ(propagate(design, all.subspan(2, 3))[1], together[3]) << "neighbours must not matter";
+  }
+}
+
+TEST(ChainDeterminism, RecordingChangesNothingAndHasEverySample) {
+  std::mt19937 random(2);
+  const dsp::LogicTrace wire = random_wire(random, 60);
+  const ChainInput input{&wire, 99, {1, 2, 3, 4}};
+  Recording taps;
+  const ChainDesign design = noisy_design(1);
+  EXPECT_EQ(propagate_alone(design, input, &taps), propagate_alone(design, input));
+  const auto samples = static_cast<std::size_t>(std::ceil(wire.end().value * 1e6));
+  for (const auto* tap :
+       {&taps.irradiance, &taps.band_pass, &taps.threshold, &taps.integrator, &taps.agc_gain})
+    EXPECT_EQ(tap->size(), samples);
+}
+
+// A strong signal without noise and without AGC: every bit of any message arrives, late by the
+// nominal delay give or take the pulse-width window.
+TEST(Chain, ClearLinkIsTheIdentityPlusADelay) {
+  std::mt19937 random(4);
+  Bench bench;
+  bench.module.agc_attack_db_per_ms = 0;
+  const LightSettings light{.signal = dsp::WattsPerSquareMetre(5e-3),
+                            .ambient = dsp::WattsPerSquareMetre(0),
+                            .carrier = dsp::Hertz(59e3),
+                            .noise_scale = 0};
+  const ChainDesign design = design_chain(bench.module, light, dsp::Hertz(1e6));
+  for (int round = 0; round < 10; ++round) {
+    const dsp::LogicTrace wire = random_wire(random, 200);
+    const ChainInput input{&wire, static_cast<std::uint32_t>(random()), {1, 2, 3, 4}};
+    const dsp::LogicTrace pin = propagate(design, {&input, 1}).front();
+    ASSERT_EQ(pin.flips().size(), wire.flips().size());
+    for (std::size_t i = 0; i < pin.flips().size(); ++i) {
+      const dsp::Seconds late = pin.flips()[i] - wire.flips()[i] - nominal_delay(bench.module);
+      EXPECT_LT(std::fabs(late.value) * 56e3, 4) << i;  // cycles
+    }
+  }
+}
+
+// Noise alone behind the band-pass has the power of its density in the noise bandwidth.
+TEST(Chain, NoiseBehindTheBandPass) {
+  const ModuleData module;
+  const auto ambient = dsp::WattsPerSquareMetre(10);
+  const ChainDesign design = design_chain(
+      module, {.signal = {}, .ambient = ambient, .carrier = dsp::Hertz(59e3)}, dsp::Hertz(1e6));
+  dsp::LogicTrace dark(true);
+  dark.observe_until(dsp::Seconds(4));
+  Recording taps;
+  propagate_alone(design, {&dark, 0, {5, 6, 7, 8}}, &taps);
+  double power = 0;
+  for (const float u : taps.band_pass) power += static_cast<double>(u) * static_cast<double>(u);
+  const double rms = std::sqrt(power / static_cast<double>(taps.band_pass.size()));
+  const double current = rms * 1e-3 * module.responsivity_a_per_w * module.aperture_mm2 * 1e-6;
+  const double density = noise_density(module, photocurrent(module, ambient));
+  EXPECT_NEAR(current / std::sqrt(density * noise_bandwidth(module).value), 1, 0.01);
+}
+
+// The noise is the ambient light's in the dark, and grows with the signal's own in a burst.
+TEST(Chain, SignalAddsItsShotNoise) {
+  const auto design = noisy_design(1000);
+  EXPECT_GT(design.noise_lit, design.noise_dark * 1.02f);
+  EXPECT_EQ(noisy_design(0).noise_lit, noisy_design(0).noise_dark);
+}
+
+// Only what the carrier's frequency is to the band-pass counts, not where it meets the sample grid:
+// the threshold of a detuned burst is the same for every carrier phase and for rates that are and
+// are not a multiple of the carrier (trap: 8 samples a cycle bend an ideal rectifier).
+TEST(Chain, CarrierPhaseOnTheGridDoesNotMoveTheThreshold) {
+  const BurstTrain train{.carrier_hz = 59e3, .burst_s = 98 / 59e3, .bursts = 4};
+  std::vector<double> stretches;
+  for (const double rate : {59e3 * 16, 59e3 * 17, 1e6, 1.0371e6}) {
+    Bench bench;
+    bench.sample_rate_hz = rate;
+    stretches.push_back(measured_emin(bench, train));
+  }
+  const auto [low, high] = std::minmax_element(stretches.begin(), stretches.end());
+  EXPECT_LT(*high / *low, 1.02);
+}
+
+}  // namespace
+}  // namespace channel
