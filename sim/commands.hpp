@@ -9,8 +9,8 @@
 
 #include "sim/failure.hpp"
 #include "sim/parts.hpp"
+#include "sim/program_info.hpp"
 #include "sim/scenario.hpp"
-#include "sim/store.hpp"
 
 namespace sim {
 
@@ -40,6 +40,7 @@ struct TraceRequest {
   std::uint64_t point = 0;
   std::uint32_t trial = 0;
   std::filesystem::path output;
+  ProgramInfo program;
 };
 ExitCode trace_command(const TraceRequest& request);
 

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "sim/trial.hpp"
@@ -105,7 +106,7 @@ class Pool {
   void fail(std::exception_ptr failure) {
     end(StopReason::interrupted);
     const std::lock_guard lock(mutex_);
-    if (!failure_) failure_ = failure;
+    if (!failure_) failure_ = std::move(failure);
   }
 
   const Link& link_;

@@ -2,6 +2,7 @@
 
 #include "sim/engine.hpp"
 #include "sim/link.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
 
 namespace sim {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/failure.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -73,23 +72,5 @@ const std::vector<Key>& scenario_keys();
 
 /// The key of that name, or nothing.
 const Key* find_key(const std::string& name);
-
-/// The candidate that is spelt most like `name` (case aside); empty if there are none. The part of
-/// a candidate behind its dot counts too, so that "range_m" finds "receiver.range_m".
-std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
-
-/// What a bad input is answered with: one line, PROBLEM (WHY) SUGGESTION.
-Failure bad_input(const std::string& problem, const std::string& why,
-                  const std::string& suggestion);
-
-/// Throw unless the value may stand for the key; `place` says where it is written: "in x.toml:3".
-void check_number(const KeyFacts& facts, double value, const std::string& place);
-void check_text(const Key& key, const std::string& value, const std::string& place);
-
-/// "above 0 up to 1000": an allowed range in words.
-std::string in_words(const Range& range);
-
-/// The tables of scenarios/README.md, in Markdown.
-std::string key_reference();
 
 }  // namespace sim

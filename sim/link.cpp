@@ -8,6 +8,7 @@
 #include "channel/emitter.hpp"
 #include "channel/noise.hpp"
 #include "protocol/cosys.hpp"
+#include "sim/canonical_text.hpp"
 
 namespace sim {
 namespace {

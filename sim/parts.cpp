@@ -2,126 +2,20 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <set>
-#include <tuple>
+#include <functional>
+#include <variant>
 
+#include "sim/entries.hpp"
+#include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 
 namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-// ---- TOML text to entries ----
-
-constexpr std::size_t longest_file = 1 << 20;
-
-struct Located {
-  Entry entry;
-  std::tuple<std::size_t, std::size_t> where;  // line, column
-  bool may_repeat;
-};
-
-std::string place_of(const fs::path& path, std::size_t line) {
-  return fmt::format("in {}:{}", path.generic_string(), line);
-}
-
-std::string name_of(toml::node_type type) {
-  switch (type) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "a list that is not of numbers";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
-  }
-}
-
-Value list_of_numbers(const toml::array& list) {
-  std::vector<double> values;
-  for (const auto& item : list) {
-    if (!item.is_number()) return OtherValue{name_of(toml::node_type::array)};
-    values.push_back(*item.value<double>());
-  }
-  return values;
-}
-
-Value to_value(const toml::node& node) {
-  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
-  if (const auto* real = node.as_floating_point()) return real->get();
-  if (const auto* text = node.as_string()) return text->get();
-  if (const auto* list = node.as_array()) return list_of_numbers(*list);
-  return OtherValue{name_of(node.type())};
-}
-
-class Flattener {
- public:
-  explicit Flattener(const fs::path& path) : path_(path) {}
-
-  void table(const toml::table& table, const std::string& prefix, bool may_repeat) {
-    for (const auto& [key, node] : table)
-      item(prefix + std::string(key.str()), key.source().begin, node, may_repeat);
-  }
-
-  std::vector<Located> take() { return std::move(found_); }
-
- private:
-  void item(const std::string& key, const toml::source_position& at, const toml::node& node,
-            bool may_repeat) {
-    const auto* inner = node.as_table();
-    if (inner && !inner->empty()) return table(*inner, key + ".", may_repeat);
-    if (node.is_array_of_tables()) return tables(*node.as_array(), key + ".");
-    found_.push_back(
-        {{key, to_value(node), place_of(path_, at.line)}, {at.line, at.column}, may_repeat});
-  }
-
-  void tables(const toml::array& list, const std::string& prefix) {
-    for (const auto& element : list) table(*element.as_table(), prefix, true);
-  }
-
-  const fs::path& path_;
-  std::vector<Located> found_;
-};
-
-/// The TOML library takes a stack frame for each dot of a key, without a limit of its own.
-void refuse_deep_keys(const std::string& text, const fs::path& path) {
-  constexpr int most_dots = 250;
-  std::size_t line = 1;
-  int dots = 0;
-  for (const char c : text) {
-    if (c == '\n') ++line, dots = 0;
-    if (c == '.' && ++dots > most_dots)
-      throw bad_input("syntax error " + place_of(path, line),
-                      fmt::format("more than {} dots in a line", most_dots),
-                      "break the line in two");
-  }
-}
-
-toml::table parse_toml(const std::string& text, const fs::path& path) {
-  try {
-    return toml::parse(text, path.generic_string());
-  } catch (const toml::parse_error& error) {
-    throw bad_input("syntax error " + place_of(path, error.source().begin.line),
-                    std::string(error.description()), "correct this line");
-  }
-}
-
-void refuse_repetition(const std::vector<Located>& found) {
-  std::set<std::string> seen;
-  for (const auto& [entry, where, may_repeat] : found)
-    if (!may_repeat && !seen.insert(entry.key).second)
-      throw bad_input(entry.key + " " + entry.place, "given twice in this file",
-                      "remove one of the two");
-}
-
-// ---- part files ----
 
 bool same_name(const std::string& a, const std::string& b) {
   return std::ranges::equal(
@@ -314,42 +208,6 @@ Part load_part(const PartKeys<Part>& keys, const std::string& name, const PartRo
 }
 
 }  // namespace
-
-std::string kind_of(const Value& value) {
-  if (std::holds_alternative<double>(value)) return "a number";
-  if (std::holds_alternative<std::string>(value)) return "text";
-  if (std::holds_alternative<std::vector<double>>(value)) return "a list";
-  return std::get<OtherValue>(value).what;
-}
-
-std::string read_text_file(const fs::path& path, const std::string& what) {
-  const std::string name = path.generic_string();
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    throw bad_input(name, "a folder, not a " + what + " file", "name a .toml file in it");
-  if (!fs::exists(path, ignored)) throw bad_input(name, "no such file", "check the path");
-  std::ifstream file(path, std::ios::binary);
-  std::string text(longest_file + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || !file.is_open())
-    throw bad_input(name, "cannot be read", "check its permissions");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > longest_file)
-    throw bad_input(name, "longer than 1 MiB", "name a " + what + " file");
-  return text;
-}
-
-std::vector<Entry> read_entries(const std::string& text, const fs::path& path) {
-  refuse_deep_keys(text, path);
-  Flattener flattener(path);
-  flattener.table(parse_toml(text, path), "", false);
-  auto found = flattener.take();
-  std::ranges::stable_sort(found, {}, &Located::where);
-  refuse_repetition(found);
-  std::vector<Entry> entries;
-  for (auto& located : found) entries.push_back(std::move(located.entry));
-  return entries;
-}
 
 channel::ModuleData load_module(const std::string& name, const PartRoots& roots,
                                 const std::string& asked) {

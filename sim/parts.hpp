@@ -1,39 +1,14 @@
 #pragma once
 // Parts: receiver modules and LEDs, one TOML file each in ROOT/modules/ or ROOT/leds/, in which
-// every number carries its source. Also the one reader of TOML text, which scenarios share.
-#include <cstddef>
+// every number carries its source.
 #include <filesystem>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "channel/emitter.hpp"
 #include "channel/receiver_module.hpp"
 
 namespace sim {
-
-/// A TOML value of a kind that no key takes; `what` names it: "a date".
-struct OtherValue {
-  std::string what;
-};
-
-using Value = std::variant<double, std::string, std::vector<double>, OtherValue>;
-
-/// One `key = value` of a file, with its tables joined to its name by dots.
-struct Entry {
-  std::string key;
-  Value value;
-  std::string place;  // "in x.toml:14"
-};
-
-/// "a number", "text"...: what a value is, for messages.
-std::string kind_of(const Value& value);
-
-/// The text of a file; `what` says what it should be: "scenario".
-std::string read_text_file(const std::filesystem::path& path, const std::string& what);
-
-/// Entries in the order of the file. No key occurs twice, except inside arrays of tables.
-std::vector<Entry> read_entries(const std::string& text, const std::filesystem::path& path);
 
 /// Folders that hold modules/ and leds/; the first that has a part wins.
 using PartRoots = std::vector<std::filesystem::path>;

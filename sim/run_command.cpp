@@ -8,11 +8,12 @@
 #include "sim/curve_fit.hpp"
 #include "sim/engine.hpp"
 #include "sim/experiment.hpp"
-#include "sim/keys.hpp"
+#include "sim/key_check.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_table.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"
+#include "sim/store.hpp"
 #include "sim/sweep.hpp"
 
 namespace sim {
@@ -29,7 +30,7 @@ void on_signal(int signal) {
 }
 
 fs::path output_of(const RunRequest& request, const fs::path& scenario) {
-  const fs::path name = scenario.stem().concat(".h5");
+  fs::path name = scenario.stem().concat(".h5");
   if (!request.output) return name;
   const bool folder = request.scenarios.size() > 1 || fs::is_directory(*request.output) ||
                       !request.output->has_filename();
@@ -125,8 +126,8 @@ ExitCode run_command(const RunRequest& request) {
     run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]));
   if (!interrupted) return ExitCode::done;
   fmt::print(stderr,
-             "interrupted: what was finished is in the result file; run the same command "
-             "again for the rest\n");
+             "cosys-sim: interrupted (by a signal) what was counted is in the result file; the "
+             "same command starts anew and gives the same counts\n");
   return ExitCode::interrupted;
 }
 

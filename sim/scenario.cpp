@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <map>
-#include <optional>
+#include <utility>
+#include <variant>
 
+#include "sim/entries.hpp"
+#include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 #include "sim/parts.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
 
 namespace sim {
 namespace {
-
-using Places = std::map<std::string, std::string>;
 
 constexpr std::string_view sweep_prefix = "sweep.";
 constexpr std::string_view override_key = "override.set";
@@ -44,12 +45,6 @@ const Key& numeric_key(const std::string& name, const std::string& place) {
   const Key& key = known_key(name, place);
   if (key.is_number()) return key;
   throw bad_input(name + " " + place, "text cannot be swept", "write one scenario for each text");
-}
-
-std::string place_of(const Places& places, const std::string& key) {
-  const auto at = places.find(key);
-  if (at != places.end()) return at->second;
-  return key.starts_with("module.") ? "from the part" : "by default";
 }
 
 /// What file and command line say, before parts are looked up: they depend on the final names.
@@ -190,115 +185,12 @@ Scenario scenario_of(const Draft& draft, const PartRoots& roots) {
   return s;
 }
 
-// ---- keys against each other ----
-
-/// `large` must be at least `times` as large as `small`.
-struct Limit {
-  const Key* small;
-  const Key* large;
-  double times;
-  const char* why;
-};
-
-const std::vector<Limit>& limits() {
-  static const std::vector<Limit> table{
-      {find_key("device.interval_min_ms"), find_key("device.interval_max_ms"), 1,
-       "the shortest pause cannot exceed the longest"},
-      {find_key("device.carrier_hz"), find_key("simulation.sample_rate_hz"), 4,
-       "a carrier period takes at least 4 samples"},
-      {find_key("module.centre_hz"), find_key("simulation.sample_rate_hz"), 4,
-       "a period of the band-pass takes at least 4 samples"},
-      {find_key("device.baud"), find_key("device.carrier_hz"), 4,
-       "a bit takes at least 4 carrier periods"},
-      {find_key("device.baud"), find_key("simulation.sample_rate_hz"), 100,
-       "a bit takes at least 100 samples"},
-      {find_key("module.emin_mw_per_m2"), find_key("module.emax_w_per_m2"), 1e-3,
-       "the threshold cannot exceed the largest irradiance"},
-  };
-  return table;
-}
-
-[[noreturn]] void refuse_together(const Limit& limit, double small, double large,
-                                  const Places& places) {
-  const std::string &a = limit.small->name(), &b = limit.large->name();
-  throw bad_input(fmt::format("{} = {} {} with {} = {} {}", a, small, place_of(places, a), b, large,
-                              place_of(places, b)),
-                  limit.why,
-                  fmt::format("lower {} to {} or raise {} to {}", a, large / limit.times, b,
-                              small * limit.times));
-}
-
-void check_together(Scenario& s, const Places& places) {
-  for (const Limit& limit : limits()) {
-    const double small = limit.small->number(s), large = limit.large->number(s);
-    if (large < limit.times * small) refuse_together(limit, small, large, places);
-  }
-}
-
-using Setters = std::vector<const Key*>;
-
-Setters setters_of(const std::vector<Axis>& sweep) {
-  Setters setters;
-  for (const Axis& axis : sweep) setters.push_back(find_key(axis.key));
-  return setters;
-}
-
-void place_at(Scenario& s, const Setters& setters, const std::vector<double>& coordinates) {
-  assert(setters.size() == coordinates.size());
-  for (std::size_t i = 0; i < setters.size(); ++i) setters[i]->number(s) = coordinates[i];
-}
-
-void check_all_points(const LoadedScenario& loaded) {
-  const Setters setters = setters_of(loaded.sweep);
-  const std::size_t n = count_points(loaded.sweep);
-  Scenario s = loaded.base;
-  for (std::size_t i = 0; i < n; ++i) {
-    place_at(s, setters, point_coordinates(loaded.sweep, i));
-    check_together(s, loaded.places);
-  }
-}
-
 // ---- text that repeats a run ----
-
-std::string toml_string(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (byte < 0x20 || byte == 0x7f)
-      out += fmt::format("\\u{:04X}", byte);
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 std::string with_overrides(std::string text, const std::vector<std::string>& overrides) {
   for (const std::string& override : overrides)
     text += "\n[[override]]\nset = " + toml_string(override) + "\n";
   return text;
-}
-
-bool is_physics(const Key& key) {
-  return key.facts.type != KeyType::part && key.name() != "title" &&
-         key.name() != "simulation.seed" && !key.name().starts_with("stop.");
-}
-
-std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
-
-std::string curve_text(const std::string& name, const channel::Curve& curve) {
-  std::string line = name + " =";
-  for (std::size_t i = 0; i < curve.x.size(); ++i)
-    line += fmt::format(" {}:{}", exact(curve.x[i]), exact(curve.y[i]));
-  return line + '\n';
-}
-
-template <class Part>
-std::string curves_text(const PartKeys<Part>& keys, const Part& part) {
-  std::string lines;
-  for (const auto& curve : keys.curves)
-    lines += curve_text(keys.folder + "." + curve.name, part.*curve.member);
-  return lines;
 }
 
 }  // namespace
@@ -319,23 +211,6 @@ LoadedScenario parse_scenario(const std::string& text, const std::filesystem::pa
   check_all_points(loaded);
   read_entries(loaded.text, "--set");  // what repeats the run must itself be a scenario
   return loaded;
-}
-
-Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
-  Scenario s = loaded.base;
-  place_at(s, setters_of(loaded.sweep), coordinates);
-  check_together(s, loaded.places);
-  return s;
-}
-
-std::string canonical_text(const Scenario& scenario) {
-  Scenario s = scenario;  // keys give access for writing
-  std::string lines;
-  for (const Key& key : scenario_keys())
-    if (is_physics(key))
-      lines += fmt::format("{} = {}\n", key.name(),
-                           key.is_number() ? exact(key.number(s)) : toml_string(key.text(s)));
-  return lines + curves_text(module_keys(), s.module) + curves_text(led_keys(), s.emitter);
 }
 
 }  // namespace sim

@@ -55,7 +55,7 @@ struct NoiseSettings {
 
 struct SimulationSettings {
   double sample_rate_hz = 1e6;
-  double warmup_messages = 1;  // whole number
+  double warmup_messages = 4;  // whole number
   double seed = 1;             // whole number
 };
 
@@ -79,14 +79,17 @@ struct Scenario {
   StopSettings stop;
 };
 
+/// Where each key was given: "in x.toml:14".
+using Places = std::map<std::string, std::string>;
+
 /// A scenario's file, its sweep and what the command line changed.
 struct LoadedScenario {
   Scenario base;  // everything but the sweep
   /// Enough to repeat the run: the whole file, and behind it one [[override]] table for each --set.
   std::string text;
   std::filesystem::path path;
-  std::vector<Axis> sweep;                    // in the order of the file, then of --set
-  std::map<std::string, std::string> places;  // where each key was given: "in x.toml:14"
+  std::vector<Axis> sweep;  // in the order of the file, then of --set
+  Places places;
 };
 
 /// Load a file. `overrides` are "key=value" as of --set, applied in order after the file's own
@@ -99,13 +102,5 @@ LoadedScenario load_scenario(const std::filesystem::path& path,
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,
                               const std::vector<std::string>& overrides,
                               const std::vector<std::filesystem::path>& roots);
-
-/// The scenario of one point of the sweep, a coordinate an axis; throws if its keys contradict each
-/// other (no point of a loaded scenario does).
-Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates);
-
-/// All that decides the physics, part data included, as names and shortest exact values: equal
-/// physics, equal text, wherever the point stands. Without title, seed, stop.* and parts' names.
-std::string canonical_text(const Scenario& scenario);
 
 }  // namespace sim

@@ -1,19 +1,12 @@
 #pragma once
-// The result file: HDF5 on the netCDF-4 model, so that xarray, ncdump and MATLAB open it.
-// It is written beside its place and renamed, so a killed run leaves the last good file. HDF5 is
-// not safe for threads: one thread writes.
+// The result file: HDF5 on the netCDF-4 model (sim/netcdf). It is written beside its place and
+// renamed, so a killed run leaves the last good file.
 #include <filesystem>
-#include <string>
 
+#include "sim/program_info.hpp"
 #include "sim/result.hpp"
 
 namespace sim {
-
-struct ProgramInfo {
-  std::string name;
-  std::string version;
-  std::string commit;
-};
 
 /// Replaces `path` by a file with this result. Throws Failure(environment) and leaves what was
 /// there untouched if the disk refuses.

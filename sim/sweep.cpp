@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/key_check.hpp"
+
 namespace sim {
 namespace {
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <sstream>
-#include <string>
 #include <vector>
 
-#include "sim/failure.hpp"
-#include "sim/keys.hpp"
+#include "sim/key_check.hpp"
 #include "sim/new_file.hpp"
-#include "sim/trial.hpp"
+#include "sim/trace_netcdf.hpp"
 #include "sim/vcd.hpp"
 
 namespace sim {
@@ -22,17 +20,21 @@ std::string to_vcd(const TracedTrial& trial) {
   return out.str();
 }
 
+std::string csv_header() {
+  std::string header = "time_s,tx";
+  for (const Tap& tap : analogue_taps()) header += "," + std::string(tap.name);
+  return header + ",rx\n";
+}
+
 std::string to_csv(const TracedTrial& trial) {
-  std::string text =
-      "time_s,tx,irradiance_mw_per_m2,band_pass_mw_per_m2,threshold_mw_per_m2,integrator_samples,"
-      "agc_gain,rx\n";
-  const channel::Recording& taps = trial.taps;
-  dsp::TraceReader tx(trial.tx), rx(trial.rx);
-  for (std::size_t i = 0; i < taps.irradiance.size(); ++i) {
-    const dsp::Seconds time(static_cast<double>(i + 1) / trial.sample_rate.value);
-    fmt::format_to(std::back_inserter(text), "{:.9f},{:d},{:.6g},{:.6g},{:.6g},{},{:.6g},{:d}\n",
-                   time.value, tx.level_at(time), taps.irradiance[i], taps.band_pass[i],
-                   taps.threshold[i], taps.integrator[i], taps.agc_gain[i], rx.level_at(time));
+  const std::vector<double> times = sample_times_s(trial);
+  const std::vector<std::uint8_t> tx = levels_at(trial.tx, times), rx = levels_at(trial.rx, times);
+  std::string text = csv_header();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{:.9f},{}", times[i], tx[i]);
+    for (const Tap& tap : analogue_taps())
+      fmt::format_to(std::back_inserter(text), ",{:.6g}", (trial.taps.*tap.samples)[i]);
+    fmt::format_to(std::back_inserter(text), ",{}\n", rx[i]);
   }
   return text;
 }
@@ -42,29 +44,19 @@ struct Format {
   std::string (*text)(const TracedTrial&);
 };
 
-constexpr Format formats[] = {{".vcd", to_vcd}, {".csv", to_csv}};
+constexpr Format formats[] = {{".vcd", to_vcd}, {".csv", to_csv}, {".h5", trace_as_netcdf}};
 
 const Format& format_of(const std::filesystem::path& path) {
-  for (const Format& format : formats)
+  std::vector<const char*> known;
+  for (const Format& format : formats) {
     if (path.extension() == format.ending) return format;
-  std::string known;
-  for (const Format& format : formats)
-    known += (known.empty() ? "" : " or ") + std::string(format.ending);
+    known.push_back(format.ending);
+  }
   throw bad_input("cannot trace into " + path.string(), "its ending names no format",
-                  "end the name in " + known);
+                  fmt::format("end the name in {}", fmt::join(known, " or ")));
 }
 
 }  // namespace
-
-TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
-  const Link link = make_link(scenario);
-  Transmission sent = transmit(link, trial);
-  TracedTrial traced;
-  traced.sample_rate = link.chain.sample_rate;
-  traced.rx = channel::propagate_alone(link.chain, chain_input(link, trial, sent), &traced.taps);
-  traced.tx = std::move(sent.line);
-  return traced;
-}
 
 void check_trace_path(const std::filesystem::path& path) {
   format_of(path);
@@ -72,9 +64,9 @@ void check_trace_path(const std::filesystem::path& path) {
 }
 
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial) {
-  const Format& format = format_of(path);
+  const std::string text = format_of(path).text(trial);
   NewFile file(path);
-  file.write(format.text(trial));
+  file.write(text);
   file.take_place();
 }
 

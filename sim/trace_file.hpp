@@ -1,25 +1,14 @@
 #pragma once
-// One trial with every tap of the receiver, in a file whose ending says the format. The trial is
-// the one that a run counts: same point and number, same bits.
-#include <cstdint>
+// A traced trial in a file whose ending says the format. A new format is one row of the table in
+// trace_file.cpp.
 #include <filesystem>
+#include <string>
 
-#include "channel/chain.hpp"
-#include "dsp/logic_trace.hpp"
-#include "sim/scenario.hpp"
+#include "sim/trace.hpp"
 
 namespace sim {
 
-struct TracedTrial {
-  dsp::LogicTrace tx, rx;  // the wire that keys the LED, and the module's pin
-  channel::Recording taps;
-  dsp::Hertz sample_rate;
-};
-
-/// Re-runs trial `trial` of the point that `scenario` is.
-TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial);
-
-/// .vcd: wires tx and rx; .csv: time and every tap, a row a sample.
+/// .vcd: wires tx and rx; .csv: time and every tap, a row a sample; .h5: the same and spectra.
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial);
 
 /// Throws the Failure that write_trace would throw for this name, before any work is done.

@@ -6,7 +6,9 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/commands.hpp"
-#include "sim/keys.hpp"
+#include "sim/entries.hpp"
+#include "sim/key_check.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 #include "sim/sweep.hpp"
 #include "sim/trace_file.hpp"
@@ -75,8 +77,14 @@ ExitCode trace_command(const TraceRequest& request) {
                     fmt::format("the sweep has {} points, counted from 0", points),
                     fmt::format("use one from 0 to {}", points - 1));
   check_trace_path(request.output);
-  const auto coordinates = point_coordinates(scenario.sweep, request.point);
-  write_trace(request.output, trace_trial(point_scenario(scenario, coordinates), request.trial));
+  const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, request.point));
+  TracedTrial traced = trace_trial(point, request.trial);
+  traced.origin = {.program = request.program,
+                   .scenario_toml = scenario.text,
+                   .seed = static_cast<std::uint64_t>(point.simulation.seed),
+                   .point = request.point,
+                   .trial = request.trial};
+  write_trace(request.output, traced);
   return ExitCode::done;
 }
 

@@ -17,9 +17,9 @@ immintrin[.]h        dsp/.*
 fftw3[.]h            dsp/spectrum[.]cpp
 Eigen/.*             channel/.*[.]cpp
 armadillo            sim/.*[.]cpp
-hdf5.*[.]h|H5.*[.]h  sim/(store|trace).*[.]cpp
-toml[+][+]/.*        sim/(scenario|parts|keys|sweep)[.]cpp
-CLI/.*               sim/main[.]cpp
+hdf5.*[.]h|H5.*[.]h  sim/netcdf[.]cpp
+toml[+][+]/.*        sim/entries[.]cpp
+CLI/.*               sim/command_line[.]cpp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp

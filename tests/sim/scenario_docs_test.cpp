@@ -5,8 +5,9 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "sim/entries.hpp"
+#include "sim/key_reference.hpp"
 #include "sim/keys.hpp"
-#include "sim/parts.hpp"
 #include "sim/scenario.hpp"
 
 namespace {

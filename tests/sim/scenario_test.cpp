@@ -6,8 +6,11 @@
 #include <random>
 
 #include "gtest/gtest.h"
+#include "sim/canonical_text.hpp"
+#include "sim/entries.hpp"
+#include "sim/failure.hpp"
 #include "sim/keys.hpp"
-#include "sim/parts.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
 
 namespace {
@@ -215,7 +218,7 @@ const Refusal refusals[] = {
     {"stop.max_frames = 1.5",
      "stop.max_frames = 1.5 in x.toml:1 (messages after which a point ends: only whole numbers) "
      "use "
-     "a whole number 1 to 1000000000000"},
+     "a whole number 1 to 4000000000"},
     {"simulation.seed = 9007199254740993",
      "simulation.seed = 9007199254740992 in x.toml:1 (seed of all randomness must be at most "
      "9007199254740991) use a whole number 0 to 9007199254740991"},
@@ -265,7 +268,7 @@ const Refusal refusals[] = {
     {"[sweep]\nstop.max_frames = [1, 2.5]",
      "stop.max_frames = 2.5 in x.toml:2 (messages after which a point ends: only whole numbers) "
      "use "
-     "a whole number 1 to 1000000000000"},
+     "a whole number 1 to 4000000000"},
     {"[sweep]\nled.yaw_deg = [1, \"2\"]",
      "sweep.led.yaw_deg in x.toml:2 (a list that is not of numbers where a range or list is "
      "expected) write \"1:1:20\" or [1, 2, 5]"},

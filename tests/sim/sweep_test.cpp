@@ -8,6 +8,7 @@
 #include <set>
 
 #include "gtest/gtest.h"
+#include "sim/failure.hpp"
 
 namespace {
 

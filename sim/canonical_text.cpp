@@ -1,0 +1,47 @@
+#include "sim/canonical_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "sim/entries.hpp"
+#include "sim/keys.hpp"
+
+namespace sim {
+namespace {
+
+bool is_physics(const Key& key) {
+  return key.facts.type != KeyType::part && key.name() != "title" &&
+         key.name() != "simulation.seed" && !key.name().starts_with("stop.");
+}
+
+std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
+
+std::string curve_text(const std::string& name, const channel::Curve& curve) {
+  std::string line = name + " =";
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    line += fmt::format(" {}:{}", exact(curve.x[i]), exact(curve.y[i]));
+  return line + '\n';
+}
+
+template <class Part>
+std::string curves_text(const PartKeys<Part>& keys, const Part& part) {
+  std::string lines;
+  for (const auto& curve : keys.curves)
+    lines += curve_text(keys.folder + "." + curve.name, part.*curve.member);
+  return lines;
+}
+
+}  // namespace
+
+std::string canonical_text(const Scenario& scenario) {
+  Scenario s = scenario;  // keys give access for writing
+  std::string lines;
+  for (const Key& key : scenario_keys())
+    if (is_physics(key))
+      lines += fmt::format("{} = {}\n", key.name(),
+                           key.is_number() ? exact(key.number(s)) : toml_string(key.text(s)));
+  return lines + curves_text(module_keys(), s.module) + curves_text(led_keys(), s.emitter);
+}
+
+}  // namespace sim

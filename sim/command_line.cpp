@@ -1,0 +1,218 @@
+#include "sim/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "sim/commands.hpp"
+#include "sim/key_check.hpp"
+
+namespace sim {
+namespace {
+
+// Checks say what is wrong in the error line; the help has its own words (hence no description).
+const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty" : ""; },
+                            "");
+const CLI::Validator an_index(
+    [](const std::string& text) {
+      const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+      return digits ? "" : text + " is not a whole number, counted from 0";
+    },
+    "");
+
+/// A short form of --set: `--seed 7` is `--set simulation.seed=7`, and is recorded as such.
+void add_short_form(CLI::App& app, const char* names, const char* key,
+                    std::vector<std::string>& overrides, const std::string& what) {
+  app.add_option_function<std::string>(
+         names,
+         [&overrides, key](const std::string& value) {
+           overrides.push_back(std::string(key) + "=" + value);
+         },
+         what + " (the key " + key + ")")
+      ->type_name("N");
+}
+
+void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
+  app.add_option("--set", options.overrides,
+                 "change a key of the scenario: receiver.range_m=3, a range or list sweeps it: "
+                 "receiver.range_m=1:0.5:20 or =1,2,5; may be given several times")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--parts", options.parts,
+                 "a folder with modules/ and leds/ of your own; may be given several times")
+      ->type_name("DIR")
+      ->expected(1)
+      ->take_all();
+  add_short_form(app, "-S,--seed", "simulation.seed", options.overrides, "seed of all randomness");
+}
+
+void add_protocol(CLI::App& app) {
+  app.add_option_function<std::string>(
+         "--protocol", [](const std::string&) {}, "format of the messages: cosys, the only one")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"cosys"}).description(""));
+}
+
+void add_run(CLI::App& app, RunRequest& request) {
+  auto& run = *app.add_subcommand(
+      "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
+  run.add_option("SCENARIO", request.scenarios, "scenario files (.toml)")
+      ->required()
+      ->type_name("")
+      ->check(a_name);
+  run.add_option("-o,--output", request.output,
+                 "result file (HDF5), or a folder that gets one for each scenario; if not given, "
+                 "the scenario's name ending in .h5, in the current folder")
+      ->type_name("OUT.h5|DIR/")
+      ->check(a_name);
+  add_scenario_options(run, request.options);
+  run.add_option("-t,--threads", request.threads,
+                 "threads, 1 to 1024; if not given, one for each processor; the results are the "
+                 "same for any number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+  add_short_form(run, "-n,--max-frames", "stop.max_frames", request.options.overrides,
+                 "frames after which a point is finished");
+  add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
+                 "lost frames after which a point is finished, 0 for no such limit");
+  run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table");
+  run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");
+}
+
+void add_trace(CLI::App& app, TraceRequest& request) {
+  auto& trace = *app.add_subcommand(
+      "trace", "Run one trial of a scenario again and write every tap of the receiver to a file");
+  trace.add_option("SCENARIO", request.scenario, "scenario file (.toml)")
+      ->required()
+      ->type_name("")
+      ->check(a_name);
+  trace.add_option("--point", request.point, "point of the sweep, counted from 0; 0 if not given")
+      ->type_name("K")
+      ->check(an_index);
+  trace.add_option("--trial", request.trial, "trial, counted from 0; 0 if not given")
+      ->type_name("N")
+      ->check(an_index);
+  trace
+      .add_option("-o,--output", request.output,
+                  "file to write; its ending is the format: .vcd, the wires tx and rx; .csv, all "
+                  "taps, a row a sample; .h5, the same in HDF5, and spectra")
+      ->required()
+      ->type_name("FILE")
+      ->check(a_name);
+  add_scenario_options(trace, request.options);
+  trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
+}
+
+void add_encode(CLI::App& app, std::string& message) {
+  auto& encode = *app.add_subcommand(
+      "encode", "Print a device's message as the line carries it: with its checksum and line end");
+  encode.add_option("MESSAGE", message, "the message, without checksum")->required()->type_name("");
+  add_protocol(encode);
+  encode.footer("Example: cosys-sim encode 'IND 011111 OK'");
+}
+
+void add_decode(CLI::App& app, DecodeRequest& request) {
+  auto& decode = *app.add_subcommand(
+      "decode", "Print the messages in a logic capture: when, accepted or why not, and their text");
+  decode.add_option("CAPTURE", request.capture, "logic capture of the receiver's output (.vcd)")
+      ->required()
+      ->type_name("")
+      ->check(a_name);
+  decode
+      .add_option("--wire", request.wire,
+                  "wire to decode; if not given, rx, or the first where there is none")
+      ->type_name("NAME");
+  decode
+      .add_option("--uart", request.uart,
+                  "how bits are sampled: mid-bit (once, in the middle) or atmega (majority of "
+                  "three); mid-bit if not given")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"mid-bit", "atmega"}).description(""));
+  decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")
+      ->type_name("RATE")
+      ->check(CLI::Range(1.0, 1e6).description(""));
+  add_protocol(decode);
+  decode.add_flag("--json", request.json, "one JSON object a line for each message");
+  decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options)
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+Failure not_known(const CLI::App& command, const std::string& argument) {
+  if (argument.starts_with("-"))
+    return bad_input(argument, command.get_name() + " has no such option",
+                     "did you mean " + nearest(argument, names_of(command.get_options())) + "?");
+  const std::vector<const CLI::App*> commands = command.get_subcommands({});
+  if (commands.empty())
+    return bad_input(argument, command.get_name() + " does not take another argument",
+                     "leave it out or quote what belongs together");
+  return bad_input(argument, "no such command",
+                   "did you mean " + nearest(argument, names_of(commands)) + "?");
+}
+
+/// The one line that answers a command line which cannot be read.
+Failure wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::vector<std::string> unread = app.remaining(true);
+  if (!unread.empty()) return not_known(command, unread.front());
+  const std::string name = chosen.empty() ? "" : " " + command.get_name();
+  return bad_input(error.what(), "wrong usage", "see cosys-sim" + name + " --help");
+}
+
+struct Requests {
+  RunRequest run;
+  TraceRequest trace;
+  std::string message;
+  DecodeRequest decode;
+};
+
+void fill_in(Requests& to, const Surroundings& from) {
+  to.run.command = from.command;
+  to.run.program = to.trace.program = from.program;
+  to.run.options.parts.push_back(from.shipped_parts);
+  to.trace.options.parts.push_back(from.shipped_parts);
+}
+
+ExitCode carry_out(const CLI::App& app, const Requests& requests) {
+  if (app.got_subcommand("run")) return run_command(requests.run);
+  if (app.got_subcommand("trace")) return trace_command(requests.trace);
+  if (app.got_subcommand("encode")) return encode_command(requests.message);
+  return decode_command(requests.decode);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
+  const ProgramInfo& program = surroundings.program;
+  CLI::App app{"Bit-level physical-layer simulator of 59 kHz infrared links", program.name};
+  app.set_version_flag("--version",
+                       program.name + " " + program.version + " (" + program.commit + ")");
+  app.require_subcommand(1);
+  Requests requests;
+  add_run(app, requests.run);
+  add_trace(app, requests.trace);
+  add_encode(app, requests.message);
+  add_decode(app, requests.decode);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw wrong_usage(app, e);
+  }
+  fill_in(requests, surroundings);
+  return static_cast<int>(carry_out(app, requests));
+}
+
+}  // namespace sim

@@ -1,0 +1,37 @@
+#pragma once
+// Entries: the one reader of TOML text, for scenarios and parts alike. A file is a list of keys
+// with their values and places; what a key means is for others to say.
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sim {
+
+/// A TOML value of a kind that no key takes; `what` names it: "a date".
+struct OtherValue {
+  std::string what;
+};
+
+using Value = std::variant<double, std::string, std::vector<double>, OtherValue>;
+
+/// One `key = value` of a file, with its tables joined to its name by dots.
+struct Entry {
+  std::string key;
+  Value value;
+  std::string place;  // "in x.toml:14"
+};
+
+/// "a number", "text"...: what a value is, for messages.
+std::string kind_of(const Value& value);
+
+/// The text of a file; `what` says what it should be: "scenario".
+std::string read_text_file(const std::filesystem::path& path, const std::string& what);
+
+/// Entries in the order of the file. No key occurs twice, except inside arrays of tables.
+std::vector<Entry> read_entries(const std::string& text, const std::filesystem::path& path);
+
+/// A text as TOML writes it: in quotes, on one line.
+std::string toml_string(const std::string& text);
+
+}  // namespace sim

@@ -1,0 +1,58 @@
+#pragma once
+// An HDF5 file on the netCDF-4 model (a scale on each axis of each variable, no text variables), so
+// that xarray, ncdump and MATLAB open it. It is built in memory and becomes plain bytes. HDF5 is
+// not safe for threads: one thread at a time.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/program_info.hpp"
+
+namespace sim {
+
+/// What every variable carries. An empty unit is written as "1".
+struct VariableFacts {
+  std::string name, unit, long_name;
+};
+
+/// One value for each cell, row-major. Of these types all but bytes have a value for "missing".
+using Values = std::variant<std::span<const double>, std::span<const float>,
+                            std::span<const std::int64_t>, std::span<const std::uint64_t>,
+                            std::span<const std::int16_t>, std::span<const std::uint8_t>>;
+
+/// netCDF's own default fill value (netcdf.h).
+constexpr std::int16_t missing_int16 = -32767;
+
+class NetcdfFile {
+ public:
+  /// An empty file that says what it is ("cosys-sim result"), when and by whom it was written.
+  NetcdfFile(const std::string& filetype, const ProgramInfo& program);
+  ~NetcdfFile();
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+  /// A dimension and its coordinate; the name is that of both.
+  void add_dimension(const VariableFacts& facts, std::span<const double> values);
+  /// A variable on dimensions added before, in their order; none: one number.
+  void add_variable(const VariableFacts& facts, const std::vector<std::string>& dimensions,
+                    Values values);
+
+  /// Attributes of a variable, or of the file where the variable is `root`. A text of ours is
+  /// ASCII; what a user wrote may be UTF-8 of any length.
+  static constexpr const char* root = "/";
+  void set_text(const std::string& variable, const char* name, const std::string& text);
+  void set_user_text(const std::string& variable, const char* name, const std::string& text);
+  void set_numbers(const std::string& variable, const char* name, Values values);
+
+  /// The whole file.
+  std::string image() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sim

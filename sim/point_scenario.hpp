@@ -1,0 +1,21 @@
+#pragma once
+// The points of a loaded scenario. Keys that contradict each other are refused here, be it at one
+// point of a sweep only.
+#include <string>
+#include <vector>
+
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+/// The scenario of one point of the sweep, a coordinate an axis; throws if its keys contradict each
+/// other (no point of a loaded scenario does).
+Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates);
+
+/// Throw unless every point of the sweep holds.
+void check_all_points(const LoadedScenario& loaded);
+
+/// Where a key has its value from, for messages: "in x.toml:14", "from the part", "by default".
+std::string place_of(const Places& places, const std::string& key);
+
+}  // namespace sim

@@ -1,0 +1,67 @@
+// What is left of a run that is stopped from outside.
+#include <csignal>
+
+#include "program.hpp"
+
+namespace {
+
+constexpr int rows_begin = 3;  // lines of the table's head
+
+const std::string farewell =
+    "cosys-sim: interrupted (by a signal) what was counted is in the result file; the same command "
+    "starts anew and gives the same counts\n";
+
+/// Reads the table's head and first row.
+void read_first_row(Running& running) {
+  for (int i = 0; i <= rows_begin; ++i) ASSERT_NE(running.line(), "");
+}
+
+TEST_F(CommandLine, SignalsKeepWhatIsFinished) {
+  write_scenario("s.toml", "stop.max_frames = [16, 1e8]");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Running running = start_program({"run", "s.toml", "--threads", "2"});
+    read_first_row(running);
+    const Outcome o = running.finish(signal);
+    EXPECT_EQ(o.code, 130);
+    EXPECT_TRUE(o.err.ends_with(farewell)) << o.err;
+    EXPECT_TRUE(values("s.h5", "n_frames").starts_with("16, "));
+    const std::string stop = values("s.h5", "stop_reason");
+    EXPECT_TRUE(stop == "0, 2" || stop == "0, _") << stop;  // with or without frames counted
+    EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));
+    std::filesystem::remove(path("s.h5"));
+  }
+}
+
+TEST_F(CommandLine, AnInterruptedRunDoesNotStartTheNextScenario) {
+  write_scenario("a.toml", "stop.max_frames = [16, 1e8]");
+  write_scenario("b.toml", "receiver.range_m = 1");
+  Running running = start_program({"run", "a.toml", "b.toml", "-o", "out", "-q"});
+  read_first_row(running);
+  const Outcome o = running.finish(SIGINT);
+  EXPECT_EQ(o.code, 130);
+  EXPECT_EQ(o.err, farewell);
+  EXPECT_EQ(files(), (std::set<std::string>{"a.toml", "b.toml", "out", "out/a.h5"}));
+}
+
+// Nothing is written in the first second of a run.
+TEST_F(CommandLine, KilledEarlyItLeavesTheLastResult) {
+  write_scenario("s.toml", "stop.max_frames = [1, 1e8]");
+  write("s.h5", "the last result");
+  Running running = start_program({"run", "s.toml"});
+  read_first_row(running);
+  EXPECT_EQ(running.finish(SIGKILL).code, -SIGKILL);
+  EXPECT_EQ(content(path("s.h5")), "the last result");
+  EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));
+}
+
+// A file is written once a second, between two rows: so it is whole once it is seen.
+TEST_F(CommandLine, KilledLateItLeavesAWholeFile) {
+  write_scenario("s.toml", "receiver.range_m = \"1:0.001:9\"");
+  Running running = start_program({"run", "s.toml"});
+  while (!std::filesystem::exists(path("s.h5"))) ASSERT_NE(running.line(), "");
+  EXPECT_EQ(running.finish(SIGKILL).code, -SIGKILL);
+  EXPECT_TRUE(values("s.h5", "n_frames").starts_with("16, 16, "));
+  EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// The program as users and their scripts run it: exit codes, what is said where, and which files
+// are left. Tracing and signals have files of their own.
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace {
+
+constexpr int bad_input = 2, environment = 3;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string digest_in(const std::string& out) {
+  const std::string key = ": digest ";
+  const std::size_t at = out.find(key);
+  return at == std::string::npos ? "no digest in " + out : out.substr(at + key.size(), 32);
+}
+
+TEST_F(CommandLine, RefusesWhatItCannotRead) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  expect_refused({}, bad_input, "A subcommand is required (wrong usage) see cosys-sim --help");
+  expect_refused({"rnu"}, bad_input, "rnu (no such command) did you mean run?");
+  expect_refused({"run"}, bad_input, "SCENARIO is required (wrong usage) see cosys-sim run --help");
+  expect_refused({"run", "s.toml", "--thread", "2"}, bad_input,
+                 "--thread (run has no such option) did you mean --threads?");
+  expect_refused({"run", "s.toml", "--threads", "0"}, bad_input,
+                 "--threads: Value 0 not in range 1 to 1024 (wrong usage) see cosys-sim run "
+                 "--help");
+  expect_refused({"encode", "IND", "011111", "OK"}, bad_input,
+                 "011111 (encode does not take another argument) leave it out or quote what "
+                 "belongs together");
+}
+
+TEST_F(CommandLine, RefusesScenariosThatDoNotHold) {
+  write("wrong.toml", "title = 'x'\n[receiver]\nrange = 3\n");
+  write("no.toml", "title = \n");
+  expect_refused({"run", "missing.toml"}, bad_input, "missing.toml (no such file) check the path");
+  expect_refused({"run", "wrong.toml"}, bad_input,
+                 "receiver.range in wrong.toml:3 (no such key) did you mean receiver.range_m?");
+  const Outcome o = program({"run", "no.toml"});
+  EXPECT_EQ(o.code, bad_input);
+  EXPECT_EQ(lines_of(o.err).size(), 1u) << o.err;
+  EXPECT_NE(o.err.find("no.toml:1"), std::string::npos) << o.err;
+}
+
+TEST_F(CommandLine, RefusesSettingsThatDoNotHold) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  const auto set = [](const std::string& value) { return Words{"run", "s.toml", "--set", value}; };
+  expect_refused(set("receiver.range=1"), bad_input,
+                 "receiver.range in --set (no such key) did you mean receiver.range_m?");
+  expect_refused(set("receiver.range_m"), bad_input,
+                 "\"receiver.range_m\" in --set (no = in it) write key=value, such as "
+                 "receiver.range_m=3");
+  expect_refused(set("receiver.range_m=-1"), bad_input,
+                 "receiver.range_m = -1 in --set (distance along the floor must be above 0 m) use "
+                 "a value above 0 up to 1000");
+}
+
+TEST_F(CommandLine, RefusesPlacesBeforeItRuns) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  write("file", "");
+  std::filesystem::create_directory(path("folder.h5"));
+  const auto to = [](const std::string& place) { return Words{"run", "s.toml", "-o", place}; };
+  expect_refused(to("missing/x.h5"), environment,
+                 "cannot write missing/x.h5 (its folder does not exist) create the folder or "
+                 "choose another");
+  expect_refused(to("file/x.h5"), environment,
+                 "cannot write file/x.h5 (Not a directory) choose another place");
+  expect_refused(to("/dev/null"), environment,
+                 "cannot write /dev/null (it is not a regular file) choose another place");
+  expect_refused(to("file/"), environment,
+                 "cannot create the folder file/ (File exists) choose another place");
+  expect_refused(to(""), bad_input, "--output: is empty (wrong usage) see cosys-sim run --help");
+  expect_refused({"trace", "s.toml", "-o", "folder.h5"}, environment,
+                 "cannot write " + canonical(path("folder.h5")).string() +
+                     " (it is a folder) add a file name");
+  EXPECT_EQ(program(to("/proc/x.h5")).code, environment);
+}
+
+TEST_F(CommandLine, RefusesTwoScenariosOfOneName) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  expect_refused({"run", "s.toml", "./s.toml", "-o", "results"}, bad_input,
+                 "s.toml and ./s.toml would both be written to results/s.h5 (they have the same "
+                 "name) rename one or run them one by one");
+}
+
+TEST_F(CommandLine, AFailingRunLeavesTheLastResult) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  ASSERT_EQ(program({"run", "s.toml", "-q"}).code, 0);
+  const std::string before = content(path("s.h5"));
+  const std::string full =
+      "cannot write to standard output (it is closed or full) redirect it elsewhere";
+  expect_refused({"run", "s.toml"}, environment, full, "/dev/full");
+  expect_refused({"encode", "IND"}, environment, full, "/dev/full");
+  EXPECT_EQ(program({"run", "s.toml", "--set", "stop.max_frames=0"}).code, bad_input);
+  EXPECT_TRUE(content(path("s.h5")) == before);
+}
+
+// Hours of work are not thrown away because the report of them has no place.
+TEST_F(CommandLine, AResultIsKeptThoughItsReportCannotBePrinted) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  const Outcome o = program({"run", "s.toml", "--json", "-q"}, "/dev/full");
+  EXPECT_EQ(o.code, environment);
+  EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
+  EXPECT_EQ(values("s.h5", "n_frames"), "16, 16");
+  EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));
+}
+
+TEST_F(CommandLine, PrintsARowAPointAndKeepsThem) {
+  write_scenario("s.toml", "receiver.range_m = [1, 1.5, 900]");
+  const Outcome o = program({"run", "s.toml", "-q"});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_EQ(o.err, "");
+  const auto is_row = [](const std::string& line) { return line.ends_with(" max_frames"); };
+  const std::vector<std::string> lines = lines_of(o.out);
+  EXPECT_EQ(std::ranges::count_if(lines, is_row), 3);
+  EXPECT_EQ(values("s.h5", "receiver_range_m"), "1, 1.5, 900");
+  EXPECT_EQ(values("s.h5", "n_frames"), "16, 16, 16");
+  EXPECT_EQ(values("s.h5", "n_frames_lost"), "0, 0, 16");
+  EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));
+}
+
+TEST_F(CommandLine, JsonIsOneObject) {
+  write_scenario("s.toml", "receiver.range_m = [1, 900]");
+  const Outcome o = program({"run", "s.toml", "--json", "-q"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto json = nlohmann::json::parse(o.out);  // throws if there is anything behind it
+  ASSERT_EQ(json.at("points").size(), 2u);
+  EXPECT_EQ(json["points"][1].at("n_frames_lost"), 16);
+  EXPECT_EQ(json.at("result_digest"), digest_in(program({"run", "s.toml"}).out));
+}
+
+TEST_F(CommandLine, SeveralScenariosFillAFolder) {
+  write_scenario("a.toml", "receiver.range_m = [1, 2]");
+  write_scenario("b.toml", "receiver.range_m = 900");
+  const Outcome o = program({"run", "a.toml", "b.toml", "-o", "new/results", "-n", "8"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(values("new/results/a.h5", "n_frames"), "8, 8");
+  EXPECT_EQ(values("new/results/b.h5", "n_frames_lost"), "8");
+  EXPECT_EQ(files().size(), 2u + 4u);
+}
+
+TEST_F(CommandLine, DigestDependsOnTheSeedAndNotOnThreads) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2.2]");
+  const auto digest = [&](const Words& more) {
+    Words words = {"run", "s.toml", "--set", "stop.max_frames=64"};
+    words.insert(words.end(), more.begin(), more.end());
+    return digest_in(program(words).out);
+  };
+  const std::string alone = digest({"--threads", "1"});
+  EXPECT_EQ(digest({"--threads", "2"}), alone);
+  EXPECT_EQ(digest({"--threads", "8"}), alone);
+  EXPECT_NE(values("s.h5", "n_frames_lost"), "0, 0") << "the test needs a link that fails";
+  EXPECT_NE(digest({"--seed", "7"}), alone);
+}
+
+TEST_F(CommandLine, RecordsTheSeedAndTheCommand) {
+  write_scenario("s.toml", "receiver.range_m = 1");
+  ASSERT_EQ(program({"run", "s.toml", "--seed", "4711", "-o", "a b.h5"}).code, 0);
+  const std::string header = tool("ncdump", {"-h", "a b.h5"});
+  EXPECT_NE(header.find(":seed = 4711ULL ;"), std::string::npos) << header;
+  EXPECT_NE(header.find(":command = \"cosys-sim run s.toml --seed 4711 -o \\'a b.h5\\'\" ;"),
+            std::string::npos)
+      << header;
+}
+
+TEST_F(CommandLine, HelpAndVersionAreResults) {
+  for (const Words& words : {Words{"--help"}, Words{"run", "--help"}, Words{"trace", "--help"},
+                             Words{"encode", "--help"}, Words{"decode", "--help"}}) {
+    const Outcome o = program(words);
+    EXPECT_EQ(o.code, 0);
+    EXPECT_EQ(o.err, "");
+    EXPECT_NE(o.out.find("Usage: cosys-sim "), std::string::npos) << o.out;
+  }
+  EXPECT_TRUE(program({"--version"}).out.starts_with("cosys-sim "));
+}
+
+}  // namespace

@@ -1,0 +1,112 @@
+// The engine: the same counts for any number of threads, stops where the rule says, counts exactly.
+#include "sim/engine.hpp"
+
+#include <atomic>
+#include <vector>
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/experiment.hpp"
+#include "sim/trial.hpp"
+
+namespace sim {
+namespace {
+
+/// Fails about every other frame: AGC and noise both decide.
+Link middling_link() { return link_of({"receiver.range_m=3", "ambient.irradiance_w_per_m2=20"}); }
+
+PointResult run(const Link& link, const StopRule& stop, int threads) {
+  return run_point(link, stop, {.threads = threads, .interrupt = nullptr, .on_progress = {}});
+}
+
+TEST(EngineDeterminism, AnyNumberOfThreads) {
+  const Link link = middling_link();
+  const PointResult one = run(link, {.max_frames = 80}, 1);
+  for (const int threads : {2, 8}) {
+    const PointResult many = run(link, {.max_frames = 80}, threads);
+    EXPECT_EQ(many.tally, one.tally) << threads;
+    EXPECT_EQ(many.n_samples, one.n_samples) << threads;
+  }
+  EXPECT_GT(one.tally.n_frames_lost, 0u);
+}
+
+TEST(EngineDeterminism, SequentialStopToo) {
+  const Link link = middling_link();
+  const StopRule stop{.max_frames = 100000, .max_frame_errors = 10};
+  const PointResult one = run(link, stop, 1);
+  EXPECT_EQ(one.stop, StopReason::max_frame_errors);
+  EXPECT_GE(one.tally.n_frames_lost, 10u);
+  EXPECT_LT(one.tally.n_frames_lost, 10u + channel::lanes_per_group);
+  for (const int threads : {2, 8}) EXPECT_EQ(run(link, stop, threads).tally, one.tally) << threads;
+}
+
+TEST(Engine, SumIsThatOfItsGroups) {
+  const Link link = middling_link();
+  Tally sum;
+  for (std::uint32_t first = 0; first < 40; first += 8) sum += run_group(link, first, 8).tally;
+  EXPECT_EQ(run(link, {.max_frames = 40}, 2).tally, sum);
+}
+
+TEST(Engine, CountsExactlyAsManyFramesAsAsked) {
+  const Link link = link_of(clear_link());
+  for (const std::uint64_t frames : {1u, 7u, 8u, 9u, 21u}) {
+    const PointResult result = run(link, {.max_frames = frames}, 2);
+    EXPECT_EQ(result.tally.n_frames, frames);
+    EXPECT_EQ(result.stop, StopReason::max_frames);
+    EXPECT_GT(result.simulated_s, 0);
+  }
+}
+
+TEST(Engine, InterruptKeepsWhatIsComplete) {
+  const std::atomic<bool> interrupt = true;
+  const PointResult result = run_point(link_of(clear_link()), {.max_frames = 4000000000u},
+                                       {.threads = 2, .interrupt = &interrupt, .on_progress = {}});
+  EXPECT_EQ(result.stop, StopReason::interrupted);
+  EXPECT_EQ(result.tally.n_frames % channel::lanes_per_group, 0u);
+}
+
+ExperimentResult experiment(const std::string& text) {
+  return run_experiment(loaded(text), "test",
+                        {.threads = 2, .interrupt = nullptr, .on_progress = {}, .on_point = {}});
+}
+
+const std::string base = R"([stop]
+max_frames = 16
+[ambient]
+irradiance_w_per_m2 = 20
+[sweep]
+)";
+
+// Inserting a point into a sweep, or turning its axes, changes no other point.
+TEST(EngineDeterminism, NeighboursInTheSweepDoNotMatter) {
+  const auto two = experiment(base + "receiver.range_m = [2, 3]\n");
+  const auto three = experiment(base + "receiver.range_m = [2, 2.5, 3]\n");
+  EXPECT_EQ(two.points[0].tally, three.points[0].tally);
+  EXPECT_EQ(two.points[1].tally, three.points[2].tally);
+  EXPECT_NE(three.points[1].tally, three.points[2].tally);
+}
+
+TEST(Engine, GridIsRowMajor) {
+  const auto result =
+      experiment(base + "receiver.range_m = [2, 3]\ndevice.carrier_hz = [56000, 59000]\n");
+  ASSERT_EQ(result.points.size(), 4u);
+  EXPECT_EQ(result.points[1].coordinates, (std::vector<double>{2, 59000}));
+  EXPECT_EQ(result.points[2].coordinates, (std::vector<double>{3, 56000}));
+  EXPECT_EQ(result.points[1].operating.irradiance_mw_per_m2,
+            result.points[0].operating.irradiance_mw_per_m2);
+  EXPECT_LT(result.points[1].operating.snr_db, result.points[0].operating.snr_db);
+}
+
+TEST(EngineDeterminism, SeedsGiveOtherNoise) {
+  const auto with_seed = [](const char* seed) {
+    return run(link_of({"receiver.range_m=3", "ambient.irradiance_w_per_m2=20",
+                        std::string("simulation.seed=") + seed}),
+               {.max_frames = 40}, 2)
+        .tally;
+  };
+  EXPECT_EQ(with_seed("7"), with_seed("7"));
+  EXPECT_NE(with_seed("7"), with_seed("8"));
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,27 @@
+#pragma once
+// Scenarios for tests, from text, with the project's own parts.
+#include <string>
+#include <vector>
+
+#include "sim/link.hpp"
+#include "sim/point_scenario.hpp"
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+inline LoadedScenario loaded(const std::string& text, const std::vector<std::string>& set = {}) {
+  return parse_scenario(text, "test.toml", set, {COSYS_SOURCE_DIR "/scenarios"});
+}
+
+/// One point, with keys set as of --set.
+inline Link link_of(const std::vector<std::string>& set) {
+  return make_link(point_scenario(loaded("", set), {}));
+}
+
+/// No noise, no AGC, 1 m: what is sent arrives.
+inline std::vector<std::string> clear_link(std::vector<std::string> set = {}) {
+  set.insert(set.begin(), {"noise.scale=0", "module.agc_attack_db_per_ms=0", "receiver.range_m=1"});
+  return set;
+}
+
+}  // namespace sim
