@@ -100,21 +100,22 @@ struct PreparedGroup {
   }
 };
 
-bool have_v3() {
+using Kernel = void (*)(const ChainKernelInput&);
+
+Kernel best_kernel() {
 #ifdef COSYS_HAVE_V3
-  static const bool have = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                           __builtin_cpu_supports("bmi2");
-  return have;
-#else
-  return false;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+      __builtin_cpu_supports("bmi2"))
+    return run_lanes_v3;
 #endif
+  return run_lanes_baseline;
 }
 
 }  // namespace
 
 ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
                          dsp::Hertz sample_rate) {
-  assert(sample_rate >= 4.0 * light.carrier && light.duty > 0 && light.duty < 1);
+  assert(sample_rate > 2.0 * light.carrier && light.duty > 0 && light.duty < 1);
   const dsp::Amperes dark = photocurrent(module, light.ambient);
   const dsp::Amperes lit = dark + photocurrent(module, light.signal * light.duty);
   const auto deviation = [&](dsp::Amperes mean) {
@@ -130,17 +131,12 @@ ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
 }
 
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
-                                       std::span<const ChainInput> inputs) {
+                                       std::span<const ChainInput> inputs, InstructionSet set) {
   assert(inputs.size() <= lanes_per_group);
+  static const Kernel best = best_kernel();
   PinWriter pins(inputs, design.sample_rate);
   const PreparedGroup group(design, inputs, pins);
-#ifdef COSYS_HAVE_V3
-  if (have_v3()) {
-    run_lanes_v3(group.kernel);
-    return pins.take();
-  }
-#endif
-  run_lanes_baseline(group.kernel);
+  (set == InstructionSet::best ? best : run_lanes_baseline)(group.kernel);
   return pins.take();
 }
 
@@ -156,7 +152,5 @@ dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& inp
   }
   return pins.take().front();
 }
-
-const char* instruction_set() { return have_v3() ? "x86-64-v3" : "baseline"; }
 
 }  // namespace channel

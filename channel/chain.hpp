@@ -31,7 +31,7 @@ struct LightSettings {
   double noise_scale = 1;
 };
 
-/// Needs a sample rate of at least 4 carrier cycles and duty in (0, 1).
+/// Needs a sample rate above twice the carrier and a duty in (0, 1).
 ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
                          dsp::Hertz sample_rate);
 
@@ -44,9 +44,14 @@ struct ChainInput {
 
 constexpr int lanes_per_group = 8;
 
+/// Which of the kernels runs: the best that this processor has, or the one that every processor
+/// has.
+enum class InstructionSet { best, baseline };
+
 /// The module's pin for each of up to eight trials, all at once.
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
-                                       std::span<const ChainInput> inputs);
+                                       std::span<const ChainInput> inputs,
+                                       InstructionSet set = InstructionSet::best);
 
 /// Every sample of one trial at the chain's taps.
 struct Recording {
@@ -56,8 +61,5 @@ struct Recording {
 /// The pin of one trial, computed alone; the same bits as in a group. Fills `recording` if given.
 dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
                                 Recording* recording = nullptr);
-
-/// Instruction set that propagate() uses on this machine: "x86-64-v3" or "baseline".
-const char* instruction_set();
 
 }  // namespace channel

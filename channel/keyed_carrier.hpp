@@ -47,8 +47,8 @@ class KeyedCarrier {
     dsp::set_lane(phase_, lane, phase);
   }
 
-  /// Prepares the samples [first, first + length); returns how many of them one burst a lane
-  /// covers: the length of the block to run.
+  /// Prepares the samples [first, first + length), 2048 at most; returns how many of them one burst
+  /// a lane covers: the length of the block to run.
   int begin_block(std::int64_t first, int length) {
     constexpr double far = 1 << 11;
     for (int i = 0; i < dsp::lanes<T>; ++i) {
@@ -66,13 +66,21 @@ class KeyedCarrier {
     return length;
   }
 
+  /// No lane is lit in the first `length` samples of the block.
+  bool dark(int length) const { return !dsp::any(on_ < T(static_cast<float>(length))); }
+
+  /// Passes over the first `length` samples of the block, which are dark.
+  void skip(int length) {
+    phase_ = phase_ + dsp::Words<T>(step_ * static_cast<std::uint32_t>(length));
+  }
+
   /// Sample `i` of the block; to be called for each in turn.
   Sample operator()(int i) {
     const T zero(0.0f), one(1.0f), start(static_cast<float>(i));
     const T from = dsp::smaller(dsp::larger(on_ - start, zero), one);
     const T to = dsp::smaller(dsp::larger(off_ - start, zero), one);
     const T phase = dsp::to_float(phase_ >> 8) * T(0x1p-24f);
-    phase_ = phase_ + step_;
+    phase_ = phase_ + dsp::Words<T>(step_);
     const T light =
         lit_time(dsp::fused(to, cycles_, phase)) - lit_time(dsp::fused(from, cycles_, phase));
     return {amplitude_ * light, from < to};
@@ -81,13 +89,12 @@ class KeyedCarrier {
  private:
   /// Cycles of light from phase 0 to phase p, p in [0, 2): the integral of the square wave.
   T lit_time(T p) const {
-    const T one(1.0f);
-    const dsp::Mask<T> second = p >= one;
-    const T within = dsp::choose(second, p - one, p);
-    return dsp::choose(second, duty_, T(0.0f)) + dsp::smaller(within, duty_);
+    const T second = dsp::larger(p - T(1.0f), T(0.0f));  // the part in the second cycle
+    return dsp::smaller(p, duty_) + dsp::smaller(second, duty_);
   }
 
-  dsp::Words<T> step_, phase_ = dsp::Words<T>(0u);
+  std::uint32_t step_;
+  dsp::Words<T> phase_ = dsp::Words<T>(0u);
   T cycles_, duty_, amplitude_;
   T on_, off_;  // the lane's burst, in samples from the block's start
   const Burst* burst_[dsp::lanes<T>] = {};

@@ -100,8 +100,9 @@ class ReceiverModule {
     const dsp::Mask<T> light = signal_(u > level);
     const dsp::Mask<T> active = activity_(u > dsp::larger(fixed_ * margin_, following));
     if (--to_tick_ == 0) tick(active);
+    const dsp::Mask<T> reported = integrator_(light);
     taps_ = {u, level, integrator_.level(), gain_};
-    return !integrator_(light);
+    return !reported;
   }
   const ModuleTaps<T>& taps() const { return taps_; }
 

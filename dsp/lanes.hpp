@@ -3,8 +3,8 @@
 // independent trials in the lanes of one vector) and holds no `if` on a sample, only choose(mask,
 // a, b). Every operation here is exactly rounded, so a lane computes the same bits as float does,
 // whatever the instruction set. Code built for several of them sets COSYS_ISA: a namespace of its
-// own keeps the linker from mixing them.
-#include <bit>
+// own keeps the linker from mixing them. For the same reason no std:: template may see a bare
+// vector here: std::bit_cast of one would be one symbol with two calling conventions.
 #include <cmath>
 #include <cstdint>
 
@@ -23,7 +23,8 @@ struct Lanes8 {
   using Vector [[gnu::vector_size(32)]] = float;
   Vector v;
   Lanes8() = default;
-  Lanes8(float all) : v(Vector{} + all) {}  // implicit: constants read as in scalar code
+  // Implicit: constants read as in scalar code.
+  Lanes8(float all) : v{all, all, all, all, all, all, all, all} {}
   explicit Lanes8(Vector value) : v(value) {}
   friend Lanes8 operator+(Lanes8 a, Lanes8 b) { return Lanes8(a.v + b.v); }
   friend Lanes8 operator-(Lanes8 a, Lanes8 b) { return Lanes8(a.v - b.v); }
@@ -93,7 +94,7 @@ inline Mask8 choose(Mask8 m, Mask8 a, Mask8 b) { return Mask8((m.v & a.v) | (~m.
 inline std::uint32_t bits(bool m) { return m; }
 inline std::uint32_t bits(Mask8 m) {
 #ifdef __AVX2__
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(std::bit_cast<__m256>(m.v)));
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(__builtin_bit_cast(__m256, m.v)));
 #else
   std::uint32_t all = 0;
   for (int i = 0; i < 8; ++i) all |= static_cast<std::uint32_t>(m.v[i] & 1) << i;
@@ -110,16 +111,16 @@ inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
 inline Lanes8 larger(Lanes8 a, Lanes8 b) {
 #ifdef __AVX2__
-  return Lanes8(std::bit_cast<Lanes8::Vector>(
-      _mm256_max_ps(std::bit_cast<__m256>(a.v), std::bit_cast<__m256>(b.v))));
+  return Lanes8(__builtin_bit_cast(Lanes8::Vector, _mm256_max_ps(__builtin_bit_cast(__m256, a.v),
+                                                                 __builtin_bit_cast(__m256, b.v))));
 #else
   return choose(a > b, a, b);
 #endif
 }
 inline Lanes8 smaller(Lanes8 a, Lanes8 b) {
 #ifdef __AVX2__
-  return Lanes8(std::bit_cast<Lanes8::Vector>(
-      _mm256_min_ps(std::bit_cast<__m256>(a.v), std::bit_cast<__m256>(b.v))));
+  return Lanes8(__builtin_bit_cast(Lanes8::Vector, _mm256_min_ps(__builtin_bit_cast(__m256, a.v),
+                                                                 __builtin_bit_cast(__m256, b.v))));
 #else
   return choose(a < b, a, b);
 #endif
@@ -129,8 +130,10 @@ inline Lanes8 smaller(Lanes8 a, Lanes8 b) {
 inline float fused(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 inline Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) {
 #ifdef __FMA__
-  return Lanes8(std::bit_cast<Lanes8::Vector>(_mm256_fmadd_ps(
-      std::bit_cast<__m256>(a.v), std::bit_cast<__m256>(b.v), std::bit_cast<__m256>(c.v))));
+  return Lanes8(__builtin_bit_cast(
+      Lanes8::Vector,
+      _mm256_fmadd_ps(__builtin_bit_cast(__m256, a.v), __builtin_bit_cast(__m256, b.v),
+                      __builtin_bit_cast(__m256, c.v))));
 #else
   Lanes8 r;
   for (int i = 0; i < 8; ++i) r.v[i] = __builtin_fmaf(a.v[i], b.v[i], c.v[i]);
@@ -141,7 +144,8 @@ inline Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) {
 inline float square_root(float a) { return __builtin_sqrtf(a); }
 inline Lanes8 square_root(Lanes8 a) {
 #ifdef __AVX2__
-  return Lanes8(std::bit_cast<Lanes8::Vector>(_mm256_sqrt_ps(std::bit_cast<__m256>(a.v))));
+  return Lanes8(
+      __builtin_bit_cast(Lanes8::Vector, _mm256_sqrt_ps(__builtin_bit_cast(__m256, a.v))));
 #else
   Lanes8 r;
   for (int i = 0; i < 8; ++i) r.v[i] = __builtin_sqrtf(a.v[i]);
@@ -149,15 +153,15 @@ inline Lanes8 square_root(Lanes8 a) {
 #endif
 }
 
-inline float from_bits(std::uint32_t w) { return std::bit_cast<float>(w); }
-inline Lanes8 from_bits(Words8 w) { return Lanes8(std::bit_cast<Lanes8::Vector>(w.v)); }
-inline std::uint32_t to_bits(float a) { return std::bit_cast<std::uint32_t>(a); }
-inline Words8 to_bits(Lanes8 a) { return Words8(std::bit_cast<Words8::Vector>(a.v)); }
+inline float from_bits(std::uint32_t w) { return __builtin_bit_cast(float, w); }
+inline Lanes8 from_bits(Words8 w) { return Lanes8(__builtin_bit_cast(Lanes8::Vector, w.v)); }
+inline std::uint32_t to_bits(float a) { return __builtin_bit_cast(std::uint32_t, a); }
+inline Words8 to_bits(Lanes8 a) { return Words8(__builtin_bit_cast(Words8::Vector, a.v)); }
 
 /// The word read as a signed integer, to the nearest float.
 inline float to_float(std::uint32_t w) { return static_cast<float>(static_cast<std::int32_t>(w)); }
 inline Lanes8 to_float(Words8 w) {
-  return Lanes8(__builtin_convertvector(std::bit_cast<Mask8::Vector>(w.v), Lanes8::Vector));
+  return Lanes8(__builtin_convertvector(__builtin_bit_cast(Mask8::Vector, w.v), Lanes8::Vector));
 }
 
 /// Shift right of the word read as a signed integer: the sign bit fills.
@@ -165,7 +169,7 @@ inline std::uint32_t arithmetic_shift(std::uint32_t w, int n) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(w) >> n);
 }
 inline Words8 arithmetic_shift(Words8 w, int n) {
-  return Words8(std::bit_cast<Words8::Vector>(std::bit_cast<Mask8::Vector>(w.v) >> n));
+  return Words8(__builtin_bit_cast(Words8::Vector, __builtin_bit_cast(Mask8::Vector, w.v) >> n));
 }
 
 inline float lane(float a, int) { return a; }

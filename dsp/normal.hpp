@@ -91,6 +91,17 @@ class NormalSource {
     return {from_bits(to_bits(x) ^ (w << 31)), from_bits(to_bits(y) ^ ((w << 30) & sign))};
   }
 
+  /// The next `n` normals, n even, in the order of the calls that would give them.
+  void fill(T* normals, int n) {
+    NormalSource local = *this;
+    for (int i = 0; i < n; i += 2) {
+      const auto [x, y] = local();
+      normals[i] = x;
+      normals[i + 1] = y;
+    }
+    *this = local;
+  }
+
  private:
   Xoshiro<T> words_;
 };

@@ -2,6 +2,7 @@
 // clear link is the identity plus a delay; noise is what it should be behind the band-pass.
 #include "channel/chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -45,6 +46,7 @@ TEST(ChainDeterminism, EightTogetherAreEachAlone) {
     for (std::size_t i = 0; i < 8; ++i) {
       EXPECT_EQ(together[i], propagate_alone(design, inputs[i])) << e << " lane " << i;
     }
+    EXPECT_EQ(propagate(design, inputs, InstructionSet::baseline), together) << e;
     const std::span<const ChainInput> all(inputs);
     EXPECT_EQ(propagate(design, all.subspan(2, 3))[1], together[3]) << "neighbours must not matter";
   }
@@ -61,6 +63,23 @@ TEST(ChainDeterminism, RecordingChangesNothingAndHasEverySample) {
   for (const auto* tap :
        {&taps.irradiance, &taps.band_pass, &taps.threshold, &taps.integrator, &taps.agc_gain})
     EXPECT_EQ(tap->size(), samples);
+}
+
+// The pin flips at the end of the very sample that fills or empties the integrator.
+TEST(ChainDeterminism, FlipsAreAtTheSamplesThatMakeThem) {
+  std::mt19937 random(6);
+  const dsp::LogicTrace wire = random_wire(random, 60);
+  Recording taps;
+  const dsp::LogicTrace pin = propagate_alone(noisy_design(30), {&wire, 1, {1, 2, 3, 4}}, &taps);
+  const float top = *std::max_element(taps.integrator.begin(), taps.integrator.end());
+  dsp::LogicTrace expected(true, wire.end());
+  for (std::size_t i = 0; i < taps.integrator.size(); ++i) {
+    const dsp::Seconds end(static_cast<double>(i + 1) / 1e6);
+    if (taps.integrator[i] == top) expected.set_at(end, false);
+    if (taps.integrator[i] == 0) expected.set_at(end, true);
+  }
+  EXPECT_GT(pin.flips().size(), 10u);
+  EXPECT_EQ(pin, expected);
 }
 
 // A strong signal without noise and without AGC: every bit of any message arrives, late by the

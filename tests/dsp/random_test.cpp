@@ -81,6 +81,21 @@ TEST(NormalSource, ALaneIsTheFloatOfThatSeed) {
   }
 }
 
+TEST(NormalSource, FillIsTheSameAsCallsInTurn) {
+  NormalSource<float> called, filled;
+  called.seed(0, seed_of(5));
+  filled.seed(0, seed_of(5));
+  float normals[100];
+  for (int round = 0; round < 3; ++round) {
+    filled.fill(normals, 100);
+    for (int i = 0; i < 100; i += 2) {
+      const auto [x, y] = called();
+      ASSERT_EQ(normals[i], x);
+      ASSERT_EQ(normals[i + 1], y);
+    }
+  }
+}
+
 class NormalSample : public ::testing::Test {
  protected:
   static constexpr int size = 1 << 22;
