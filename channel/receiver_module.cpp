@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace channel {
 namespace {
@@ -25,6 +26,25 @@ double emin_over_level(const ModuleData& data) {
 /// Band-pass amplitude of an on/off wave of 50 % duty at f0 and unit peak.
 constexpr double fundamental = 2.0 / pi;
 
+/// Output and integral of u' = (w0/Q)(x - u) - w0 v, v' = w0 u a time t later, x being constant:
+/// exp(At) and A^-1 (exp(At) - 1) B.
+std::pair<BandPassStep, BandPassStep> step_of(dsp::Hertz centre, double q, double t, double droop) {
+  const double w0 = 2 * pi * centre.value;
+  const double decay = w0 / (2 * q);
+  const double wd = w0 * std::sqrt(1 - 1 / (4 * q * q));
+  const double e = std::exp(-decay * t), c = std::cos(wd * t), s = std::sin(wd * t) / wd;
+  const double uu = e * (c - decay * s), vv = e * (c + decay * s), vu = e * w0 * s;
+  const double ux = vu / q, vx = (1 - uu - vu / q) / q;
+  const auto f = [](double x) { return static_cast<float>(x); };
+  return {{f(uu), f(-vu), f(ux / droop)}, {f(vu), f(vv), f(vx / droop)}};
+}
+
+/// Gain of the front end's one pole, y += share (x - y), at a frequency in cycles a sample.
+double front_end_gain(double share, double cycles) {
+  const double keep = 1 - share;
+  return share / std::sqrt(1 - 2 * keep * std::cos(2 * pi * cycles) + keep * keep);
+}
+
 SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
   const double cycle = sample_rate.value / data.centre_hz;
   const int per_tick = std::max(1, static_cast<int>(cycle));
@@ -45,23 +65,16 @@ SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
 
 }  // namespace
 
-BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_rate) {
+BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_rate,
+                                double input_gain) {
   assert(q > 0.5 && sample_rate > 2.0 * centre);
   const double t = 1.0 / sample_rate.value;
-  const double w0 = 2 * pi * centre.value;
-  const double decay = w0 / (2 * q);
-  const double wd = w0 * std::sqrt(1 - 1 / (4 * q * q));
-  const double e = std::exp(-decay * t), c = std::cos(wd * t), s = std::sin(wd * t) / wd;
-  // exp(At) of u' = (w0/Q)(x - u) - w0 v, v' = w0 u.
-  const double uu = e * (c - decay * s), uv = -e * w0 * s, vu = e * w0 * s,
-               vv = e * (c + decay * s);
-  // A^-1 (exp(At) - 1) B, over the droop sinc(f0/fs) of an input held for a sample.
   const double half = pi * centre.value * t;
-  const double droop = std::sin(half) / half;
-  const double ux = vu / q / droop;
-  const double vx = (-(uu - 1) - vu / q) / q / droop;
-  const auto f = [](double x) { return static_cast<float>(x); };
-  return {f(uu), f(uv), f(vu), f(vv), f(ux), f(vx)};
+  const double droop = std::sin(half) / half * input_gain;
+  return {.output = step_of(centre, q, t, droop).first,
+          .integral = step_of(centre, q, t, droop).second,
+          .third = step_of(centre, q, t / 3, droop).first,
+          .two_thirds = step_of(centre, q, t * 2 / 3, droop).first};
 }
 
 double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient) {
@@ -75,14 +88,18 @@ ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambi
   const double cycle = sample_rate.value / data.centre_hz;
   const double level = emin_in_ambient(data, ambient) / emin_over_level(data);
   const double atc_samples = data.atc_release_ms * 1e-3 * sample_rate.value;
-  return {.band_pass = design_band_pass(dsp::Hertz(data.centre_hz), data.q, sample_rate),
-          .limit = static_cast<float>(data.emax_w_per_m2 * 1e3),
-          .threshold = static_cast<float>(fundamental * level),
-          .atc_fraction = static_cast<float>(data.atc_fraction),
-          .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
-          .hold = static_cast<float>(data.comparator_hold_cycles * cycle),
-          .integrator = static_cast<float>(std::round(data.integrator_cycles * cycle)),
-          .agc = design_agc(data, sample_rate)};
+  const double front_end = 1 - std::exp(-2 * pi * data.front_end_hz / sample_rate.value);
+  return {
+      .front_end = static_cast<float>(front_end),
+      .band_pass = design_band_pass(dsp::Hertz(data.centre_hz), data.q, sample_rate,
+                                    front_end_gain(front_end, data.centre_hz / sample_rate.value)),
+      .limit = static_cast<float>(data.emax_w_per_m2 * 1e3),
+      .threshold = static_cast<float>(fundamental * level),
+      .atc_fraction = static_cast<float>(data.atc_fraction),
+      .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
+      .hold = static_cast<float>(data.comparator_hold_cycles * cycle),
+      .integrator = static_cast<float>(std::round(data.integrator_cycles * cycle)),
+      .agc = design_agc(data, sample_rate)};
 }
 
 dsp::Seconds nominal_delay(const ModuleData& data) {

@@ -41,6 +41,7 @@ struct ModuleData {
   double responsivity_a_per_w = 0.65;
   double feedback_ohm = 1e6;
   double temperature_k = 300;
+  double front_end_hz = 150e3;
   // Threshold in ambient light: Emin^2 grows by k*E*(1 + E/Es), E in W/m2, Emin in mW/m2.
   double ambient_k = 0.047;
   double ambient_es_w_per_m2 = 18;
@@ -51,6 +52,7 @@ struct ModuleData {
 /// Units inside: irradiance in mW/m2 as the peak of an on/off waveform of 50 % duty at the input,
 /// amplitude in mW/m2 behind the band-pass; times in samples.
 struct ModuleDesign {
+  float front_end;  // share of the way to its input that the front end goes in a sample
   BandPassDesign band_pass;
   float limit;      // irradiance at which the input clips
   float threshold;  // amplitude of the fixed comparator, slow AGC at rest
@@ -79,7 +81,8 @@ template <class T>
 class ReceiverModule {
  public:
   explicit ReceiverModule(const ModuleDesign& d)
-      : limit_(d.limit),
+      : front_end_(d.front_end),
+        limit_(d.limit),
         threshold_(d.threshold),
         margin_(d.agc.margin),
         fixed_(d.threshold),
@@ -94,11 +97,13 @@ class ReceiverModule {
 
   /// One sample of irradiance in, the pin's level out: false (low) while light is reported.
   dsp::Mask<T> operator()(T irradiance) {
-    const T u = band_pass_(dsp::smaller(dsp::larger(irradiance, -limit_), limit_));
-    const T following = follower_(u);
+    light_ = dsp::fused(front_end_, irradiance - light_, light_);
+    const T u = band_pass_(dsp::smaller(dsp::larger(light_, -limit_), limit_));
+    const T peak = band_pass_.peak();
+    const T following = follower_(peak);
     const T level = dsp::larger(fixed_, following);
-    const dsp::Mask<T> light = signal_(u > level);
-    const dsp::Mask<T> active = activity_(u > dsp::larger(fixed_ * margin_, following));
+    const dsp::Mask<T> light = signal_(peak > level);
+    const dsp::Mask<T> active = activity_(peak > dsp::larger(fixed_ * margin_, following));
     if (--to_tick_ == 0) tick(active);
     const dsp::Mask<T> reported = integrator_(light);
     taps_ = {u, level, integrator_.level(), gain_};
@@ -113,7 +118,8 @@ class ReceiverModule {
     fixed_ = threshold_ * gain_;
   }
 
-  T limit_, threshold_, margin_, fixed_;
+  T front_end_, limit_, threshold_, margin_, fixed_;
+  T light_ = T(0.0f);  // what the front end makes of the irradiance
   T gain_ = T(1.0f);
   int ticks_, to_tick_;
   BandPass<T> band_pass_;

@@ -68,6 +68,9 @@ class CosysDecoder {
   /// that leaves no room for the newline; the rest of it is dropped up to and with its newline.
   std::optional<CosysFrame> push(const UartByte& byte);
 
+  /// The line that has begun and not ended, as received so far; empty if there is none.
+  const std::string& pending() const { return line_; }
+
  private:
   CosysFrame take_line(CosysOutcome outcome);
 

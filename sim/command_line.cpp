@@ -125,7 +125,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   decode
       .add_option("--uart", request.uart,
                   "how bits are sampled: mid-bit (once, in the middle) or atmega (majority of "
-                  "three); mid-bit if not given")
+                  "three, as in a run); atmega if not given")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mid-bit", "atmega"}).description(""));
   decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")

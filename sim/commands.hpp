@@ -50,7 +50,7 @@ ExitCode encode_command(const std::string& message);
 struct DecodeRequest {
   std::filesystem::path capture;
   std::string wire;  // empty: "rx" if there is one, else the first
-  std::string uart = "mid-bit";
+  std::string uart = "atmega";
   double baud = 600;
   bool json = false;
 };

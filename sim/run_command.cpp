@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -23,10 +24,13 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> interrupted = false;
 
-/// The first signal lets the run end in order; a second one kills it.
+std::atomic<int> signals_left = 2;
+
+/// A signal lets the run end in order, and so does a second one, since a terminal or a watchdog may
+/// well send two; a third kills it.
 void on_signal(int signal) {
   interrupted = true;
-  std::signal(signal, SIG_DFL);
+  if (--signals_left == 0) std::signal(signal, SIG_DFL);
 }
 
 fs::path output_of(const RunRequest& request, const fs::path& scenario) {
@@ -68,23 +72,26 @@ std::string closing_lines(const ExperimentResult& result, const fs::path& output
   return text + fmt::format("{}: digest {}\n", output.string(), result_digest(result));
 }
 
-/// Writes the file while a run goes on, at most once a second.
+/// Writes the file while a run goes on: at most once a second, and a twentieth of the time.
 class Keeper {
  public:
   Keeper(fs::path output, ProgramInfo program)
       : output_(std::move(output)), program_(std::move(program)) {}
 
   void keep(const ExperimentResult& result, bool now) {
-    const auto time = std::chrono::steady_clock::now();
-    if (!now && time - last_ < std::chrono::seconds(1)) return;
+    if (!now && Clock::now() < next_) return;
+    const auto began = Clock::now();
     write_result(output_, result, program_);
-    last_ = time;
+    next_ = Clock::now() +
+            std::max<Clock::duration>(std::chrono::seconds(1), 20 * (Clock::now() - began));
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   fs::path output_;
   ProgramInfo program_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };
 
 void run_scenario(const RunRequest& request, const LoadedScenario& scenario,

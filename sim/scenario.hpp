@@ -54,7 +54,7 @@ struct NoiseSettings {
 };
 
 struct SimulationSettings {
-  double sample_rate_hz = 1e6;
+  double sample_rate_hz = 600e3;
   double warmup_messages = 4;  // whole number
   double seed = 1;             // whole number
 };

@@ -19,7 +19,8 @@ constexpr Tap all_taps[] = {
      &Recording::threshold},
     {"integrator_samples", "1", "integrator behind the comparator, in samples",
      &Recording::integrator},
-    {"agc_gain", "1", "gain of the slow gain control", &Recording::agc_gain}};
+    {"agc_gain", "1", "factor by which the slow AGC has raised the fixed threshold",
+     &Recording::agc_gain}};
 
 }  // namespace
 

@@ -15,11 +15,12 @@
 //  10 count       sent against heard                              counters             Tally
 //
 // Steps 3-7 are channel::propagate, per sample, for one trial or eight. Inside step 6
-// (channel/receiver_module): the light is clipped at the limiter and rings up a band-pass at the
-// module's own f0; a comparator fires once a carrier cycle while that exceeds max(fixed threshold,
-// fraction of the tracked peak); an integrator counts up while it fires, down while it does not,
-// and pulls the pin low when full, lets it go when empty, 8 cycles either way. Bursts longer than
-// the part allows make a slow AGC raise the fixed threshold until they are no longer seen.
+// (channel/receiver_module): the light passes the front end's bandwidth, is clipped at the limiter
+// and rings up a band-pass at the module's own f0; a comparator fires once a carrier cycle while
+// that exceeds max(fixed threshold, fraction of the tracked peak); an integrator counts up while it
+// fires, down while it does not, and pulls the pin low when full, lets it go when empty, 8 cycles
+// either way. Bursts longer than the part allows make a slow AGC raise the fixed threshold until
+// they are no longer seen.
 //
 // A trial sends `warmup_messages` first, so that the module's AGC is where repetition takes it, and
 // counts the last message only: one trial is one frame.

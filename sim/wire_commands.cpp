@@ -45,6 +45,16 @@ void print_frame(const protocol::CosysFrame& frame, bool json) {
   print(line.dump() + "\n");
 }
 
+/// What was heard behind the last newline: a damaged newline would otherwise hide a whole message.
+void print_unfinished(const std::string& line, bool json) {
+  if (!json) {
+    print(fmt::format("{:>13}  {:14}  {}\n", "end", "no newline", escaped(line)));
+    return;
+  }
+  const nlohmann::json object = {{"outcome", "no newline"}, {"message", escaped(line)}};
+  print(object.dump() + "\n");
+}
+
 const dsp::LogicTrace& wire_of(const std::vector<VcdTrace>& wires, const DecodeRequest& request) {
   const std::string wanted = request.wire.empty() ? "rx" : request.wire;
   for (const VcdTrace& wire : wires)
@@ -104,6 +114,7 @@ ExitCode decode_command(const DecodeRequest& request) {
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : uart->receive(wire, dsp::Hertz(request.baud), 0))
     if (const auto frame = decoder.push(byte)) print_frame(*frame, request.json);
+  if (!decoder.pending().empty()) print_unfinished(decoder.pending(), request.json);
   return ExitCode::done;
 }
 

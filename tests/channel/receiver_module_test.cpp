@@ -111,7 +111,31 @@ double band_pass_gain(const BandPassDesign& design, double f, double sample_rate
   return 2 * std::hypot(in_phase, quadrature) / n;
 }
 
-// R4: the response of 82459 Fig. 5, digitised from its vector paths.
+/// Gain of the whole module up to its band-pass output for a steady carrier, light to amplitude: 1
+/// at f0, whose on/off wave has a fundamental of 2/pi.
+double module_gain(const Bench& bench, double carrier_hz) {
+  const LightSettings light{.signal = dsp::WattsPerSquareMetre(1e-3),
+                            .ambient = dsp::WattsPerSquareMetre(0),
+                            .carrier = dsp::Hertz(carrier_hz),
+                            .noise_scale = 0};
+  const double rate = bench.sample_rate_hz;
+  const ChainDesign design = design_chain(bench.module, light, dsp::Hertz(rate));
+  const dsp::LogicTrace drive =
+      drive_of({.carrier_hz = carrier_hz, .burst_s = 60e-3, .period_s = 60e-3, .bursts = 1});
+  Recording taps;
+  propagate_alone(design, {&drive, 0, {1, 2, 3, 4}}, &taps);
+  const auto from = static_cast<std::size_t>(10e-3 * rate),
+             to = static_cast<std::size_t>(50e-3 * rate);
+  double in_phase = 0, quadrature = 0;
+  for (std::size_t i = from; i < to; ++i) {
+    const double angle = 2 * pi * carrier_hz / rate * static_cast<double>(i);
+    in_phase += static_cast<double>(taps.band_pass[i]) * std::cos(angle);
+    quadrature += static_cast<double>(taps.band_pass[i]) * std::sin(angle);
+  }
+  return 2 * std::hypot(in_phase, quadrature) / static_cast<double>(to - from) / (2 / pi);
+}
+
+// R4: the response of 82459 Fig. 5, digitised from its vector paths; light in, band-pass out.
 TEST(ReceiverModule, R4_FrequencyResponse) {
   struct Reading {
     double f_over_f0, response;
@@ -121,9 +145,9 @@ TEST(ReceiverModule, R4_FrequencyResponse) {
                               {.98, .926},  {1.00, .999},   {1.02, .930}, {1.04, .789},
                               {1.05, .718}, {1.0536, .695}, {1.06, .654}, {1.08, .548},
                               {1.10, .467}, {1.15, .336},   {1.20, .264}};
-  const auto design = design_band_pass(dsp::Hertz(56e3), 10, dsp::Hertz(1e6));
-  for (const Reading& r : fig5)
-    EXPECT_NEAR(band_pass_gain(design, r.f_over_f0 * 56e3, 1e6), r.response, 0.01) << r.f_over_f0;
+  for (const double rate : {6e5, 4e6})
+    for (const Reading& r : fig5)
+      EXPECT_NEAR(module_gain(at_rate(rate), r.f_over_f0 * 56e3), r.response, 0.01) << r.f_over_f0;
 }
 
 // R4: -3 dB points at .951 and 1.051 for Q = 10, at .931 and 1.074 for the legacy f0/7 parts.
@@ -297,17 +321,35 @@ TEST(ReceiverModule, R22_DetunedTransientOvershoots) {
   EXPECT_NEAR(first / steady, 1.081, 0.01);
 }
 
-// Default rate: the lowest that agrees with a four times finer one. Emin, plateau, delay and steady
-// threshold of a detuned carrier move by less than 2 % or a tenth of a cycle from 1 to 4 MS/s; at
-// 487 kS/s the peaks between samples cost Emin more than 3 %.
+/// Share of bursts of a bit's length whose output has other than one pulse, at the edge of what the
+/// module hears in daylight: all that depends on the sample rate shows there first.
+double broken_bits(double sample_rate_hz) {
+  Bench bench = in_light(20);
+  bench.module.agc_attack_db_per_ms = 0;
+  bench.sample_rate_hz = sample_rate_hz;
+  const BurstTrain train{
+      .carrier_hz = 59e3, .burst_s = 1 / 600., .period_s = 4 / 600., .bursts = 4000};
+  const auto pulses = pulses_of(output_of(bench, train, 1.8));
+  double whole = 0;
+  for (const Pulse& pulse : pulses) whole += pulse.width() > train.burst_s * 0.9;
+  return 1 - whole / train.bursts;
+}
+
+// Default rate, 600 kS/s: the lowest whose results agree with a four times finer one. Without noise
+// Emin, also of a detuned carrier, within 1 % and widths within a tenth of a cycle; with noise,
+// where about a third of all bits breaks, within the 99.9 % interval of the difference of two such
+// shares.
 TEST(ReceiverModule, DefaultSampleRateAgreesWithAFinerOne) {
-  const Bench coarse = at_rate(1e6), fine = at_rate(4e6), low = at_rate(487e3);
+  const Bench coarse = at_rate(600e3), fine = at_rate(2400e3);
   const BurstTrain detuned{.carrier_hz = 59e3, .burst_s = 98 / 59e3, .bursts = 20};
   EXPECT_NEAR(measured_emin(coarse, {}) / measured_emin(fine, {}), 1, 0.01);
-  EXPECT_NEAR(measured_emin(coarse, detuned) / measured_emin(fine, detuned), 1, 0.02);
+  EXPECT_NEAR(measured_emin(coarse, detuned) / measured_emin(fine, detuned), 1, 0.01);
   for (const double e : {0.3, 1., 100.})
     EXPECT_NEAR(mean_stretch_cycles(coarse, {}, e), mean_stretch_cycles(fine, {}, e), 0.1) << e;
-  EXPECT_GT(measured_emin(low, {}) / measured_emin(fine, {}), 1.03);
+  const double a = broken_bits(600e3), b = broken_bits(2400e3);
+  EXPECT_GT(b, 0.1);
+  EXPECT_LT(b, 0.9);
+  EXPECT_NEAR(a, b, 3.29 * std::sqrt(2 * b * (1 - b) / 4000));
 }
 
 TEST(ReceiverModule, ThresholdAmbientFormulaAtRest) {

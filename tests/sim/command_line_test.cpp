@@ -146,7 +146,7 @@ TEST_F(CommandLine, SeveralScenariosFillAFolder) {
 }
 
 TEST_F(CommandLine, DigestDependsOnTheSeedAndNotOnThreads) {
-  write_scenario("s.toml", "receiver.range_m = [1, 2.2]");
+  write_scenario("s.toml", "receiver.range_m = [1, 2.6]");
   const auto digest = [&](const Words& more) {
     Words words = {"run", "s.toml", "--set", "stop.max_frames=64"};
     words.insert(words.end(), more.begin(), more.end());
