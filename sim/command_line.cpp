@@ -41,6 +41,7 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
                  "a folder with modules/ and leds/ of your own; may be given several times")
       ->type_name("DIR")
       ->expected(1)
+      ->check(CLI::ExistingDirectory.description(""))
       ->take_all();
   add_short_form(app, "-S,--seed", "simulation.seed", options.overrides, "seed of all randomness");
 }

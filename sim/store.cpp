@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string_view>
 
+#include "sim/failure.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/new_file.hpp"
 
@@ -101,6 +104,21 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   return to.file.image();
 }
 
+/// A scenario or a trace that is named as the output by mistake must not be lost.
+void refuse_other_file(const std::filesystem::path& path) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(signature.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.empty() || head == signature) return;
+  throw Failure(ExitCode::bad_input,
+                "cannot write " + path.string() +
+                    " (it exists and is not a result file) choose another name");
+}
+
 }  // namespace
 
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
@@ -111,6 +129,9 @@ void write_result(const std::filesystem::path& path, const ExperimentResult& res
   file.take_place();
 }
 
-void check_writable(const std::filesystem::path& path) { const NewFile file(path); }
+void check_writable(const std::filesystem::path& path) {
+  refuse_other_file(path);
+  const NewFile file(path);
+}
 
 }  // namespace sim

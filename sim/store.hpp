@@ -13,7 +13,8 @@ namespace sim {
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program);
 
-/// Throws the Failure that write_result would throw for this place: to be called before a run.
+/// To be called before a run: throws the Failure that write_result would throw for this place, and
+/// refuses to replace a file that is no result.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace sim

@@ -220,6 +220,15 @@ TEST_F(Store, KeepsTheLastFileWhenTheDiskRefuses) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(Store, RefusesToReplaceWhatIsNoResult) {
+  std::ofstream(path()) << "title = \"a scenario, named as the output by mistake\"\n";
+  const std::string before = content(path());
+  EXPECT_THROW(sim::check_writable(path()), sim::Failure);
+  EXPECT_EQ(content(path()), before);
+  std::ofstream(path(), std::ios::trunc).close();  // an empty file holds nothing to lose
+  EXPECT_NO_THROW(sim::check_writable(path()));
+}
+
 TEST_F(Store, ChecksAPlaceWithoutTouchingIt) {
   sim::check_writable(path());
   EXPECT_EQ(files(), 0U);
