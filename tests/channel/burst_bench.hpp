@@ -33,16 +33,26 @@ inline dsp::LogicTrace drive_of(const BurstTrain& train) {
   return drive;
 }
 
-inline dsp::LogicTrace output_of(const Bench& bench, const BurstTrain& train, double e_mw_per_m2,
-                                 std::uint32_t seed = 1) {
+inline ChainDesign design_of(const Bench& bench, const BurstTrain& train, double e_mw_per_m2) {
   const LightSettings light{.signal = dsp::WattsPerSquareMetre(e_mw_per_m2 * 1e-3),
                             .ambient = dsp::WattsPerSquareMetre(bench.ambient_w_per_m2),
                             .carrier = dsp::Hertz(train.carrier_hz),
                             .noise_scale = bench.noise_scale};
-  const ChainDesign design = design_chain(bench.module, light, dsp::Hertz(bench.sample_rate_hz));
+  return design_chain(bench.module, light, dsp::Hertz(bench.sample_rate_hz));
+}
+
+/// The module's pin in `n` trials (up to eight) of other noise and carrier phase.
+inline std::vector<dsp::LogicTrace> outputs_of(const Bench& bench, const BurstTrain& train,
+                                               double e_mw_per_m2, std::uint32_t n) {
   const dsp::LogicTrace drive = drive_of(train);
-  const ChainInput input{&drive, seed * 0x9E3779B9u, {seed, seed + 1, seed + 2, seed + 3}};
-  return propagate(design, {&input, 1}).front();
+  std::vector<ChainInput> inputs;
+  for (std::uint32_t seed = 1; seed <= n; ++seed)
+    inputs.push_back({&drive, seed * 0x9E3779B9u, {seed, seed + 1, seed + 2, seed + 3}});
+  return propagate(design_of(bench, train, e_mw_per_m2), inputs);
+}
+
+inline dsp::LogicTrace output_of(const Bench& bench, const BurstTrain& train, double e_mw_per_m2) {
+  return outputs_of(bench, train, e_mw_per_m2, 1).front();
 }
 
 /// Output pulses (pin low) as {start, end} in seconds.
