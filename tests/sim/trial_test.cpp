@@ -188,7 +188,8 @@ TEST(Trial, JitterLeavesTheNoiseAlone) {
 }
 
 TEST(TrialDeterminism, TheTrialThatIsTracedIsTheTrialThatWasCounted) {
-  const std::vector<std::string> set = {"receiver.range_m=3", "ambient.irradiance_w_per_m2=20"};
+  const std::vector<std::string> set = {"receiver.range_m=3", "ambient.irradiance_w_per_m2=20",
+                                        "simulation.warmup_messages=1"};
   const Scenario scenario = point_scenario(loaded("", set), {});
   const Link link = make_link(scenario);
   Tally one_by_one;
