@@ -140,7 +140,7 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
   texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
   texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
   texts.push_back(real_time_factor(point));
-  texts.push_back(known ? stop_reason_name(point.stop) : "-");
+  texts.emplace_back(known ? stop_reason_name(point.stop) : "-");
   return line_of(cells_of(axes), texts);
 }
 

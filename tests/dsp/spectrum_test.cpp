@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <thread>
 
@@ -45,7 +46,7 @@ double mean_square(std::span<const float> samples) {
 double all_power(const Spectrum& s) { return band_power(s, Hertz(0), rate); }
 
 TEST(Welch, ParsevalHoldsForOneSegment) {  // the bins hold the windowed signal's power, exactly
-  for (std::size_t n : {2, 3, 64, 255, 1000}) {
+  for (const std::size_t n : std::initializer_list<std::size_t>{2, 3, 64, 255, 1000}) {
     const std::vector<float> x = white_noise(n, 1);
     double windowed = 0, energy = 0;
     for (std::size_t i = 0; i < n; ++i) {
