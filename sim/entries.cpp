@@ -118,6 +118,22 @@ void refuse_repetition(const std::vector<Located>& found) {
                       "remove one of the two");
 }
 
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+bool is_escaped_in_lines(char c) { return is_control(c) && c != '\n' && c != '\t'; }
+
+/// Text between quotes; characters of `kept` stand as they are.
+std::string escaped(const std::string& text, std::string_view kept) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (is_control(c) && kept.find(c) == std::string_view::npos)
+      out += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string kind_of(const Value& value) {
@@ -156,17 +172,13 @@ std::vector<Entry> read_entries(const std::string& text, const fs::path& path) {
   return entries;
 }
 
-std::string toml_string(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (byte < 0x20 || byte == 0x7f)
-      out += fmt::format("\\u{:04X}", byte);
-    else
-      out += c;
-  }
-  return out + '"';
+std::string toml_string(const std::string& text) { return '"' + escaped(text, "") + '"'; }
+
+std::string toml_lines(const std::string& text) {
+  const bool as_it_is = text.find("'''") == std::string::npos && !text.ends_with('\'') &&
+                        std::ranges::none_of(text, is_escaped_in_lines);
+  if (as_it_is) return "'''\n" + text + "'''";
+  return "\"\"\"\n" + escaped(text, "\n\t") + "\"\"\"";
 }
 
 }  // namespace sim

@@ -34,4 +34,7 @@ std::vector<Entry> read_entries(const std::string& text, const std::filesystem::
 /// A text as TOML writes it: in quotes, on one line.
 std::string toml_string(const std::string& text);
 
+/// The same with its lines kept as lines.
+std::string toml_lines(const std::string& text);
+
 }  // namespace sim

@@ -149,7 +149,7 @@ NetcdfFile::NetcdfFile(const std::string& filetype, const ProgramInfo& program)
     : state_(std::make_unique<State>()) {
   set_text(root, "Conventions", "CF-1.10");
   set_text(root, "filetype", filetype);
-  set_text(root, "format_version", "1.0");
+  set_text(root, "format_version", "1.1");
   set_text(root, "program", program.name);
   set_text(root, "version", program.version);
   set_text(root, "commit", program.commit);

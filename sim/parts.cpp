@@ -32,8 +32,8 @@ std::vector<PartFile> parts_in(const fs::path& folder, const std::string& kind) 
   return parts;
 }
 
-template <class Part>
-std::vector<PartFile> all_parts(const PartKeys<Part>& keys, const PartRoots& roots) {
+template <class Data>
+std::vector<PartFile> all_parts(const PartKeys<Data>& keys, const PartRoots& roots) {
   std::vector<PartFile> all;
   for (const auto& root : roots)
     for (PartFile& part : parts_in(root / keys.folder, keys.kind))
@@ -43,11 +43,11 @@ std::vector<PartFile> all_parts(const PartKeys<Part>& keys, const PartRoots& roo
   return all;
 }
 
-template <class Part>
-Failure no_such_part(const PartKeys<Part>& keys, const std::string& name, const PartRoots& roots,
+template <class Data>
+Failure no_such_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
                      const std::vector<PartFile>& parts, const std::string& asked) {
   std::vector<std::string> folders, names;
-  for (const auto& root : roots) folders.push_back((root / keys.folder).generic_string());
+  for (const auto& root : from.folders) folders.push_back((root / keys.folder).generic_string());
   for (const auto& part : parts) names.push_back(part.name);
   return bad_input(
       asked,
@@ -58,17 +58,15 @@ Failure no_such_part(const PartKeys<Part>& keys, const std::string& name, const 
 }
 
 /// What one part file says, against the keys that it may have.
-template <class Part>
+template <class Data>
 class PartReader {
  public:
-  PartReader(const PartKeys<Part>& keys, const fs::path& path)
-      : keys_(keys),
-        file_("in " + path.generic_string()),
-        entries_(read_entries(read_text_file(path, keys.kind), path)) {}
+  PartReader(const PartKeys<Data>& keys, const std::string& text, const fs::path& path)
+      : keys_(keys), file_("in " + path.generic_string()), entries_(read_entries(text, path)) {}
 
-  Part read(const std::string& stem) const {
+  Data read(const std::string& stem) const {
     refuse_unknown();
-    Part part;
+    Data part;
     part.name = text("name", "add name = \"" + stem + "\"");
     if (!same_name(part.name, stem))
       throw bad_input(fmt::format("name = \"{}\" {}", part.name, find("name")->place),
@@ -154,7 +152,7 @@ class PartReader {
     throw bad_input(name + " " + first->place, "without its source", remedy);
   }
 
-  void read_number(const PartNumber<Part>& number, Part& part) const {
+  void read_number(const PartNumber<Data>& number, Data& part) const {
     const std::string& name = number.facts.name;
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
     if (!present(name, sample, number.required)) return;
@@ -163,7 +161,7 @@ class PartReader {
     part.*number.member = value;
   }
 
-  void read_curve(const PartCurve<Part>& curve, Part& part) const {
+  void read_curve(const PartCurve<Data>& curve, Data& part) const {
     const std::string sample =
         fmt::format("{} = {{ {} = [...], {} = [...], source = \"document, figure\" }}", curve.name,
                     curve.x.name, curve.y.name);
@@ -181,7 +179,7 @@ class PartReader {
     return values;
   }
 
-  void check_shape(const PartCurve<Part>& curve, const channel::Curve& points) const {
+  void check_shape(const PartCurve<Data>& curve, const channel::Curve& points) const {
     const std::string at = curve.name + " " + find(curve.name + "." + curve.x.name)->place;
     if (points.x.size() != points.y.size())
       throw bad_input(at,
@@ -193,35 +191,57 @@ class PartReader {
       throw bad_input(at, curve.x.name + " must increase from point to point", "sort the points");
   }
 
-  const PartKeys<Part>& keys_;
+  const PartKeys<Data>& keys_;
   std::string file_;
   std::vector<Entry> entries_;
 };
 
-template <class Part>
-Part load_part(const PartKeys<Part>& keys, const std::string& name, const PartRoots& roots,
-               const std::string& asked) {
-  const auto parts = all_parts(keys, roots);
+std::string file_of(const std::string& folder, const std::string& name) {
+  return folder + "/" + name + ".toml";
+}
+
+template <class Data>
+Part<Data> read_part(const PartKeys<Data>& keys, const std::string& name, std::string text,
+                     const fs::path& path) {
+  Data data = PartReader<Data>(keys, text, path).read(name);
+  return {std::move(data), {file_of(keys.folder, name), std::move(text)}};
+}
+
+template <class Data>
+Part<Data> load_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
+                     const std::string& asked) {
+  for (const auto& [file, text] : from.carried)
+    if (same_name(file, file_of(keys.folder, name)))
+      return read_part(keys, fs::path(file).stem().string(), text, from.carrier / file);
+  const auto parts = all_parts(keys, from.folders);
   for (const auto& part : parts)
-    if (same_name(part.name, name)) return PartReader<Part>(keys, part.path).read(part.name);
-  throw no_such_part(keys, name, roots, parts, asked);
+    if (same_name(part.name, name))
+      return read_part(keys, part.name, read_text_file(part.path, keys.kind), part.path);
+  throw no_such_part(keys, name, from, parts, asked);
 }
 
 }  // namespace
 
-channel::ModuleData load_module(const std::string& name, const PartRoots& roots,
-                                const std::string& asked) {
-  return load_part(module_keys(), name, roots, asked);
+Part<channel::ModuleData> load_module(const std::string& name, const PartSources& from,
+                                      const std::string& asked) {
+  return load_part(module_keys(), name, from, asked);
 }
 
-channel::EmitterData load_led(const std::string& name, const PartRoots& roots,
-                              const std::string& asked) {
-  return load_part(led_keys(), name, roots, asked);
+Part<channel::EmitterData> load_led(const std::string& name, const PartSources& from,
+                                    const std::string& asked) {
+  return load_part(led_keys(), name, from, asked);
 }
 
-std::vector<PartFile> list_parts(const PartRoots& roots) {
-  auto parts = all_parts(led_keys(), roots);
-  const auto modules = all_parts(module_keys(), roots);
+bool is_part_file(const std::string& file) {
+  const fs::path path(file);
+  const std::string folder = path.parent_path().generic_string();
+  return path.extension() == ".toml" &&
+         (folder == module_keys().folder || folder == led_keys().folder);
+}
+
+std::vector<PartFile> list_parts(const PartRoots& folders) {
+  auto parts = all_parts(led_keys(), folders);
+  const auto modules = all_parts(module_keys(), folders);
   parts.insert(parts.end(), modules.begin(), modules.end());
   return parts;
 }

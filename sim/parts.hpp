@@ -1,6 +1,6 @@
 #pragma once
-// Parts: receiver modules and LEDs, one TOML file each in ROOT/modules/ or ROOT/leds/, in which
-// every number carries its source.
+// Parts: receiver modules and LEDs, one TOML file each in FOLDER/modules/ or FOLDER/leds/, in which
+// every number carries its source. A scenario may carry such files in its own text.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,14 +10,36 @@
 
 namespace sim {
 
-/// Folders that hold modules/ and leds/; the first that has a part wins.
+/// Folders that hold modules/ and leds/.
 using PartRoots = std::vector<std::filesystem::path>;
 
+/// A part's file as a scenario carries it.
+struct CarriedPart {
+  std::string file;  // "modules/x.toml"
+  std::string text;
+};
+
+/// Where parts are looked for, carried ones first; the first that has a part wins.
+struct PartSources {
+  PartRoots folders;
+  std::vector<CarriedPart> carried;
+  std::filesystem::path carrier;  // the scenario's path, for messages
+};
+
+template <class Data>
+struct Part {
+  Data data;
+  CarriedPart source;  // what a scenario must carry to have the same part anywhere
+};
+
 /// A part by its name (case aside). `asked` opens the error line if there is no such part.
-channel::ModuleData load_module(const std::string& name, const PartRoots& roots,
-                                const std::string& asked);
-channel::EmitterData load_led(const std::string& name, const PartRoots& roots,
-                              const std::string& asked);
+Part<channel::ModuleData> load_module(const std::string& name, const PartSources& from,
+                                      const std::string& asked);
+Part<channel::EmitterData> load_led(const std::string& name, const PartSources& from,
+                                    const std::string& asked);
+
+/// Whether a part's file may have this name: "modules/x.toml", "leds/x.toml".
+bool is_part_file(const std::string& file);
 
 struct PartFile {
   std::string kind;  // "module" or "LED"
@@ -25,7 +47,7 @@ struct PartFile {
   std::filesystem::path path;
 };
 
-/// All parts to be had, by kind and name; one that an earlier root hides is left out.
-std::vector<PartFile> list_parts(const PartRoots& roots);
+/// All parts in the folders, by kind and name; one that an earlier folder hides is left out.
+std::vector<PartFile> list_parts(const PartRoots& folders);
 
 }  // namespace sim

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view sweep_prefix = "sweep.";
 constexpr std::string_view override_key = "override.set";
+constexpr std::string_view part_prefix = "part.";
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
@@ -52,6 +53,7 @@ struct Draft {
   std::map<const Key*, double> numbers;
   std::map<const Key*, std::string> texts;
   std::vector<Axis> sweep;
+  std::vector<CarriedPart> parts;
   Places places;
 
   void set_number(const Key& key, double value, const std::string& place) {
@@ -153,8 +155,21 @@ void take_file_override(Draft& draft, const Entry& entry) {
   take_override(draft, *text, entry.place);
 }
 
+void take_part(Draft& draft, const Entry& entry) {
+  const std::string file = entry.key.substr(part_prefix.size());
+  if (!is_part_file(file))
+    throw bad_input(file + " " + entry.place, "no name of a part's file",
+                    "write \"modules/NAME.toml\" or \"leds/NAME.toml\" in quotes");
+  if (std::ranges::find(draft.parts, file, &CarriedPart::file) != draft.parts.end())
+    throw bad_input(file + " " + entry.place, "carried twice", "remove one of the two");
+  const auto* text = std::get_if<std::string>(&entry.value);
+  if (!text) refuse_kind(entry, "text", "write the part's file between ''' and '''");
+  draft.parts.push_back({file, *text});
+}
+
 void take_entry(Draft& draft, const Entry& entry) {
   if (entry.key == override_key) return;
+  if (entry.key.starts_with(part_prefix)) return take_part(draft, entry);
   if (is_empty_table(entry)) return check_empty_table(entry);
   if (entry.key.starts_with(sweep_prefix)) return take_sweep(draft, entry);
   take_setting(draft, entry);
@@ -175,17 +190,33 @@ std::string asked_for(const Draft& draft, const std::string& key, const std::str
   return fmt::format("{} = \"{}\" {}", key, part, place_of(draft.places, key));
 }
 
-Scenario scenario_of(const Draft& draft, const PartRoots& roots) {
+/// A scenario and the files of its parts.
+struct Assembly {
+  Scenario scenario;
+  std::vector<CarriedPart> parts;
+};
+
+Assembly assemble(const Draft& draft, const PartSources& from) {
   Scenario s;
   for (const auto& [key, value] : draft.texts) key->text(s) = value;
-  s.module =
-      load_module(s.receiver.module, roots, asked_for(draft, "receiver.module", s.receiver.module));
-  s.emitter = load_led(s.led.part, roots, asked_for(draft, "led.part", s.led.part));
+  auto module =
+      load_module(s.receiver.module, from, asked_for(draft, "receiver.module", s.receiver.module));
+  auto led = load_led(s.led.part, from, asked_for(draft, "led.part", s.led.part));
+  s.module = std::move(module.data);
+  s.emitter = std::move(led.data);
   for (const auto& [key, value] : draft.numbers) key->number(s) = value;
-  return s;
+  return {std::move(s), {std::move(module.source), std::move(led.source)}};
 }
 
 // ---- text that repeats a run ----
+
+std::string with_parts(std::string text, const std::vector<CarriedPart>& used,
+                       const std::vector<CarriedPart>& carried) {
+  for (const auto& [file, content] : used)
+    if (std::ranges::find(carried, file, &CarriedPart::file) == carried.end())
+      text += "\n[[part]]\n" + toml_string(file) + " = " + toml_lines(content) + "\n";
+  return text;
+}
 
 std::string with_overrides(std::string text, const std::vector<std::string>& overrides) {
   for (const std::string& override : overrides)
@@ -206,7 +237,9 @@ LoadedScenario parse_scenario(const std::string& text, const std::filesystem::pa
                               const std::vector<std::filesystem::path>& roots) {
   Draft draft = draft_of(read_entries(text, path), overrides);
   count_points(draft.sweep);
-  LoadedScenario loaded{scenario_of(draft, roots), with_overrides(text, overrides), path,
+  Assembly assembly = assemble(draft, {roots, draft.parts, path});
+  const std::string whole = with_parts(text, assembly.parts, draft.parts);
+  LoadedScenario loaded{std::move(assembly.scenario), with_overrides(whole, overrides), path,
                         std::move(draft.sweep), std::move(draft.places)};
   check_all_points(loaded);
   read_entries(loaded.text, "--set");  // what repeats the run must itself be a scenario

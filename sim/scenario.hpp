@@ -85,7 +85,8 @@ using Places = std::map<std::string, std::string>;
 /// A scenario's file, its sweep and what the command line changed.
 struct LoadedScenario {
   Scenario base;  // everything but the sweep
-  /// Enough to repeat the run: the whole file, and behind it one [[override]] table for each --set.
+  /// Enough to repeat the run anywhere: the whole file, and behind it a [[part]] table for each
+  /// part that it does not carry yet and an [[override]] table for each --set.
   std::string text;
   std::filesystem::path path;
   std::vector<Axis> sweep;  // in the order of the file, then of --set

@@ -16,6 +16,9 @@ struct Tally {
   std::uint64_t n_frames_lost = 0;        // not delivered intact
   std::uint64_t n_frames_undetected = 0;  // passed the checksum, but are not what was sent
   std::uint64_t n_frames_false = 0;       // accepted though none was sent
+  // Lost frames of which the decoder rejected nothing.
+  std::uint64_t n_frames_unheard = 0;  // not one character was received
+  std::uint64_t n_frames_unended = 0;  // characters were, but no line ended
   // Rejected lines, by the decoder's reason.
   std::uint64_t n_rejected_unprintable = 0;
   std::uint64_t n_rejected_short = 0;

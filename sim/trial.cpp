@@ -107,11 +107,17 @@ bool overlaps_any(const Transmission& sent, const protocol::CosysFrame& frame, d
   });
 }
 
+bool heard_any(const SentMessage& message, const Reception& heard, const Link& link) {
+  return std::any_of(heard.bytes.begin(), heard.bytes.end(), [&](const protocol::UartByte& byte) {
+    return within(message, byte.start, link);
+  });
+}
+
 void count_frames(const Link& link, const Transmission& sent, const Reception& heard,
                   Tally& tally) {
   tally.n_frames = 1;
   const SentMessage& counted = sent.messages.back();
-  bool delivered = false, deceived = false;
+  bool delivered = false, deceived = false, ended = false;
   for (std::size_t i = 0; i < heard.frames.size(); ++i) {
     const protocol::CosysFrame& frame = heard.frames[i];
     if (!overlaps_any(sent, frame, heard.frame_end[i], link)) {
@@ -120,12 +126,14 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
       const bool accepted = frame.outcome == protocol::CosysOutcome::ok;
       delivered |= accepted && frame.message == link.message;
       deceived |= accepted && frame.message != link.message;
+      ended = true;
       count_rejected(frame.outcome, tally);
     }
   }
   tally.n_frames_ok = delivered;
   tally.n_frames_lost = !delivered;
   tally.n_frames_undetected = deceived;
+  if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 
 }  // namespace

@@ -180,4 +180,24 @@ TEST_F(CommandLine, HelpAndVersionAreResults) {
   EXPECT_TRUE(program({"--version"}).out.starts_with("cosys-sim "));
 }
 
+TEST_F(CommandLine, AResultRepeatsItselfWithoutTheFoldersOfItsParts) {
+  write_scenario("s.toml", "receiver.range_m = [1, 20]");
+  std::filesystem::create_directories(path("mine/modules"));
+  std::string part =
+      content(std::filesystem::path(COSYS_SOURCE_DIR) / "scenarios/modules/tsop4856.toml");
+  part.replace(part.find("\"TSOP4856\""), 10, "\"MYPART\"");
+  part.replace(part.find("56000"), 5, "59000");
+  write("mine/modules/mypart.toml", part);
+  const Outcome first = program({"run", "s.toml", "--parts", "mine", "--set",
+                                 "receiver.module=MyPart", "-o", "first.h5", "-q"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  std::filesystem::remove_all(path("mine"));
+  const std::string read =
+      "import netCDF4, sys; sys.stdout.write(netCDF4.Dataset('first.h5').scenario_toml)";
+  write("again.toml", tool("/usr/bin/python3", {"-c", read}));
+  const Outcome again = program({"run", "again.toml", "-q"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(digest_in(again.out), digest_in(first.out));
+}
+
 }  // namespace

@@ -16,6 +16,15 @@ namespace fs = std::filesystem;
 
 const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
 
+channel::ModuleData module_of(const std::string& name, const sim::PartRoots& folders,
+                              const std::string& asked = "") {
+  return sim::load_module(name, {folders, {}, {}}, asked).data;
+}
+
+channel::EmitterData led_of(const std::string& name, const sim::PartRoots& folders) {
+  return sim::load_led(name, {folders, {}, {}}, "").data;
+}
+
 // A folder of parts that lasts as long as one test.
 class Parts : public testing::Test {
  protected:
@@ -36,7 +45,7 @@ class Parts : public testing::Test {
 
   std::string answer(const std::string& name) const {
     try {
-      sim::load_module(name, {root_}, "asked");
+      module_of(name, {root_}, "asked");
     } catch (const sim::Failure& failure) {
       EXPECT_EQ(failure.code(), sim::ExitCode::bad_input);
       std::string line = failure.what();
@@ -71,13 +80,13 @@ TEST_F(Parts, EveryNumberOfAModuleIsRead) {
       if (other.required && other.facts.name != field.facts.name)
         text += number(other.facts.name, fmt::format("{}", channel::ModuleData{}.*other.member));
     write("modules/x.toml", text + number(field.facts.name, fmt::format("{}", value)));
-    EXPECT_EQ(sim::load_module("x", {root_}, "").*field.member, value) << field.facts.name;
+    EXPECT_EQ(module_of("x", {root_}).*field.member, value) << field.facts.name;
   }
 }
 
 TEST_F(Parts, WhatAModuleLeavesOutHasTheStructsDefault) {
   write("modules/x.toml", least);
-  const auto module = sim::load_module("X", {root_}, "");
+  const auto module = module_of("X", {root_});
   EXPECT_EQ(module.centre_hz, 38000);
   EXPECT_EQ(module.q, channel::ModuleData{}.q);
   EXPECT_TRUE(module.directivity.empty());
@@ -132,11 +141,11 @@ TEST_F(Parts, RefusesCurvesOfNoShape) {
 
 TEST_F(Parts, NameIsFoundWhateverItsCaseAndFirstRootWins) {
   write("modules/x.toml", least);
-  EXPECT_EQ(sim::load_module("x", {root_, scenarios}, "").centre_hz, 38000);
-  EXPECT_EQ(sim::load_module("tSoP4856", {root_, scenarios}, "").centre_hz, 56000);
+  EXPECT_EQ(module_of("x", {root_, scenarios}).centre_hz, 38000);
+  EXPECT_EQ(module_of("tSoP4856", {root_, scenarios}).centre_hz, 56000);
   write("modules/tsop4856.toml", "name = \"TSOP4856\"" + least.substr(least.find('\n')));
-  EXPECT_EQ(sim::load_module("TSOP4856", {root_, scenarios}, "").centre_hz, 38000);
-  EXPECT_EQ(sim::load_module("TSOP4856", {scenarios, root_}, "").centre_hz, 56000);
+  EXPECT_EQ(module_of("TSOP4856", {root_, scenarios}).centre_hz, 38000);
+  EXPECT_EQ(module_of("TSOP4856", {scenarios, root_}).centre_hz, 56000);
 }
 
 TEST_F(Parts, UnknownNameNamesTheNearestAndWhereItWasSought) {
@@ -162,22 +171,22 @@ TEST_F(Parts, ListNamesEachPartOnce) {
 TEST(PartFacts, EveryPartOfTheProjectLoads) {
   for (const auto& part : sim::list_parts({scenarios})) {
     const bool led = part.kind == "LED";
-    EXPECT_NO_THROW(led ? void(sim::load_led(part.name, {scenarios}, ""))
-                        : void(sim::load_module(part.name, {scenarios}, "")))
+    EXPECT_NO_THROW(led ? void(led_of(part.name, {scenarios}))
+                        : void(module_of(part.name, {scenarios})))
         << part.path;
     EXPECT_EQ(part.name.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), std::string::npos);
   }
 }
 
 TEST(PartFacts, Tsop4856IsTheDefaultModule) {
-  const auto module = sim::load_module("TSOP4856", {scenarios}, "");
+  const auto module = module_of("TSOP4856", {scenarios});
   for (const auto& field : sim::module_keys().numbers)
     EXPECT_EQ(module.*field.member, channel::ModuleData{}.*field.member) << field.facts.name;
 }
 
 // Vishay 82459 rev 1.8 Fig. 11: response to irradiance is the square of the relative distance.
 TEST(PartFacts, Tsop4856RespondsOffAxisAsFig11) {
-  const auto curve = sim::load_module("TSOP4856", {scenarios}, "").directivity;
+  const auto curve = module_of("TSOP4856", {scenarios}).directivity;
   const double expected[][2] = {{0, 1}, {30, .499}, {45, .255}, {60, .118}, {80, .016}};
   for (const auto& [degrees, response] : expected)
     EXPECT_NEAR(curve(degrees) * curve(degrees), response, .01) << degrees;
@@ -185,7 +194,7 @@ TEST(PartFacts, Tsop4856RespondsOffAxisAsFig11) {
 
 // Vishay 81010 rev 2.4 Fig. 5 and characteristics p. 2 (72 mW/sr typical at 100 mA).
 TEST(PartFacts, Tsal6200ShinesAsFig5) {
-  const auto led = sim::load_led("TSAL6200", {scenarios}, "");
+  const auto led = led_of("TSAL6200", {scenarios});
   const double expected[][2] = {{10, 6.79}, {20, 14.3}, {50, 37.0}, {100, 72.3}, {400, 283}};
   for (const auto& [ma, mw_per_sr] : expected)
     EXPECT_NEAR(channel::axial_intensity(led, dsp::Amperes(ma / 1e3)).value * 1e3, mw_per_sr,
@@ -195,7 +204,7 @@ TEST(PartFacts, Tsal6200ShinesAsFig5) {
 // Vishay 81010 rev 2.4 Fig. 9: half intensity near 17 degrees, and a skirt that no cosine power
 // has.
 TEST(PartFacts, Tsal6200SpreadsAsFig9) {
-  const auto led = sim::load_led("TSAL6200", {scenarios}, "");
+  const auto led = led_of("TSAL6200", {scenarios});
   const double expected[][2] = {{0, 1},     {17, .51},  {25, .21}, {40, .063},
                                 {50, .046}, {60, .032}, {80, .01}, {90, 0}};
   for (const auto& [degrees, intensity] : expected)

@@ -174,6 +174,8 @@ TEST(Json, NamesEachCounterForWhatItIs) {
                                        "n_frames_lost",
                                        "n_frames_undetected",
                                        "n_frames_false",
+                                       "n_frames_unheard",
+                                       "n_frames_unended",
                                        "n_rejected_unprintable",
                                        "n_rejected_short",
                                        "n_rejected_not_hex",

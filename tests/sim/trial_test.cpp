@@ -63,14 +63,21 @@ TEST(Trial, DeadPinGetsEveryLightBitWrong) {
   EXPECT_EQ(tally.n_byte_errors, 17u);
   EXPECT_EQ(tally.n_frames_lost, 1u);
   EXPECT_EQ(tally.n_frames_ok, 0u);
+  EXPECT_EQ(tally.n_frames_unheard, 1u);
+  EXPECT_EQ(tally.n_frames_unended, 0u);
+}
+
+/// A trial in which bit 0 of these bytes of the message arrives wrong.
+Tally tally_of_wrong_bits(std::uint32_t trial, std::initializer_list<std::size_t> at) {
+  const Link link = link_of({});
+  const Transmission sent = transmit(link, trial);
+  protocol::Bytes bytes = link.bytes;
+  for (const std::size_t i : at) bytes[i] ^= 1;
+  return tally_of(link, sent, pin_saying(link, sent, bytes));
 }
 
 TEST(Trial, WrongBitIsRejectedByTheChecksum) {
-  const Link link = link_of({});
-  const Transmission sent = transmit(link, 1);
-  protocol::Bytes bytes = link.bytes;
-  bytes[5] ^= 1;
-  const Tally tally = tally_of(link, sent, pin_saying(link, sent, bytes));
+  const Tally tally = tally_of_wrong_bits(1, {5});
   EXPECT_EQ(tally.n_bit_errors, 1u);
   EXPECT_EQ(tally.n_byte_errors, 1u);
   EXPECT_EQ(tally.n_rejected_checksum, 1u);
@@ -80,12 +87,7 @@ TEST(Trial, WrongBitIsRejectedByTheChecksum) {
 
 // The weakness of XOR: two errors in one bit column of two characters cancel.
 TEST(Trial, TwoErrorsInAColumnAreUndetected) {
-  const Link link = link_of({});
-  const Transmission sent = transmit(link, 2);
-  protocol::Bytes bytes = link.bytes;
-  bytes[5] ^= 1;
-  bytes[6] ^= 1;
-  const Tally tally = tally_of(link, sent, pin_saying(link, sent, bytes));
+  const Tally tally = tally_of_wrong_bits(2, {5, 6});
   EXPECT_EQ(tally.n_bit_errors, 2u);
   EXPECT_EQ(tally.n_frames_undetected, 1u);
   EXPECT_EQ(tally.n_frames_lost, 1u);
@@ -104,6 +106,34 @@ TEST(Trial, EveryReasonIsCounted) {
   EXPECT_EQ(with(14, 'x').n_rejected_not_hex, 1u);
   EXPECT_EQ(with(14, '5').n_rejected_checksum, 1u);
   EXPECT_EQ(with(14, ' ').n_rejected_short, 1u);
+}
+
+// A damaged newline merges the message with whatever comes next: nothing is rejected, all is lost.
+TEST(Trial, MessageWhoseNewlineIsDamagedIsCountedAsUnended) {
+  const Link link = link_of({});
+  const Transmission sent = transmit(link, 3);
+  protocol::Bytes bytes = link.bytes;
+  bytes.back() ^= 1;
+  const Tally tally = tally_of(link, sent, pin_saying(link, sent, bytes));
+  EXPECT_EQ(tally.n_frames_lost, 1u);
+  EXPECT_EQ(tally.n_frames_unended, 1u);
+  EXPECT_EQ(tally.n_frames_unheard, 0u);
+}
+
+// Every lost frame has a reason: what was rejected, what was accepted wrongly, or one of the two.
+TEST(Trial, EveryLossHasAReason) {
+  for (const char* range : {"2.2", "2.5", "5", "10", "40"}) {
+    const Link link = link_of({std::string("receiver.range_m=") + range});
+    for (std::uint32_t trial = 0; trial < 32; trial += 8) {
+      const Tally t = run_group(link, trial, 8).tally;
+      const auto rejected = t.n_rejected_unprintable + t.n_rejected_short + t.n_rejected_not_hex +
+                            t.n_rejected_checksum + t.n_rejected_overlong;
+      EXPECT_LE(t.n_frames_unheard + t.n_frames_unended, t.n_frames_lost) << range;
+      EXPECT_GE(t.n_frames_unheard + t.n_frames_unended + t.n_frames_undetected + rejected,
+                t.n_frames_lost)
+          << range;
+    }
+  }
 }
 
 // One lost start bit does not make all the bytes behind it wrong: bytes are matched by time.
