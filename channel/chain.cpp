@@ -11,6 +11,9 @@
 namespace channel {
 namespace {
 
+/// No noise at all would leave the filters to decay into denormal numbers, 17 times as slow.
+constexpr double least_noise_mw_per_m2 = 1e-12;
+
 CarrierDesign design_carrier(const LightSettings& light, dsp::Hertz sample_rate) {
   const double cycles = light.carrier / sample_rate;
   const double half = std::numbers::pi * cycles;
@@ -43,7 +46,9 @@ std::int64_t samples_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
 /// Eight pins being written; a flip past a trial's own end is not that trial's.
 class PinWriter {
  public:
-  PinWriter(std::span<const ChainInput> inputs, dsp::Hertz sample_rate) : rate_(sample_rate) {
+  PinWriter(std::span<const ChainInput> inputs, dsp::Hertz sample_rate,
+            const std::atomic<bool>* stop)
+      : rate_(sample_rate), stop_(stop) {
     for (const ChainInput& input : inputs) {
       pins_.emplace_back(true, input.drive->end());
       last_.push_back(samples_of(*input.drive, sample_rate));
@@ -52,6 +57,10 @@ class PinWriter {
 
   static void write(void* self, std::int64_t sample, std::uint32_t lanes) {
     static_cast<PinWriter*>(self)->write(sample, lanes);
+  }
+  static bool stopped(void* self) {
+    const std::atomic<bool>* stop = static_cast<PinWriter*>(self)->stop_;
+    return stop != nullptr && stop->load(std::memory_order_relaxed);
   }
   std::vector<dsp::LogicTrace> take() { return std::move(pins_); }
 
@@ -64,6 +73,7 @@ class PinWriter {
   }
 
   dsp::Hertz rate_;
+  const std::atomic<bool>* stop_;
   std::vector<dsp::LogicTrace> pins_;
   std::vector<std::int64_t> last_;
 };
@@ -90,6 +100,7 @@ struct PreparedGroup {
     kernel.noise_dark = design.noise_dark;
     kernel.noise_lit = design.noise_lit;
     kernel.on_flip = &PinWriter::write;
+    kernel.stopped = &PinWriter::stopped;
     kernel.context = &pins;
     for (const ChainInput& input : inputs) {
       ChainKernelInput::Lane& lane = kernel.lane[bursts.size()];
@@ -119,9 +130,10 @@ ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
   const dsp::Amperes dark = photocurrent(module, light.ambient);
   const dsp::Amperes lit = dark + photocurrent(module, light.signal * light.duty);
   const auto deviation = [&](dsp::Amperes mean) {
+    const double density = noise_density(module, mean);
     return static_cast<float>(
-        light.noise_scale *
-        sample_deviation_mw_per_m2(module, noise_density(module, mean), sample_rate));
+        std::max(least_noise_mw_per_m2,
+                 light.noise_scale * sample_deviation_mw_per_m2(module, density, sample_rate)));
   };
   return {.sample_rate = sample_rate,
           .carrier = design_carrier(light, sample_rate),
@@ -131,10 +143,11 @@ ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
 }
 
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
-                                       std::span<const ChainInput> inputs, InstructionSet set) {
+                                       std::span<const ChainInput> inputs,
+                                       const std::atomic<bool>* stop, InstructionSet set) {
   assert(inputs.size() <= lanes_per_group);
   static const Kernel best = best_kernel();
-  PinWriter pins(inputs, design.sample_rate);
+  PinWriter pins(inputs, design.sample_rate, stop);
   const PreparedGroup group(design, inputs, pins);
   (set == InstructionSet::best ? best : run_lanes_baseline)(group.kernel);
   return pins.take();
@@ -143,7 +156,7 @@ std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
 dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
                                 Recording* recording) {
   const std::span<const ChainInput> inputs(&input, 1);
-  PinWriter pins(inputs, design.sample_rate);
+  PinWriter pins(inputs, design.sample_rate, nullptr);
   const PreparedGroup group(design, inputs, pins);
   if (recording != nullptr) {
     run_chain<float>(group.kernel, Recorder{recording});

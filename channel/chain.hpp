@@ -3,6 +3,7 @@
 // light, noise, module, flips. Wires are LogicTraces: low = light on the way in, and on the way
 // out. Results do not depend on how many trials run together nor on the instruction set.
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -48,9 +49,11 @@ constexpr int lanes_per_group = 8;
 /// has.
 enum class InstructionSet { best, baseline };
 
-/// The module's pin for each of up to eight trials, all at once.
+/// The module's pin for each of up to eight trials, all at once. Gives up soon after `*stop` has
+/// become true; the pins are then worth nothing.
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
+                                       const std::atomic<bool>* stop = nullptr,
                                        InstructionSet set = InstructionSet::best);
 
 /// Every sample of one trial at the chain's taps.

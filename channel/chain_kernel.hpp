@@ -26,6 +26,8 @@ struct ChainKernelInput {
   std::int64_t samples = 0;  // of the longest lane
   /// Called when pins change: at which sample's end, and which lanes (bit i = lane i).
   void (*on_flip)(void* context, std::int64_t sample, std::uint32_t lanes) = nullptr;
+  /// Whether to give up, asked once a block.
+  bool (*stopped)(void* context) = nullptr;
   void* context = nullptr;
 };
 

@@ -53,7 +53,7 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
   T x[block];
   std::uint8_t pins[block];  // bit i: lane i
   auto before = static_cast<std::uint8_t>(dsp::bits(dsp::Mask<T>(true)));
-  for (std::int64_t first = 0; first < in.samples; first += block) {
+  for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
     const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
     noise.fill(x, block);
     add_light(carrier, T(in.noise_dark), T(in.noise_lit), first, x, length);

@@ -30,9 +30,10 @@ class PulseHold {
  public:
   explicit PulseHold(float samples) : samples_(samples) {}
 
-  dsp::Mask<T> operator()(dsp::Mask<T> pulse) {
+  /// The share of this sample that the level lasts, 0 to 1: a hold need not be whole samples.
+  T operator()(dsp::Mask<T> pulse) {
     left_ = dsp::choose(pulse, samples_, left_ - T(1.0f));
-    return left_ > T(0.0f);
+    return dsp::smaller(dsp::larger(left_, T(0.0f)), T(1.0f));
   }
 
  private:
@@ -46,10 +47,10 @@ class PulseIntegrator {
  public:
   explicit PulseIntegrator(float samples) : top_(samples) {}
 
-  /// True while the output reports light.
-  dsp::Mask<T> operator()(dsp::Mask<T> light) {
-    level_ =
-        dsp::smaller(dsp::larger(level_ + dsp::choose(light, T(1.0f), T(-1.0f)), T(0.0f)), top_);
+  /// `light`: the lit share of the sample. True while the output reports light.
+  dsp::Mask<T> operator()(T light) {
+    const T change = dsp::fused(light, T(2.0f), T(-1.0f));
+    level_ = dsp::smaller(dsp::larger(level_ + change, T(0.0f)), top_);
     output_ = dsp::choose(level_ >= top_, dsp::Mask<T>(true), output_ & (level_ > T(0.0f)));
     return output_;
   }

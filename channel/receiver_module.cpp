@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-double decibels(double db) { return std::pow(10.0, db / 20.0); }
+double amplitude_ratio(double db) { return std::pow(10.0, db / 20.0); }
 
 /// Ratio of Emin to the comparator's level, both as irradiance. A burst's envelope reaches the
 /// level after -tau ln(1 - VT/E) and leaves it tau ln(E/VT) after its end (tau = Q/pi cycles); the
@@ -47,20 +47,16 @@ double front_end_gain(double share, double cycles) {
 
 SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
   const double cycle = sample_rate.value / data.centre_hz;
-  const int per_tick = std::max(1, static_cast<int>(cycle));
-  const double ticks_per_cycle = cycle / per_tick;
-  const double tick_ms = 1e3 * per_tick / sample_rate.value;
-  const double attack_db = data.agc_attack_db_per_ms * tick_ms;
-  const double release_db = attack_db * data.agc_max_duty / (1.0 - data.agc_max_duty);
-  const double long_burst = std::floor(data.agc_long_burst_cycles * ticks_per_cycle);
-  return {.long_burst = static_cast<float>(long_burst),
-          .min_gap = static_cast<float>(data.agc_min_gap_cycles * ticks_per_cycle),
-          .attack = static_cast<float>(decibels(attack_db)),
-          .release = static_cast<float>(decibels(-release_db)),
-          .attack_of_long_burst = static_cast<float>(decibels(attack_db * long_burst)),
-          .highest = static_cast<float>(decibels(data.agc_range_db)),
-          .margin = static_cast<float>(decibels(-data.agc_margin_db)),
-          .samples_per_tick = per_tick};
+  const double attack = data.agc_attack_db_per_ms * 1e3 / sample_rate.value;
+  const double duty = std::min(data.agc_max_duty, 0.999);
+  const double release = attack * duty / (1.0 - duty);
+  return {.long_burst = static_cast<float>(data.agc_long_burst_cycles * cycle),
+          .min_gap = static_cast<float>(data.agc_min_gap_cycles * cycle),
+          .attack = static_cast<float>(attack),
+          .release = static_cast<float>(release),
+          .range = static_cast<float>(data.agc_range_db),
+          .margin = static_cast<float>(amplitude_ratio(-data.agc_margin_db)),
+          .samples_per_tick = std::max(1, static_cast<int>(cycle))};
 }
 
 }  // namespace
@@ -98,7 +94,7 @@ ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambi
       .atc_fraction = static_cast<float>(data.atc_fraction),
       .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
       .hold = static_cast<float>(data.comparator_hold_cycles * cycle),
-      .integrator = static_cast<float>(std::round(data.integrator_cycles * cycle)),
+      .integrator = static_cast<float>(data.integrator_cycles * cycle),
       .agc = design_agc(data, sample_rate)};
 }
 

@@ -102,25 +102,26 @@ class ReceiverModule {
     const T peak = band_pass_.peak();
     const T following = follower_(peak);
     const T level = dsp::larger(fixed_, following);
-    const dsp::Mask<T> light = signal_(peak > level);
-    const dsp::Mask<T> active = activity_(peak > dsp::larger(fixed_ * margin_, following));
-    if (--to_tick_ == 0) tick(active);
-    const dsp::Mask<T> reported = integrator_(light);
+    active_ = active_ + activity_(peak > dsp::larger(fixed_ * margin_, following));
+    if (--to_tick_ == 0) tick();
+    const dsp::Mask<T> reported = integrator_(signal_(peak > level));
     taps_ = {u, level, integrator_.level(), gain_};
     return !reported;
   }
   const ModuleTaps<T>& taps() const { return taps_; }
 
  private:
-  void tick(dsp::Mask<T> active) {
+  void tick() {
     to_tick_ = ticks_;
-    gain_ = agc_(active);
+    gain_ = agc_(active_);
+    active_ = T(0.0f);
     fixed_ = threshold_ * gain_;
   }
 
   T front_end_, limit_, threshold_, margin_, fixed_;
   T light_ = T(0.0f);  // what the front end makes of the irradiance
   T gain_ = T(1.0f);
+  T active_ = T(0.0f);  // samples of activity since the last tick
   int ticks_, to_tick_;
   BandPass<T> band_pass_;
   PeakFollower<T> follower_;

@@ -182,14 +182,14 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
   return tally;
 }
 
-GroupResult run_group(const Link& link, std::uint32_t first, int n) {
+GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
   std::vector<Transmission> sent;
   std::vector<channel::ChainInput> inputs;
   for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
   for (int i = 0; i < n; ++i)
     inputs.push_back(chain_input(link, first + static_cast<std::uint32_t>(i),
                                  sent[static_cast<std::size_t>(i)]));
-  std::vector<dsp::LogicTrace> pins = channel::propagate(link.chain, inputs);
+  std::vector<dsp::LogicTrace> pins = channel::propagate(link.chain, inputs, stop);
 
   GroupResult result;
   for (std::size_t i = 0; i < sent.size(); ++i) {

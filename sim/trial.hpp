@@ -24,6 +24,7 @@
 //
 // A trial sends `warmup_messages` first, so that the module's AGC is where repetition takes it, and
 // counts the last message only: one trial is one frame.
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -81,7 +82,9 @@ struct GroupResult {
   std::uint64_t n_samples = 0;
 };
 
-/// All steps for trials first ... first + n - 1 (n up to channel::lanes_per_group) at once.
-GroupResult run_group(const Link& link, std::uint32_t first, int n);
+/// All steps for trials first ... first + n - 1 (n up to channel::lanes_per_group) at once. Worth
+/// nothing once `*stop` is true: it then gives up soon.
+GroupResult run_group(const Link& link, std::uint32_t first, int n,
+                      const std::atomic<bool>* stop = nullptr);
 
 }  // namespace sim

@@ -104,8 +104,9 @@ void follower_comparators_hold(benchmark::State& state) {
        signal = channel::PulseHold<Lanes8>(d.hold),
        activity = channel::PulseHold<Lanes8>(d.hold)](Lanes8 u) mutable {
         const Lanes8 following = follower(u);
-        return signal(u > dsp::larger(Lanes8(d.threshold), following)) ^
-               activity(u > dsp::larger(Lanes8(d.threshold * d.agc.margin), following));
+        return dsp::to_bits(
+            signal(u > dsp::larger(Lanes8(d.threshold), following)) +
+            activity(u > dsp::larger(Lanes8(d.threshold * d.agc.margin), following)));
       },
       noise(2 * d.threshold));
 }
@@ -115,7 +116,7 @@ void integrator(benchmark::State& state) {
   run(
       state,
       [stage = channel::PulseIntegrator<Lanes8>(module_design().integrator)](Lanes8 x) mutable {
-        return stage(x > Lanes8(0.0f));
+        return stage(dsp::choose(x > Lanes8(0.0f), Lanes8(1.0f), Lanes8(0.0f)));
       },
       noise(1));
 }
@@ -126,7 +127,7 @@ void slow_agc_tick(benchmark::State& state) {
   run(
       state,
       [stage = channel::SlowAgc<Lanes8>(module_design().agc)](Lanes8 x) mutable {
-        return dsp::to_bits(stage(x > Lanes8(0.0f)));
+        return dsp::to_bits(stage(dsp::choose(x > Lanes8(0.0f), Lanes8(17.0f), Lanes8(0.0f))));
       },
       noise(1));
 }

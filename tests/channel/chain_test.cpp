@@ -46,7 +46,7 @@ TEST(ChainDeterminism, EightTogetherAreEachAlone) {
     for (std::size_t i = 0; i < 8; ++i) {
       EXPECT_EQ(together[i], propagate_alone(design, inputs[i])) << e << " lane " << i;
     }
-    EXPECT_EQ(propagate(design, inputs, InstructionSet::baseline), together) << e;
+    EXPECT_EQ(propagate(design, inputs, nullptr, InstructionSet::baseline), together) << e;
     const std::span<const ChainInput> all(inputs);
     EXPECT_EQ(propagate(design, all.subspan(2, 3))[1], together[3]) << "neighbours must not matter";
   }

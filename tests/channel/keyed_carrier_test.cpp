@@ -87,7 +87,7 @@ double line(std::span<const float> x, double cycles) {
 }
 
 // Fundamental of an on/off wave: (2/pi) sin(pi D), times the sinc of the mean over a sample.
-// PHYSICS part 3: D = 1/2 .637, 1/3 .551, .25 .450.
+// Fundamental of an on/off wave, (2/pi) sin(pi D): D = 1/2 .637, 1/3 .551, .25 .450.
 TEST(KeyedCarrier, FundamentalOfTheDutyCycle) {
   const Burst always{0, 1e6};
   for (const auto& [duty, expected] : {std::pair{.5, .637}, {1 / 3., .551}, {.25, .450}}) {

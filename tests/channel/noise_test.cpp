@@ -8,7 +8,7 @@
 namespace channel {
 namespace {
 
-// PHYSICS part 4: 1 uA of shot noise .566 pA/sqrt(Hz), 43 uA 3.71; 1 MOhm at 300 K .129.
+// 2 q I and 4 k T / R: 1 uA of shot noise .566 pA/sqrt(Hz), 43 uA 3.71; 1 MOhm at 300 K .129.
 TEST(Noise, TextbookDensities) {
   ModuleData quiet;
   quiet.temperature_k = 0;
@@ -17,7 +17,7 @@ TEST(Noise, TextbookDensities) {
   EXPECT_NEAR(std::sqrt(noise_density(ModuleData{}, dsp::Amperes(0))), 0.129e-12, 0.001e-12);
 }
 
-// PHYSICS part 4: 10 W/m2 on 6.7 mm2 is about 43 uA, 348 pA rms in the 8.80 kHz of a 56 kHz part.
+// Likewise: 10 W/m2 on 6.7 mm2 is about 43 uA, 348 pA rms in the 8.80 kHz of a 56 kHz part.
 TEST(Noise, ShotNoiseOfDaylight) {
   const ModuleData module;
   const auto current = photocurrent(module, dsp::WattsPerSquareMetre(10));

@@ -75,7 +75,7 @@ TEST(ReceiverModule, R2_PulseWidthWindow) {
 }
 
 // A comparator with a fixed threshold stretches a strong pulse out of the window: why there is an
-// ATC. PHYSICS: 3.18 ln(1e5) = 37 cycles.
+// ATC: Q / pi ln(1e5) = 37 cycles.
 TEST(ReceiverModule, R2_FailsWithoutTheFollower) {
   Bench bench;
   bench.module.atc_fraction = 0;
@@ -329,6 +329,28 @@ double broken_bits(double sample_rate_hz) {
   for (const dsp::LogicTrace& pin : outputs_of(bench, train, 1.8, 8))
     for (const Pulse& pulse : pulses_of(pin)) whole += pulse.width() > train.burst_s * 0.9;
   return 1 - whole / (8 * train.bursts);
+}
+
+/// What the AGC has made of a train of bits at the end of the train, dB: the state that decides
+/// when a link dies. Long bursts, short gaps, of a carrier that the grids of samples and ticks do
+/// not know.
+double agc_gain_db(double sample_rate_hz) {
+  const Bench bench = at_rate(sample_rate_hz);
+  const BurstTrain train{
+      .carrier_hz = 59e3, .burst_s = 1 / 600., .period_s = 2.5 / 600., .bursts = 40};
+  const dsp::LogicTrace drive = drive_of(train);
+  Recording taps;
+  propagate_alone(design_of(bench, train, 25), {&drive, 0, {1, 2, 3, 4}}, &taps);
+  const float most = *std::max_element(taps.agc_gain.begin(), taps.agc_gain.end());
+  return 20 * std::log10(static_cast<double>(most));
+}
+
+// 0.1 dB is 0.6 % of the range at which the AGC ends a link.
+TEST(ReceiverModule, AgcDoesNotDependOnTheSampleRate) {
+  const double fine = agc_gain_db(4.8e6);
+  EXPECT_GT(fine, 5) << "the train must be one that the AGC minds";
+  for (const double rate : {472e3, 500e3, 560e3, 600e3, 672e3, 1.2e6, 2.4e6})
+    EXPECT_NEAR(agc_gain_db(rate), fine, 0.1) << rate;
 }
 
 // Default rate, 600 kS/s: the lowest whose results agree with a four times finer one. Without noise
