@@ -9,8 +9,6 @@
 namespace protocol {
 namespace {
 
-constexpr std::size_t tail_size = 4;  // space, two hex digits, newline
-
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
 std::string hex(std::uint8_t byte) {
@@ -50,7 +48,7 @@ std::optional<std::string> problem_in_message(std::string_view device_message,
   const auto* bad = std::ranges::find_if_not(device_message, is_printable);
   if (bad != device_message.end()) {
     return "byte 0x" + hex(static_cast<std::uint8_t>(*bad)) + " at position " +
-           std::to_string(bad - device_message.begin()) + " is not printable ASCII (0x20 to 0x7e)";
+           std::to_string(bad - device_message.begin()) + " is not printable ASCII, 0x20 to 0x7e";
   }
   const std::size_t line_size = device_message.size() + tail_size;
   if (line_size <= max_line) return std::nullopt;

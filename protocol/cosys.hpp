@@ -16,6 +16,12 @@ namespace protocol {
 /// Limit of a line in bytes, newline included.
 inline constexpr std::size_t default_max_line = 256;
 
+/// What a line has behind the device message: space, two hex digits, newline.
+inline constexpr std::size_t tail_size = 4;
+
+/// Longest device message that fits into such a line, in bytes.
+inline constexpr std::size_t longest_message = default_max_line - tail_size;
+
 /// XOR of all bytes, the separating space not among them.
 std::uint8_t cosys_checksum(std::string_view device_message);
 

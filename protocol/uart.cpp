@@ -134,9 +134,9 @@ class AtmegaReceiver {
 };
 
 constexpr std::array receivers = {
+    UartReceiver{"atmega", receive_atmega},
     UartReceiver{"mid-bit", [](const LogicTrace& line, Hertz baud,
                                double) { return receive_mid_bit(line, baud); }},
-    UartReceiver{"atmega", receive_atmega},
 };
 
 }  // namespace

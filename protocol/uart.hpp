@@ -44,7 +44,8 @@ struct UartByte {
 /// starts a character, each bit is one sample at its middle, and the next fall is looked for
 /// strictly after the last sample. sigrok says "Frame error" twice: for a stop bit that is low
 /// (here a byte with framing_error) and for a start bit that is high at its middle. The latter
-/// yields no byte there nor here; the instants of those falls are added to `false_starts`.
+/// yields no byte there nor here; the instants of those falls are added to `false_starts`, so that
+/// tests can compare every one of them with sigrok's.
 std::vector<UartByte> receive_mid_bit(const dsp::LogicTrace& line, dsp::Hertz baud,
                                       std::vector<dsp::Seconds>* false_starts = nullptr);
 

@@ -4,6 +4,8 @@
 
 #include "sim/commands.hpp"
 #include "sim/key_check.hpp"
+#include "sim/keys.hpp"
+#include "sim/sweep.hpp"
 
 namespace sim {
 namespace {
@@ -18,12 +20,30 @@ const CLI::Validator an_index(
     },
     "");
 
+/// An option or argument that names files or folders.
+template <class Place>
+CLI::Option* add_place(CLI::App& app, const char* name, Place& place, const char* type,
+                       const char* what) {
+  return app.add_option(name, place, what)->type_name(type)->check(a_name);
+}
+
+/// Throws for what --set would refuse, but under the name of the option that was typed.
+void check_short_form(const std::string& name, const std::string& value, const std::string& place) {
+  const Key& key = *find_key(name);
+  const std::string problem = name + " = " + value + " " + place;
+  if (!parse_number(value) && !is_range_or_list(value))
+    throw bad_input(problem, "not a number", "use a whole number " + in_words(key.facts.range));
+  make_axis(key, parse_values(value, problem), place);
+}
+
 /// A short form of --set: `--seed 7` is `--set simulation.seed=7`, and is recorded as such.
-void add_short_form(CLI::App& app, const char* names, const char* key,
+void add_short_form(CLI::App& app, const std::string& names, const char* key,
                     std::vector<std::string>& overrides, const std::string& what) {
+  const std::string place = "in " + names.substr(names.find("--"));
   app.add_option_function<std::string>(
          names,
-         [&overrides, key](const std::string& value) {
+         [&overrides, key, place](const std::string& value) {
+           check_short_form(key, value, place);
            overrides.push_back(std::string(key) + "=" + value);
          },
          what + " (the key " + key + ")")
@@ -56,15 +76,10 @@ void add_protocol(CLI::App& app) {
 void add_run(CLI::App& app, RunRequest& request) {
   auto& run = *app.add_subcommand(
       "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
-  run.add_option("SCENARIO", request.scenarios, "scenario files (.toml)")
-      ->required()
-      ->type_name("")
-      ->check(a_name);
-  run.add_option("-o,--output", request.output,
-                 "result file (HDF5), or a folder that gets one for each scenario; if not given, "
-                 "the scenario's name ending in .h5, in the current folder")
-      ->type_name("OUT.h5|DIR/")
-      ->check(a_name);
+  add_place(run, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
+  add_place(run, "-o,--output", request.output, "OUT.h5|DIR/",
+            "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
+            "scenario's name ending in .h5, in the current folder");
   add_scenario_options(run, request.options);
   run.add_option("-t,--threads", request.threads,
                  "threads, 1 to 1024; if not given, one for each processor; the results are the "
@@ -83,23 +98,17 @@ void add_run(CLI::App& app, RunRequest& request) {
 void add_trace(CLI::App& app, TraceRequest& request) {
   auto& trace = *app.add_subcommand(
       "trace", "Run one trial of a scenario again and write every tap of the receiver to a file");
-  trace.add_option("SCENARIO", request.scenario, "scenario file (.toml)")
-      ->required()
-      ->type_name("")
-      ->check(a_name);
+  add_place(trace, "SCENARIO", request.scenario, "", "scenario file (.toml)")->required();
   trace.add_option("--point", request.point, "point of the sweep, counted from 0; 0 if not given")
       ->type_name("K")
       ->check(an_index);
   trace.add_option("--trial", request.trial, "trial, counted from 0; 0 if not given")
       ->type_name("N")
       ->check(an_index);
-  trace
-      .add_option("-o,--output", request.output,
-                  "file to write; its ending is the format: .vcd, the wires tx and rx; .csv, all "
-                  "taps, a row a sample; .h5, the same in HDF5, and spectra")
-      ->required()
-      ->type_name("FILE")
-      ->check(a_name);
+  add_place(trace, "-o,--output", request.output, "FILE",
+            "file to write; its ending is the format: .vcd, the wires tx and rx; .csv, all taps, a "
+            "row a sample; .h5, the same in HDF5, and spectra")
+      ->required();
   add_scenario_options(trace, request.options);
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
 }
@@ -115,10 +124,8 @@ void add_encode(CLI::App& app, std::string& message) {
 void add_decode(CLI::App& app, DecodeRequest& request) {
   auto& decode = *app.add_subcommand(
       "decode", "Print the messages in a logic capture: when, accepted or why not, and their text");
-  decode.add_option("CAPTURE", request.capture, "logic capture of the receiver's output (.vcd)")
-      ->required()
-      ->type_name("")
-      ->check(a_name);
+  add_place(decode, "CAPTURE", request.capture, "", "logic capture of the receiver's output (.vcd)")
+      ->required();
   decode
       .add_option("--wire", request.wire,
                   "wire to decode; if not given, rx, or the first where there is none")
@@ -128,7 +135,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
                   "how bits are sampled: mid-bit (once, in the middle) or atmega (majority of "
                   "three, as in a run); atmega if not given")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"mid-bit", "atmega"}).description(""));
+      ->check(CLI::IsMember(find_key("uart.receiver")->choices).description(""));
   decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")
       ->type_name("RATE")
       ->check(CLI::Range(1.0, 1e6).description(""));

@@ -1,6 +1,9 @@
 #include "sim/engine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -8,10 +11,12 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "sim/failure.hpp"
 #include "sim/trial.hpp"
 
 namespace sim {
@@ -30,8 +35,8 @@ class Pool {
   void work() {
     while (const auto group = take()) {
       try {
-        give(*group,
-             run_group(link_, static_cast<std::uint32_t>(*group * group_size), size_of(*group)));
+        give(*group, run_group(link_, static_cast<std::uint32_t>(*group * group_size),
+                               size_of(*group), &over_));
       } catch (...) {
         fail(std::current_exception());
       }
@@ -41,7 +46,7 @@ class Pool {
   /// Waits for the end or a moment; true at the end.
   bool wait_a_moment() {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return over_; });
+    changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return over_.load(); });
     return over_;
   }
 
@@ -119,10 +124,42 @@ class Pool {
   std::uint64_t merged_ = 0;  // groups in the sum
   std::map<std::uint64_t, GroupResult> waiting_;
   GroupResult sum_;
-  bool over_ = false;
+  std::atomic<bool> over_ = false;  // written under the mutex; groups under way look at it
   StopReason reason_ = StopReason::interrupted;
   std::exception_ptr failure_;
 };
+
+/// The threads of a pool, which end soon whatever way their owner leaves.
+class Workers {
+ public:
+  Workers(Pool& pool, int threads) : pool_(pool) {
+    try {
+      for (int i = 0; i < threads; ++i) threads_.emplace_back([&pool] { pool.work(); });
+    } catch (const std::system_error& error) {
+      pool_.interrupt();
+      throw Failure(ExitCode::environment,
+                    fmt::format("cannot start {} threads ({}) use fewer --threads", threads,
+                                error.code().message()));
+    }
+  }
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  ~Workers() { pool_.interrupt(); }
+
+ private:
+  Pool& pool_;
+  std::vector<std::jthread> threads_;
+};
+
+PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link,
+                      Clock::time_point began) {
+  return {.operating = link.operating,
+          .tally = sum.tally,
+          .stop = stop,
+          .elapsed_s = std::chrono::duration<double>(Clock::now() - began).count(),
+          .simulated_s = sum.simulated_s,
+          .n_samples = sum.n_samples};
+}
 
 }  // namespace
 
@@ -130,22 +167,15 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
   const auto began = Clock::now();
   Pool pool(link, stop, options.threads);
   {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < options.threads; ++i) workers.emplace_back([&pool] { pool.work(); });
+    const Workers workers(pool, options.threads);
     while (!pool.wait_a_moment()) {
       if (options.interrupt != nullptr && *options.interrupt) pool.interrupt();
-      if (options.on_progress) options.on_progress(pool.sum().tally);
+      if (options.on_progress)
+        options.on_progress(result_of(pool.sum(), StopReason::interrupted, link, began));
     }
   }
-  PointResult result;
-  result.stop = pool.result();
-  result.operating = link.operating;
-  const GroupResult sum = pool.sum();
-  result.tally = sum.tally;
-  result.simulated_s = sum.simulated_s;
-  result.n_samples = sum.n_samples;
-  result.elapsed_s = std::chrono::duration<double>(Clock::now() - began).count();
-  return result;
+  const StopReason reason = pool.result();
+  return result_of(pool.sum(), reason, link, began);
 }
 
 int default_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }

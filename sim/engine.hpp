@@ -18,11 +18,13 @@ struct StopRule {
 
 struct EngineOptions {
   int threads = 1;
-  const std::atomic<bool>* interrupt = nullptr;     // polled; ends the point with what is complete
-  std::function<void(const Tally&)> on_progress{};  // from the calling thread, a few times a second
+  const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
+  /// From the calling thread, a few times a second: what an interrupt would leave now.
+  std::function<void(const PointResult&)> on_progress{};
 };
 
-/// Runs one point to its stop. Coordinates are left to the caller.
+/// Runs one point to its stop. Coordinates are left to the caller. Throws Failure(environment) if
+/// the machine does not give as many threads.
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options);
 
 /// Threads to use when the user names none: one per processor this process may run on.

@@ -4,19 +4,17 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "sim/key_check.hpp"
+#include "sim/failure.hpp"
+#include "sim/key_depth.hpp"
 
 namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t longest_file = 1 << 20;
 
 struct Located {
   Entry entry;
@@ -60,7 +58,8 @@ Value to_value(const toml::node& node) {
 
 class Flattener {
  public:
-  explicit Flattener(const fs::path& path) : path_(path) {}
+  Flattener(const fs::path& path, const std::vector<std::string>& repeatable)
+      : path_(path), repeatable_(repeatable) {}
 
   void table(const toml::table& table, const std::string& prefix, bool may_repeat) {
     for (const auto& [key, node] : table)
@@ -72,33 +71,38 @@ class Flattener {
  private:
   void item(const std::string& key, const toml::source_position& at, const toml::node& node,
             bool may_repeat) {
+    const bool repeats = std::ranges::find(repeatable_, key) != repeatable_.end();
+    if (repeats) require_brackets(key, at, node);
     const auto* inner = node.as_table();
     if (inner && !inner->empty()) return table(*inner, key + ".", may_repeat);
-    if (node.is_array_of_tables()) return tables(*node.as_array(), key + ".");
+    if (node.is_array_of_tables()) {
+      return tables(*node.as_array(), key + ".", may_repeat || repeats);
+    }
     found_.push_back(
         {{key, to_value(node), place_of(path_, at.line)}, {at.line, at.column}, may_repeat});
   }
 
-  void tables(const toml::array& list, const std::string& prefix) {
-    for (const auto& element : list) table(*element.as_table(), prefix, true);
+  void tables(const toml::array& list, const std::string& prefix, bool may_repeat) {
+    for (const auto& element : list) table(*element.as_table(), prefix, may_repeat);
+  }
+
+  /// Behind any other form nobody could write one more.
+  void require_brackets(const std::string& key, const toml::source_position& at,
+                        const toml::node& node) const {
+    if (node.is_array_of_tables() && !node.as_array()->front().as_table()->is_inline()) return;
+    throw bad_input(key + " " + place_of(path_, at.line), "not written as a table that may repeat",
+                    "write [[" + key + "]]");
   }
 
   const fs::path& path_;
+  const std::vector<std::string>& repeatable_;
   std::vector<Located> found_;
 };
 
-/// The TOML library takes a stack frame for each dot of a key, without a limit of its own.
 void refuse_deep_keys(const std::string& text, const fs::path& path) {
-  constexpr int most_dots = 250;
-  std::size_t line = 1;
-  int dots = 0;
-  for (const char c : text) {
-    if (c == '\n') ++line, dots = 0;
-    if (c == '.' && ++dots > most_dots)
-      throw bad_input("syntax error " + place_of(path, line),
-                      fmt::format("more than {} dots in a line", most_dots),
-                      "break the line in two");
-  }
+  if (const auto line = line_of_deep_key(text))
+    throw bad_input("syntax error " + place_of(path, *line),
+                    fmt::format("more than {} dots in a key", most_dots), "shorten the key");
 }
 
 toml::table parse_toml(const std::string& text, const fs::path& path) {
@@ -143,26 +147,10 @@ std::string kind_of(const Value& value) {
   return std::get<OtherValue>(value).what;
 }
 
-std::string read_text_file(const fs::path& path, const std::string& what) {
-  const std::string name = path.generic_string();
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    throw bad_input(name, "a folder, not a " + what + " file", "name a .toml file in it");
-  if (!fs::exists(path, ignored)) throw bad_input(name, "no such file", "check the path");
-  std::ifstream file(path, std::ios::binary);
-  std::string text(longest_file + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || !file.is_open())
-    throw bad_input(name, "cannot be read", "check its permissions");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > longest_file)
-    throw bad_input(name, "longer than 1 MiB", "name a " + what + " file");
-  return text;
-}
-
-std::vector<Entry> read_entries(const std::string& text, const fs::path& path) {
+std::vector<Entry> read_entries(const std::string& text, const fs::path& path,
+                                const std::vector<std::string>& repeatable) {
   refuse_deep_keys(text, path);
-  Flattener flattener(path);
+  Flattener flattener(path, repeatable);
   flattener.table(parse_toml(text, path), "", false);
   auto found = flattener.take();
   std::ranges::stable_sort(found, {}, &Located::where);

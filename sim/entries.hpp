@@ -25,11 +25,10 @@ struct Entry {
 /// "a number", "text"...: what a value is, for messages.
 std::string kind_of(const Value& value);
 
-/// The text of a file; `what` says what it should be: "scenario".
-std::string read_text_file(const std::filesystem::path& path, const std::string& what);
-
-/// Entries in the order of the file. No key occurs twice, except inside arrays of tables.
-std::vector<Entry> read_entries(const std::string& text, const std::filesystem::path& path);
+/// Entries in the order of the file. No key occurs twice, except in the top tables named in
+/// `repeatable`, which are written [[so]] each time.
+std::vector<Entry> read_entries(const std::string& text, const std::filesystem::path& path,
+                                const std::vector<std::string>& repeatable = {});
 
 /// A text as TOML writes it: in quotes, on one line.
 std::string toml_string(const std::string& text);

@@ -21,18 +21,24 @@ ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& c
   return result;
 }
 
-PointResult run_one(const Scenario& scenario, std::size_t point, std::size_t n_points,
-                    const ExperimentOptions& options) {
+void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
+             const ExperimentOptions& options) {
   const StopRule stop{
       .max_frames = static_cast<std::uint64_t>(scenario.stop.max_frames),
       .max_frame_errors = static_cast<std::uint64_t>(scenario.stop.max_frame_errors)};
+  const std::vector<double> coordinates = result.points[i].coordinates;
+  const auto set = [&](const PointResult& counted) {
+    result.points[i] = counted;
+    result.points[i].coordinates = coordinates;
+  };
   EngineOptions engine{.threads = options.threads, .interrupt = options.interrupt};
   if (options.on_progress) {
-    engine.on_progress = [&](const Tally& tally) {
-      options.on_progress({point, n_points, tally, scenario.stop.max_frames});
+    engine.on_progress = [&](const PointResult& so_far) {
+      set(so_far);
+      options.on_progress({result, i, scenario.stop.max_frames});
     };
   }
-  return run_point(make_link(scenario), stop, engine);
+  set(run_point(make_link(scenario), stop, engine));
 }
 
 }  // namespace
@@ -42,10 +48,7 @@ ExperimentResult run_experiment(const LoadedScenario& scenario, const std::strin
   ExperimentResult result = unfinished(scenario, command);
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     if (options.interrupt != nullptr && *options.interrupt) break;
-    PointResult& point = result.points[i];
-    const std::vector<double> coordinates = point.coordinates;
-    point = run_one(point_scenario(scenario, coordinates), i, result.points.size(), options);
-    point.coordinates = coordinates;
+    run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);
     if (options.on_point) options.on_point(result, i);
   }
   return result;

@@ -10,10 +10,10 @@
 
 namespace sim {
 
-/// Where a run is, for whoever shows it.
+/// Where a run is, for whoever shows or keeps it.
 struct Progress {
-  std::size_t point, n_points;  // point: 0-based
-  Tally tally;                  // of this point, so far
+  const ExperimentResult& result;  // all so far, of the point at hand what an interrupt would leave
+  std::size_t point;               // the one at hand, 0-based
   double max_frames;
 };
 

@@ -3,40 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <numeric>
+
+#include "protocol/cosys.hpp"
 
 namespace sim {
 namespace {
-
-/// Levenshtein distance, case aside.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (const char ca : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(ca)) ==
-                        std::tolower(static_cast<unsigned char>(b[j]));
-      const std::size_t change = diagonal + (same ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-/// Edit distance, except that a name cut short, as by a forgotten unit, is only one slip.
-std::size_t slips(const std::string& name, const std::string& candidate) {
-  return candidate.starts_with(name) ? 1 : edit_distance(name, candidate);
-}
-
-std::size_t unlikeness(const std::string& name, const std::string& candidate) {
-  const std::size_t dot = candidate.find('.');
-  if (dot == std::string::npos) return slips(name, candidate);
-  return std::min(slips(name, candidate), 1 + slips(name, candidate.substr(dot + 1)));
-}
 
 std::string violation(const Range& range, double value) {
   if (value > range.high) return fmt::format("at most {}", range.high);
@@ -48,17 +20,12 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
-bool is_wire_character(char c) { return c >= ' ' && c <= '~'; }
 
 void check_message(const std::string& value, const std::string& problem) {
-  if (value.size() > longest_message)
-    throw bad_input(problem,
-                    fmt::format("a message has at most {} characters, this one {}", longest_message,
-                                value.size()),
-                    "shorten it");
-  if (!std::ranges::all_of(value, is_wire_character))
-    throw bad_input(problem, "a message is printable ASCII, from space to ~",
-                    "remove the other characters");
+  if (const auto why = protocol::problem_in_message(value))
+    throw bad_input(
+        problem, *why,
+        fmt::format("use printable ASCII, at most {} characters", protocol::longest_message));
 }
 
 void check_choice(const Key& key, const std::string& value, const std::string& problem) {
@@ -73,19 +40,6 @@ void check_title(const std::string& value, const std::string& problem) {
 }
 
 }  // namespace
-
-std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
-  const auto likeness = [&](const std::string& c) { return unlikeness(name, c); };
-  const auto best = std::ranges::min_element(candidates, {}, likeness);
-  return best == candidates.end() ? "" : *best;
-}
-
-Failure bad_input(const std::string& problem, const std::string& why,
-                  const std::string& suggestion) {
-  std::string line = fmt::format("{} ({}) {}", problem, why, suggestion);
-  std::ranges::replace_if(line, is_control, '?');
-  return {ExitCode::bad_input, line};
-}
 
 std::string in_words(const Range& range) {
   return range.low_open ? fmt::format("above {} up to {}", range.low, range.high)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "protocol/cosys.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 
@@ -25,7 +26,7 @@ std::string allowed(const Key& key) {
     case KeyType::text:
       return "text";
     case KeyType::message:
-      return fmt::format("printable ASCII, up to {}", longest_message);
+      return fmt::format("printable ASCII, up to {}", protocol::longest_message);
     case KeyType::choice:
       return fmt::format("`{}`", fmt::join(key.choices, "` or `"));
     case KeyType::part:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/uart.hpp"
+
 namespace sim {
 namespace {
 
@@ -73,9 +75,11 @@ std::vector<Key> led_settings_keys() {
   using L = LedSettings;
   return {
       text(KeyType::part, "led.part", at, &L::part, "LED", "a file in `leds/`"),
-      number("led.current_ma", "mA", above(0, 1500), at, &L::current_ma, "LED current while lit",
-             "surge limit 1.5 A (Vishay 81010)"),
-      number("led.height_mm", "mm", above(0, 1e4), at, &L::height_mm, "LED height above the floor"),
+      number(
+          "led.current_ma", "mA", from(0.01, 1500), at, &L::current_ma, "LED current while lit",
+          "not beyond the part's curve; TSAL6200: 997, in pulses of 100 us (Vishay 81010 Fig. 5)"),
+      number("led.height_mm", "mm", from(0.1, 1e4), at, &L::height_mm,
+             "LED height above the floor"),
       number("led.yaw_deg", "degree", from(-180, 180), at, &L::yaw_deg,
              "direction of the LED along the floor", "0: towards bearing 0"),
       number("led.elevation_deg", "degree", from(-90, 90), at, &L::elevation_deg,
@@ -89,10 +93,11 @@ std::vector<Key> receiver_keys() {
   return {
       text(KeyType::part, "receiver.module", at, &R::module, "receiver module",
            "a file in `modules/`"),
-      number("receiver.range_m", "m", above(0, 1000), at, &R::range_m, "distance along the floor"),
+      number("receiver.range_m", "m", from(0.01, 1000), at, &R::range_m,
+             "distance along the floor"),
       number("receiver.bearing_deg", "degree", from(-180, 180), at, &R::bearing_deg,
              "bearing of the receiver from the LED", "counter-clockwise from the x axis"),
-      number("receiver.height_mm", "mm", above(0, 1e4), at, &R::height_mm,
+      number("receiver.height_mm", "mm", from(0.1, 1e4), at, &R::height_mm,
              "receiver height above the floor"),
       number("receiver.yaw_deg", "degree", from(-180, 180), at, &R::yaw_deg,
              "turn of the receiver away from the LED"),
@@ -109,6 +114,12 @@ std::vector<Key> module_override_keys() {
   return keys;
 }
 
+std::vector<std::string> uart_names() {
+  std::vector<std::string> names;
+  for (const auto& receiver : protocol::uart_receivers()) names.emplace_back(receiver.name);
+  return names;
+}
+
 std::vector<Key> surroundings_keys() {
   constexpr auto floor = &Scenario::floor;
   using F = channel::Floor;
@@ -121,7 +132,7 @@ std::vector<Key> surroundings_keys() {
              "diffuse reflectance of the floor"),
       text(KeyType::choice, "uart.receiver", &Scenario::uart, &UartSettings::receiver,
            "listening UART", "16 samples a bit, majority of three; or one sample in mid-bit",
-           {"atmega", "mid-bit"}),
+           uart_names()),
       number("uart.clock_error_ppm", "1e-6", from(-1e5, 1e5), &Scenario::uart,
              &UartSettings::clock_error_ppm, "clock error of the listening UART", "positive: fast"),
       number("ambient.irradiance_w_per_m2", "W/m2", from(0, 1000), &Scenario::ambient,
@@ -178,13 +189,13 @@ std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
   using M = channel::ModuleData;
   return {
       printed("centre_hz", "Hz", from(1e3, 1e6), &M::centre_hz, "centre of the band-pass"),
-      module_number("q", "1", from(0.5, 100), &M::q, "quality factor of the band-pass",
+      module_number("q", "1", above(0.5, 100), &M::q, "quality factor of the band-pass",
                     "centre over 3 dB width"),
-      printed("emin_mw_per_m2", "mW/m2", above(0, 1e4), &M::emin_mw_per_m2,
+      printed("emin_mw_per_m2", "mW/m2", from(1e-3, 1e4), &M::emin_mw_per_m2,
               "threshold irradiance in the dark", "typical, 30-cycle burst at the centre"),
       module_number("emin_width_cycles", "cycle", from(-20, 20), &M::emin_width_cycles,
                     "output less input width at the threshold"),
-      printed("emax_w_per_m2", "W/m2", above(0, 1e4), &M::emax_w_per_m2,
+      printed("emax_w_per_m2", "W/m2", from(1e-6, 1e4), &M::emax_w_per_m2,
               "irradiance at which the input clips"),
       module_number("comparator_hold_cycles", "cycle", from(0, 20), &M::comparator_hold_cycles,
                     "time that the comparator holds a cycle's peak"),
@@ -192,7 +203,7 @@ std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
                     "length of the integrator"),
       module_number("atc_fraction", "1", from(0, 0.95), &M::atc_fraction,
                     "threshold as a fraction of the signal's peak", "0: a fixed threshold"),
-      module_number("atc_release_ms", "ms", above(0, 1e4), &M::atc_release_ms,
+      module_number("atc_release_ms", "ms", from(0.01, 1e4), &M::atc_release_ms,
                     "time constant with which that threshold falls"),
   };
 }
@@ -202,9 +213,9 @@ std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
   return {
       module_number("agc_attack_db_per_ms", "dB/ms", from(0, 10), &M::agc_attack_db_per_ms,
                     "rate at which the gain falls", "0: a part without AGC"),
-      printed("agc_max_duty", "1", above(0, 1), &M::agc_max_duty,
+      printed("agc_max_duty", "1", from(0.01, 1), &M::agc_max_duty,
               "largest lit fraction of long bursts that the AGC tolerates"),
-      printed("agc_long_burst_cycles", "cycle", above(0, 1e4), &M::agc_long_burst_cycles,
+      printed("agc_long_burst_cycles", "cycle", from(1, 1e4), &M::agc_long_burst_cycles,
               "length from which a burst is a long one"),
       printed("agc_min_gap_cycles", "cycle", from(0, 1e4), &M::agc_min_gap_cycles,
               "shortest gap after a short burst"),
@@ -218,11 +229,11 @@ std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
 std::vector<PartNumber<channel::ModuleData>> front_end_numbers() {
   using M = channel::ModuleData;
   return {
-      module_number("aperture_mm2", "mm2", above(0, 1e4), &M::aperture_mm2,
+      module_number("aperture_mm2", "mm2", from(0.01, 1e4), &M::aperture_mm2,
                     "effective area, lens included"),
-      module_number("responsivity_a_per_w", "A/W", above(0, 1), &M::responsivity_a_per_w,
+      module_number("responsivity_a_per_w", "A/W", from(0.01, 1), &M::responsivity_a_per_w,
                     "responsivity of the photodiode at 940 nm"),
-      module_number("feedback_ohm", "Ohm", above(0, 1e9), &M::feedback_ohm,
+      module_number("feedback_ohm", "Ohm", from(100, 1e9), &M::feedback_ohm,
                     "feedback resistance of the first amplifier"),
       module_number("temperature_k", "K", from(200, 400), &M::temperature_k,
                     "temperature of the part"),
@@ -231,7 +242,7 @@ std::vector<PartNumber<channel::ModuleData>> front_end_numbers() {
       module_number("ambient_k", "1", from(0, 100), &M::ambient_k,
                     "growth of the threshold with ambient light",
                     "Emin^2 + k E (1 + E/Es), Emin in mW/m2, E in W/m2"),
-      module_number("ambient_es_w_per_m2", "W/m2", above(0, 1e6), &M::ambient_es_w_per_m2,
+      module_number("ambient_es_w_per_m2", "W/m2", from(0.01, 1e6), &M::ambient_es_w_per_m2,
                     "ambient irradiance Es of that law"),
   };
 }
@@ -256,8 +267,8 @@ PartKeys<channel::EmitterData> make_led_keys() {
           {},
           {{"intensity",
             "radiant intensity on axis against the current",
-            {"ma", "mA", above(0, 1e5), "current", ""},
-            {"mw_per_sr", "mW/sr", above(0, 1e6), "radiant intensity", ""},
+            {"ma", "mA", from(1e-3, 1e5), "current", ""},
+            {"mw_per_sr", "mW/sr", from(1e-3, 1e6), "radiant intensity", ""},
             &E::intensity_mw_per_sr,
             true},
            {"pattern",

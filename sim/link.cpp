@@ -21,7 +21,7 @@ dsp::Hertz off_by(double nominal_hz, double ppm) {
 
 double in_db(double power_ratio) { return 10 * std::log10(power_ratio); }
 
-/// |H| of the band-pass, PHYSICS: Vishay 82459 Fig. 5.
+/// |H| of the band-pass at `f`: the formula of channel/band_pass.hpp (Vishay 82459 rev 1.8 Fig. 5).
 double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
   const double ratio = f.value / module.centre_hz;
   return 1 / std::hypot(1.0, module.q * (ratio - 1 / ratio));

@@ -1,8 +1,12 @@
 // The program: what it knows of itself, and one call. Whatever goes wrong below is caught here,
 // once, and said in one line.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "sim/command_line.hpp"
@@ -34,19 +38,35 @@ std::string typed_command(int argc, char** argv) {
   return text;
 }
 
+/// A standard stream that is closed would be the next file opened, and words would end up in it.
+void occupy_closed_streams() {
+  int descriptor = 0;
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO)
+    descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (descriptor > STDERR_FILENO) ::close(descriptor);
+}
+
+int fail(const std::string& line, sim::ExitCode code) {
+  std::cerr << "cosys-sim: " << line << "\n";
+  return static_cast<int>(code);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_closed_streams();
   try {
     return sim::run_command_line(argc, argv,
                                  {.program = {"cosys-sim", COSYS_VERSION, COSYS_COMMIT},
                                   .command = typed_command(argc, argv),
                                   .shipped_parts = shipped_parts()});
   } catch (const sim::Failure& e) {
-    std::cerr << "cosys-sim: " << e.what() << "\n";
-    return static_cast<int>(e.code());
+    return fail(e.what(), e.code());
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory (the machine gave no more) free some or ask for less",
+                sim::ExitCode::environment);
   } catch (const std::exception& e) {
-    std::cerr << "cosys-sim: " << e.what() << " (the machine refused) free memory or disk\n";
-    return static_cast<int>(sim::ExitCode::environment);
+    return fail(std::string(e.what()) + " (the machine refused) free memory or disk",
+                sim::ExitCode::environment);
   }
 }

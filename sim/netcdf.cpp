@@ -128,7 +128,29 @@ void describe(hid_t data, const VariableFacts& facts) {
   checked(H5LTset_attribute_string(data, ".", "long_name", facts.long_name.c_str()));
 }
 
+/// A text attribute of fixed length, as set_text writes it.
+std::string text_attribute(hid_t file, const char* name) {
+  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || checked(H5Tis_variable_str(type)) > 0) return "";
+  std::string text(static_cast<std::size_t>(checked(H5Aget_storage_size(attribute))), '\0');
+  checked(H5Aread(attribute, type, text.data()));
+  return text.substr(0, text.find('\0'));
+}
+
 }  // namespace
+
+std::string filetype_of(const std::filesystem::path& path) {
+  const SilentErrors silent;
+  try {
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    checked(H5Pset_file_locking(access, false, true));  // some network file systems have no locks
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+    return text_attribute(file, "filetype");
+  } catch (const Failure&) {
+    return "";  // another kind of file
+  }
+}
 
 struct NetcdfFile::State {
   struct Dimension {

@@ -3,6 +3,7 @@
 // that xarray, ncdump and MATLAB open it. It is built in memory and becomes plain bytes. HDF5 is
 // not safe for threads: one thread at a time.
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +26,9 @@ using Values = std::variant<std::span<const double>, std::span<const float>,
 
 /// netCDF's own default fill value (netcdf.h).
 constexpr std::int16_t missing_int16 = -32767;
+
+/// What a file of this kind says it is ("cosys-sim result"); empty for any other.
+std::string filetype_of(const std::filesystem::path& path);
 
 class NetcdfFile {
  public:

@@ -9,8 +9,10 @@
 #include <variant>
 
 #include "sim/entries.hpp"
+#include "sim/failure.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
+#include "sim/text_file.hpp"
 
 namespace sim {
 namespace {
@@ -25,9 +27,9 @@ bool same_name(const std::string& a, const std::string& b) {
 std::vector<PartFile> parts_in(const fs::path& folder, const std::string& kind) {
   std::vector<PartFile> parts;
   std::error_code ignored;  // a root need not have the folder
-  for (const auto& file : fs::directory_iterator(folder, ignored))
-    if (file.path().extension() == ".toml")
-      parts.push_back({kind, file.path().stem().string(), file.path()});
+  for (fs::directory_iterator file(folder, ignored), end; file != end; file.increment(ignored))
+    if (file->path().extension() == ".toml")
+      parts.push_back({kind, file->path().stem().string(), file->path()});
   std::ranges::sort(parts, {}, &PartFile::path);
   return parts;
 }

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
-#include "sim/key_check.hpp"
+#include "sim/failure.hpp"
 #include "sim/keys.hpp"
 #include "sim/sweep.hpp"
 
@@ -55,6 +55,21 @@ void check_together(Scenario& s, const Places& places) {
   }
 }
 
+/// Above the last point of its curve nothing is known of an LED.
+void check_current(const Scenario& s, const Places& places) {
+  const double last = s.emitter.intensity_mw_per_sr.x.back();
+  if (s.led.current_ma <= last) return;
+  throw bad_input(
+      fmt::format("led.current_ma = {} {}", s.led.current_ma, place_of(places, "led.current_ma")),
+      fmt::format("the data of {} end at {} mA", s.emitter.name, last),
+      fmt::format("use at most {}", last));
+}
+
+void check_point(Scenario& s, const Places& places) {
+  check_together(s, places);
+  check_current(s, places);
+}
+
 using Setters = std::vector<const Key*>;
 
 Setters setters_of(const std::vector<Axis>& sweep) {
@@ -79,7 +94,7 @@ std::string place_of(const Places& places, const std::string& key) {
 Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
   Scenario s = loaded.base;
   place_at(s, setters_of(loaded.sweep), coordinates);
-  check_together(s, loaded.places);
+  check_point(s, loaded.places);
   return s;
 }
 
@@ -89,7 +104,7 @@ void check_all_points(const LoadedScenario& loaded) {
   Scenario s = loaded.base;
   for (std::size_t i = 0; i < n; ++i) {
     place_at(s, setters, point_coordinates(loaded.sweep, i));
-    check_together(s, loaded.places);
+    check_point(s, loaded.places);
   }
 }
 

@@ -3,37 +3,43 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
+#include "sim/standard_output.hpp"
 #include "sim/statistics.hpp"
 
 namespace sim {
 namespace {
 
+const std::string blank = "\r\033[K";  // the start of a terminal's line, emptied
+
+bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
+
 std::string line_of(const Progress& p) {
+  const Tally& tally = p.result.points[p.point].tally;
   return fmt::format("point {} of {}: {} of at most {:.0f} frames, {} lost, BER {:.2g}",
-                     p.point + 1, p.n_points, p.tally.n_frames, p.max_frames, p.tally.n_frames_lost,
-                     p.tally.n_bits > 0 ? ratio(p.tally.n_bit_errors, p.tally.n_bits) : 0.0);
+                     p.point + 1, p.result.points.size(), tally.n_frames, p.max_frames,
+                     tally.n_frames_lost,
+                     tally.n_bits > 0 ? ratio(tally.n_bit_errors, tally.n_bits) : 0.0);
 }
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool shown) : shown_(shown), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool shown)
+    : ProgressLine(shown, std::chrono::milliseconds(on_terminal() ? 200 : 3000)) {}
+
+ProgressLine::ProgressLine(bool shown, std::chrono::milliseconds pause)
+    : shown_(shown), terminal_(on_terminal()), pause_(pause) {}
 
 void ProgressLine::show(const Progress& progress) {
   if (!shown_) return;
   const auto now = Clock::now();
-  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(3000);
-  if (now - last_ < pause) return;
+  if (now - last_ < pause_) return;
   last_ = now;
   drawn_ = terminal_;
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_of(progress),
-             terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  say(terminal_ ? blank + line_of(progress) : line_of(progress) + "\n");
 }
 
 void ProgressLine::clear() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) say(blank);
   drawn_ = false;
 }
 

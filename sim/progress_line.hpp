@@ -9,7 +9,9 @@ namespace sim {
 
 class ProgressLine {
  public:
+  /// Shows nothing unless `shown`; with the usual pauses between lines, or `pause`.
   explicit ProgressLine(bool shown);
+  ProgressLine(bool shown, std::chrono::milliseconds pause);
 
   void show(const Progress& progress);
   /// Makes room for a line of results.
@@ -19,6 +21,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   bool shown_, terminal_;
+  std::chrono::milliseconds pause_;
   bool drawn_ = false;
   Clock::time_point last_ = Clock::now();
 };

@@ -45,7 +45,7 @@ const std::array table{
     Column{"n_bytes", "1", "characters sent", &Tally::n_bytes},
     Column{"n_byte_errors", "1", "characters not received, or received as another",
            &Tally::n_byte_errors},
-    Column{"n_framing_errors", "1", "characters received with a bad stop bit",
+    Column{"n_framing_errors", "1", "characters received within the message with a bad stop bit",
            &Tally::n_framing_errors},
     Column{"n_frames", "1", "frames sent", &Tally::n_frames},
     Column{"n_frames_ok", "1", "frames delivered intact", &Tally::n_frames_ok},

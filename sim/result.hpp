@@ -8,17 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "sim/axis.hpp"
 #include "sim/tally.hpp"
 
 namespace sim {
-
-/// One swept key. Points are ordered row-major: the last axis varies fastest.
-struct Axis {
-  std::string key;        // "receiver.range_m"
-  std::string unit;       // "m"
-  std::string long_name;  // "distance along the floor"
-  std::vector<double> values;
-};
 
 /// One operating point on every axis that people use.
 struct OperatingPoint {

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 
 #include "sim/commands.hpp"
 #include "sim/curve_fit.hpp"
 #include "sim/engine.hpp"
 #include "sim/experiment.hpp"
-#include "sim/key_check.hpp"
+#include "sim/failure.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_table.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"
+#include "sim/stop_signals.hpp"
 #include "sim/store.hpp"
 #include "sim/sweep.hpp"
 
@@ -22,21 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> interrupted = false;
-
-std::atomic<int> signals_left = 2;
-
-/// A signal lets the run end in order, and so does a second one, since a terminal or a watchdog may
-/// well send two; a third kills it.
-void on_signal(int signal) {
-  interrupted = true;
-  if (--signals_left == 0) std::signal(signal, SIG_DFL);
-}
-
 fs::path output_of(const RunRequest& request, const fs::path& scenario) {
   fs::path name = scenario.stem().concat(".h5");
   if (!request.output) return name;
-  const bool folder = request.scenarios.size() > 1 || fs::is_directory(*request.output) ||
+  std::error_code error;
+  const bool folder = request.scenarios.size() > 1 || fs::is_directory(*request.output, error) ||
                       !request.output->has_filename();
   return folder ? *request.output / name : *request.output;
 }
@@ -72,7 +62,8 @@ std::string closing_lines(const ExperimentResult& result, const fs::path& output
   return text + fmt::format("{}: digest {}\n", output.string(), result_digest(result));
 }
 
-/// Writes the file while a run goes on: at most once a second, and a twentieth of the time.
+/// Writes the file while a run goes on, points under way included: at most once a second, and a
+/// twentieth of the time.
 class Keeper {
  public:
   Keeper(fs::path output, ProgramInfo program)
@@ -94,18 +85,32 @@ class Keeper {
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };
 
-void run_scenario(const RunRequest& request, const LoadedScenario& scenario,
-                  const fs::path& output) {
+/// A row may have no place to go, such as a reader that has seen enough: that ends the run, but
+/// what was counted is kept.
+void print_row(const ExperimentResult& result, std::size_t point, Keeper& keeper) {
+  try {
+    print(table_row(result.axes, result.points[point], result.ci_level));
+  } catch (const Failure&) {
+    keeper.keep(result, true);
+    throw;
+  }
+}
+
+void run_scenario(const RunRequest& request, const LoadedScenario& scenario, const fs::path& output,
+                  const std::atomic<bool>& interrupt) {
   Keeper keeper(output, request.program);
   ProgressLine progress(!request.quiet);
   if (!request.json) print(table_header(scenario.sweep));
   ExperimentOptions options{.threads = request.threads > 0 ? request.threads : default_threads(),
-                            .interrupt = &interrupted};
-  options.on_progress = [&](const Progress& p) { progress.show(p); };
+                            .interrupt = &interrupt};
+  options.on_progress = [&](const Progress& p) {
+    progress.show(p);
+    keeper.keep(p.result, false);
+  };
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
-    if (!request.json) print(table_row(result.axes, result.points[point], result.ci_level));
     keeper.keep(result, false);
+    if (!request.json) print_row(result, point, keeper);
   };
   const ExperimentResult result = run_experiment(scenario, request.command, options);
   keeper.keep(result, true);
@@ -127,14 +132,12 @@ ExitCode run_command(const RunRequest& request) {
     scenarios.push_back(load_with(request.options, path));
   make_output_folder(request);
   for (const fs::path& path : request.scenarios) check_writable(output_of(request, path));
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  for (std::size_t i = 0; i < scenarios.size() && !interrupted; ++i)
-    run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]));
-  if (!interrupted) return ExitCode::done;
-  fmt::print(stderr,
-             "cosys-sim: interrupted (by a signal) what was counted is in the result file; the "
-             "same command starts anew and gives the same counts\n");
+  const std::atomic<bool>& interrupt = heed_stop_signals();
+  for (std::size_t i = 0; i < scenarios.size() && !interrupt; ++i)
+    run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]), interrupt);
+  if (!interrupt) return ExitCode::done;
+  say("cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
+      "command starts anew and gives the same counts\n");
   return ExitCode::interrupted;
 }
 

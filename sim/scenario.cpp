@@ -8,11 +8,13 @@
 #include <variant>
 
 #include "sim/entries.hpp"
+#include "sim/failure.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 #include "sim/parts.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
+#include "sim/text_file.hpp"
 
 namespace sim {
 namespace {
@@ -20,6 +22,11 @@ namespace {
 constexpr std::string_view sweep_prefix = "sweep.";
 constexpr std::string_view override_key = "override.set";
 constexpr std::string_view part_prefix = "part.";
+
+/// Entries of a scenario, which may have any number of overrides and carried parts.
+std::vector<Entry> scenario_entries(const std::string& text, const std::filesystem::path& path) {
+  return read_entries(text, path, {"override", "part"});
+}
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
@@ -235,14 +242,14 @@ LoadedScenario load_scenario(const std::filesystem::path& path,
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,
                               const std::vector<std::string>& overrides,
                               const std::vector<std::filesystem::path>& roots) {
-  Draft draft = draft_of(read_entries(text, path), overrides);
+  Draft draft = draft_of(scenario_entries(text, path), overrides);
   count_points(draft.sweep);
   Assembly assembly = assemble(draft, {roots, draft.parts, path});
   const std::string whole = with_parts(text, assembly.parts, draft.parts);
   LoadedScenario loaded{std::move(assembly.scenario), with_overrides(whole, overrides), path,
                         std::move(draft.sweep), std::move(draft.places)};
   check_all_points(loaded);
-  read_entries(loaded.text, "--set");  // what repeats the run must itself be a scenario
+  scenario_entries(loaded.text, "--set");  // what repeats the run must itself be a scenario
   return loaded;
 }
 

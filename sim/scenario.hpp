@@ -10,7 +10,7 @@
 #include "channel/emitter.hpp"
 #include "channel/floor.hpp"
 #include "channel/receiver_module.hpp"
-#include "sim/result.hpp"
+#include "sim/axis.hpp"
 
 namespace sim {
 

@@ -1,5 +1,6 @@
 #pragma once
 // stdout carries results, all of them or an error: a full disk behind a redirection is not silent.
+// stderr carries words about them.
 #include <cstdio>
 #include <string_view>
 
@@ -12,5 +13,8 @@ inline void print(std::string_view text) {
     throw Failure(ExitCode::environment,
                   "cannot write to standard output (it is closed or full) redirect it elsewhere");
 }
+
+/// Nothing is lost if this cannot be written, so nobody is told.
+inline void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace sim

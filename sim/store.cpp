@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <string_view>
 
-#include "sim/failure.hpp"
+#include "sim/existing_file.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/new_file.hpp"
 
@@ -14,6 +12,7 @@ namespace sim {
 namespace {
 
 constexpr const char* root = NetcdfFile::root;
+constexpr const char* filetype = "cosys-sim result";
 
 struct Target {
   const ExperimentResult& result;
@@ -94,7 +93,7 @@ void write_root(Target& to) {
 }
 
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
-  Target to{result, NetcdfFile("cosys-sim result", program), {}};
+  Target to{result, NetcdfFile(filetype, program), {}};
   for (const Axis& axis : result.axes) write_axis(to, axis);
   for (const Column& column : columns()) std::visit(ColumnWriter{to, column}, column.value);
   explain_stop_reason(to.file);
@@ -104,20 +103,7 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   return to.file.image();
 }
 
-/// A scenario or a trace that is named as the output by mistake must not be lost.
-void refuse_other_file(const std::filesystem::path& path) {
-  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return;
-  std::ifstream file(path, std::ios::binary);
-  std::string head(signature.size(), '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  if (head.empty() || head == signature) return;
-  throw Failure(ExitCode::bad_input,
-                "cannot write " + path.string() +
-                    " (it exists and is not a result file) choose another name");
-}
+bool is_result(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
 
 }  // namespace
 
@@ -130,7 +116,7 @@ void write_result(const std::filesystem::path& path, const ExperimentResult& res
 }
 
 void check_writable(const std::filesystem::path& path) {
-  refuse_other_file(path);
+  refuse_to_lose(path, is_result, "a result of cosys-sim");
   const NewFile file(path);
 }
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/failure.hpp"
 #include "sim/key_check.hpp"
 
 namespace sim {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/axis.hpp"
 #include "sim/keys.hpp"
-#include "sim/result.hpp"
 
 namespace sim {
 

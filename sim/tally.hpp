@@ -10,7 +10,7 @@ struct Tally {
   std::uint64_t n_bit_errors = 0;         // pin at the centre of the bit slot differs from the bit
   std::uint64_t n_bytes = 0;              // characters sent
   std::uint64_t n_byte_errors = 0;        // not received, or received as another
-  std::uint64_t n_framing_errors = 0;     // received with a bad stop bit, wherever
+  std::uint64_t n_framing_errors = 0;     // of those heard within the message: stop bit read as 0
   std::uint64_t n_frames = 0;             // messages sent
   std::uint64_t n_frames_ok = 0;          // delivered intact
   std::uint64_t n_frames_lost = 0;        // not delivered intact

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <sstream>
+#include <string_view>
 #include <vector>
 
+#include "sim/existing_file.hpp"
 #include "sim/key_check.hpp"
 #include "sim/new_file.hpp"
 #include "sim/trace_netcdf.hpp"
@@ -39,12 +41,25 @@ std::string to_csv(const TracedTrial& trial) {
   return text;
 }
 
+bool is_own_vcd(const std::filesystem::path& path) {
+  constexpr std::string_view head = "$version cosys-sim ";
+  return beginning_of(path, head.size()) == head;
+}
+
+bool is_own_csv(const std::filesystem::path& path) {
+  const std::string head = csv_header();
+  return beginning_of(path, head.size()) == head;
+}
+
 struct Format {
   const char* ending;
   std::string (*text)(const TracedTrial&);
+  bool (*is_own)(const std::filesystem::path&);  // whether a file was written by `text`
 };
 
-constexpr Format formats[] = {{".vcd", to_vcd}, {".csv", to_csv}, {".h5", trace_as_netcdf}};
+constexpr Format formats[] = {{".vcd", to_vcd, is_own_vcd},
+                              {".csv", to_csv, is_own_csv},
+                              {".h5", trace_as_netcdf, is_netcdf_trace}};
 
 const Format& format_of(const std::filesystem::path& path) {
   std::vector<const char*> known;
@@ -59,8 +74,8 @@ const Format& format_of(const std::filesystem::path& path) {
 }  // namespace
 
 void check_trace_path(const std::filesystem::path& path) {
-  format_of(path);
-  NewFile probe(path);
+  refuse_to_lose(path, format_of(path).is_own, "a trace of cosys-sim");
+  const NewFile probe(path);
 }
 
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial) {

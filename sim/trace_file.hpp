@@ -11,7 +11,8 @@ namespace sim {
 /// .vcd: wires tx and rx; .csv: time and every tap, a row a sample; .h5: the same and spectra.
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial);
 
-/// Throws the Failure that write_trace would throw for this name, before any work is done.
+/// Throws the Failure that write_trace would throw for this name, before any work is done, and
+/// refuses to replace a file that is no trace in this format.
 void check_trace_path(const std::filesystem::path& path);
 
 }  // namespace sim

@@ -46,11 +46,8 @@ class Words {
   }
 
   [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
-    throw Failure(
-        ExitCode::bad_input,
-        fmt::format("{} in {}:{} ({}) give a complete text VCD file, as sigrok-cli -O vcd "
-                    "or PulseView write it",
-                    problem, file_, line_, why));
+    throw bad_input(fmt::format("{} in {}:{}", problem, file_, line_), std::string(why),
+                    "give a complete text VCD file, as sigrok-cli -O vcd or PulseView write it");
   }
 
  private:

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -6,12 +7,13 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/commands.hpp"
-#include "sim/entries.hpp"
-#include "sim/key_check.hpp"
+#include "sim/failure.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 #include "sim/sweep.hpp"
+#include "sim/text_file.hpp"
 #include "sim/trace_file.hpp"
+#include "sim/trial.hpp"
 #include "sim/vcd.hpp"
 
 namespace sim {
@@ -69,12 +71,29 @@ const dsp::LogicTrace& wire_of(const std::vector<VcdTrace>& wires, const DecodeR
                   "the capture has no such wire", "use " + nearest(wanted, names));
 }
 
+constexpr std::size_t longest_capture = 256 * mebibyte;
+
 std::vector<VcdTrace> read_capture(const std::filesystem::path& path) {
   if (path.extension() != ".vcd")
     throw bad_input("cannot decode " + path.string(), "its ending names no capture format",
                     "give a .vcd file");
-  std::istringstream text(read_text_file(path, "capture"));
+  std::istringstream text(read_text_file(path, "capture", longest_capture));
   return read_vcd(text, path.string());
+}
+
+/// A trace is made in memory: one without room there would end in a killed process.
+void refuse_without_memory(const Scenario& scenario, std::uint32_t trial) {
+  constexpr double bytes_a_sample = 100;  // taps, instants and the file's text
+  const Link link = make_link(scenario);
+  const double need =
+      bytes_a_sample * link.chain.sample_rate.value * transmit(link, trial).line.end().value;
+  const double have =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (need <= have) return;
+  throw Failure(ExitCode::environment,
+                fmt::format("the trace would take {:.0f} GB (this machine has {:.0f} GB of memory) "
+                            "raise device.baud or lower simulation.warmup_messages",
+                            need / 1e9, have / 1e9));
 }
 
 }  // namespace
@@ -88,6 +107,7 @@ ExitCode trace_command(const TraceRequest& request) {
                     fmt::format("use one from 0 to {}", points - 1));
   check_trace_path(request.output);
   const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, request.point));
+  refuse_without_memory(point, request.trial);
   TracedTrial traced = trace_trial(point, request.trial);
   traced.origin = {.program = request.program,
                    .scenario_toml = scenario.text,
@@ -100,8 +120,9 @@ ExitCode trace_command(const TraceRequest& request) {
 
 ExitCode encode_command(const std::string& message) {
   if (const auto problem = protocol::problem_in_message(message))
-    throw bad_input("the message cannot be sent", *problem,
-                    "use printable ASCII, at most 252 characters");
+    throw bad_input(
+        "the message cannot be sent", *problem,
+        fmt::format("use printable ASCII, at most {} characters", protocol::longest_message));
   const protocol::Bytes bytes = protocol::cosys_encode(message);
   print(std::string(bytes.begin(), bytes.end()));
   return ExitCode::done;

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "gtest/gtest.h"
+#include "scenarios.hpp"
 #include "sim/canonical_text.hpp"
 #include "sim/entries.hpp"
-#include "sim/failure.hpp"
 #include "sim/scenario.hpp"
+#include "sim/text_file.hpp"
 
 namespace sim {
 namespace {
@@ -20,16 +20,6 @@ const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
 LoadedScenario parse(const std::string& text, const std::vector<std::string>& overrides = {},
                      const std::vector<fs::path>& roots = {scenarios}) {
   return parse_scenario(text, "x.toml", overrides, roots);
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::bad_input);
-    return failure.what();
-  }
-  return "accepted";
 }
 
 std::string shipped(const std::string& file) { return read_text_file(scenarios / file, "part"); }

@@ -56,9 +56,16 @@ TEST_F(CommandLine, RefusesSettingsThatDoNotHold) {
   expect_refused(set("receiver.range_m"), bad_input,
                  "\"receiver.range_m\" in --set (no = in it) write key=value, such as "
                  "receiver.range_m=3");
-  expect_refused(set("receiver.range_m=-1"), bad_input,
-                 "receiver.range_m = -1 in --set (distance along the floor must be above 0 m) use "
-                 "a value above 0 up to 1000");
+  expect_refused(
+      set("receiver.range_m=-1"), bad_input,
+      "receiver.range_m = -1 in --set (distance along the floor must be at least 0.01 m) "
+      "use a value 0.01 to 1000");
+  expect_refused({"run", "s.toml", "-S", "abc"}, bad_input,
+                 "simulation.seed = abc in --seed (not a number) use a whole number 0 to "
+                 "9007199254740991");
+  expect_refused({"run", "s.toml", "-n", "0"}, bad_input,
+                 "stop.max_frames = 0 in --max-frames (messages after which a point ends must be "
+                 "at least 1) use a whole number 1 to 4000000000");
 }
 
 TEST_F(CommandLine, RefusesPlacesBeforeItRuns) {
@@ -146,7 +153,7 @@ TEST_F(CommandLine, SeveralScenariosFillAFolder) {
 }
 
 TEST_F(CommandLine, DigestDependsOnTheSeedAndNotOnThreads) {
-  write_scenario("s.toml", "receiver.range_m = [1, 2.6]");
+  write_scenario("s.toml", "receiver.range_m = [1, 15]");
   const auto digest = [&](const Words& more) {
     Words words = {"run", "s.toml", "--set", "stop.max_frames=64"};
     words.insert(words.end(), more.begin(), more.end());

@@ -1,13 +1,19 @@
 // The engine: the same counts for any number of threads, stops where the rule says, counts exactly.
 #include "sim/engine.hpp"
 
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/experiment.hpp"
+#include "sim/failure.hpp"
 #include "sim/trial.hpp"
 
 namespace sim {
@@ -70,6 +76,59 @@ TEST(Engine, InterruptKeepsWhatIsComplete) {
   EXPECT_EQ(result.tally.n_frames % channel::lanes_per_group, 0u);
 }
 
+const StopRule endless{.max_frames = 4000000000u};
+
+TEST(Engine, AFailureToReportEndsThePoint) {
+  const auto fails = [](const PointResult&) { throw Failure(ExitCode::environment, "no disk"); };
+  EXPECT_THROW(run_point(link_of(clear_link()), endless,
+                         {.threads = 2, .interrupt = nullptr, .on_progress = fails}),
+               Failure);
+}
+
+#ifndef __SANITIZE_THREAD__  // gives threads stacks of its own size
+/// Room for a few threads of a quarter of a gigabyte each.
+class RoomForFewThreads {
+ public:
+  RoomForFewThreads() {
+    pthread_getattr_default_np(&usual_);
+    pthread_attr_t large;
+    pthread_getattr_default_np(&large);
+    pthread_attr_setstacksize(&large, stack);
+    pthread_setattr_default_np(&large);
+    ::getrlimit(RLIMIT_AS, &limit_);
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit narrow{pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + 5 * stack,
+                        limit_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &narrow);
+  }
+  RoomForFewThreads(const RoomForFewThreads&) = delete;
+  RoomForFewThreads& operator=(const RoomForFewThreads&) = delete;
+  ~RoomForFewThreads() {
+    ::setrlimit(RLIMIT_AS, &limit_);
+    pthread_setattr_default_np(&usual_);
+  }
+
+ private:
+  static constexpr std::size_t stack = std::size_t{1} << 28;
+  pthread_attr_t usual_;
+  rlimit limit_{};
+};
+
+TEST(Engine, ThreadsThatDoNotStartEndThePoint) {
+  const Link link = link_of(clear_link());
+  const RoomForFewThreads room;
+  std::string message = "no failure";
+  try {
+    run(link, endless, 8);
+  } catch (const Failure& failure) {
+    message = failure.what();
+  }
+  EXPECT_EQ(message,
+            "cannot start 8 threads (Resource temporarily unavailable) use fewer --threads");
+}
+#endif
+
 ExperimentResult experiment(const std::string& text) {
   return run_experiment(loaded(text), "test",
                         {.threads = 2, .interrupt = nullptr, .on_progress = {}, .on_point = {}});
@@ -92,6 +151,23 @@ TEST(EngineDeterminism, NeighboursInTheSweepDoNotMatter) {
   EXPECT_EQ(two.points[0].tally, three.points[0].tally);
   EXPECT_EQ(two.points[1].tally, three.points[2].tally);
   EXPECT_NE(three.points[1].tally, three.points[2].tally);
+}
+
+TEST(Engine, ProgressIsWhatAnInterruptLeaves) {
+  std::atomic<bool> interrupt = false;
+  PointResult seen;
+  const auto stop_when_counting = [&](const Progress& progress) {
+    seen = progress.result.points[progress.point];
+    interrupt = interrupt || seen.tally.n_frames > 0;
+  };
+  const auto result = run_experiment(
+      loaded(base + "stop.max_frames = [4e9, 16]\n", {"stop.max_frame_errors=0"}), "test",
+      {.threads = 2, .interrupt = &interrupt, .on_progress = stop_when_counting, .on_point = {}});
+  EXPECT_EQ(seen.coordinates, std::vector<double>{4e9});
+  EXPECT_EQ(seen.stop, StopReason::interrupted);
+  EXPECT_GT(seen.n_samples, 0u);
+  EXPECT_GE(result.points[0].tally.n_frames, seen.tally.n_frames);
+  EXPECT_FALSE(measured(result.points[1]));
 }
 
 TEST(Engine, GridIsRowMajor) {

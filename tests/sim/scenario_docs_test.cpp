@@ -5,10 +5,10 @@
 #include <string>
 
 #include "gtest/gtest.h"
-#include "sim/entries.hpp"
 #include "sim/key_reference.hpp"
 #include "sim/keys.hpp"
 #include "sim/scenario.hpp"
+#include "sim/text_file.hpp"
 
 namespace {
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "gtest/gtest.h"
+#include "sim/failure.hpp"
 #include "sim/link.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/scenario.hpp"
@@ -10,7 +12,18 @@
 namespace sim {
 
 inline LoadedScenario loaded(const std::string& text, const std::vector<std::string>& set = {}) {
-  return parse_scenario(text, "test.toml", set, {COSYS_SOURCE_DIR "/scenarios"});
+  return parse_scenario(text, "x.toml", set, {COSYS_SOURCE_DIR "/scenarios"});
+}
+
+/// The line that refuses such a scenario; "accepted" if none does.
+inline std::string refusal(const std::string& text, const std::vector<std::string>& set = {}) {
+  try {
+    loaded(text, set);
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::bad_input);
+    return failure.what();
+  }
+  return "accepted";
 }
 
 /// One point, with keys set as of --set.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 #include "sim/failure.hpp"
+#include "sim/netcdf.hpp"
 #include "sim/report_table.hpp"
 
 namespace {
@@ -227,6 +229,34 @@ TEST_F(Store, RefusesToReplaceWhatIsNoResult) {
   EXPECT_EQ(content(path()), before);
   std::ofstream(path(), std::ios::trunc).close();  // an empty file holds nothing to lose
   EXPECT_NO_THROW(sim::check_writable(path()));
+}
+
+// A file of the same family, and one that looks like it.
+TEST_F(Store, RefusesToReplaceOtherHdf5Files) {
+  sim::NetcdfFile trace("cosys-sim trace", program);
+  std::ofstream(path()) << trace.image();
+  EXPECT_THROW(sim::check_writable(path()), sim::Failure);
+  std::ofstream(path()) << "\x89HDF\r\n\x1a\n and no more";
+  EXPECT_THROW(sim::check_writable(path()), sim::Failure);
+}
+
+/// A process that has ended.
+pid_t former_process() {
+  const pid_t pid = ::fork();
+  if (pid == 0) ::_exit(0);
+  ::waitpid(pid, nullptr, 0);
+  return pid;
+}
+
+TEST_F(Store, RemovesWhatKilledWritersLeft) {
+  const std::string ended = "." + std::to_string(former_process()) + ".tmp";
+  const std::string running = "." + std::to_string(::getppid()) + ".tmp";
+  for (const std::string& name : {"result.h5" + ended, "result.h5" + running, "other.h5" + ended,
+                                  std::string("result.h5.mine.tmp")})
+    std::ofstream(path(name)) << "half";
+  sim::write_result(path(), single(), program);
+  EXPECT_FALSE(fs::exists(path("result.h5" + ended)));
+  EXPECT_EQ(files(), 1U + 3U);
 }
 
 TEST_F(Store, ChecksAPlaceWithoutTouchingIt) {

@@ -100,6 +100,20 @@ TEST_F(TraceFile, LeavesNothingButTheFile) {
   EXPECT_EQ(files(), 3u);
 }
 
+TEST_F(TraceFile, ReplacesOnlyItsOwn) {
+  const TracedTrial traced = short_trial();
+  for (const char* name : {"t.vcd", "t.csv", "t.h5"}) {
+    write_trace(path(name), traced);
+    EXPECT_EQ(failure_of(path(name)), "no failure");
+    std::ofstream(path(name)) << "time_s,voltage\n";
+    EXPECT_EQ(failure_of(path(name)), "cannot write " + path(name).string() +
+                                          " (it exists and is not a trace of cosys-sim) choose "
+                                          "another name");
+    std::ofstream(path(name)).close();
+    EXPECT_EQ(failure_of(path(name)), "no failure");
+  }
+}
+
 TEST_F(TraceFile, NamesTheFormatsThatItKnows) {
   EXPECT_EQ(failure_of("x.txt"),
             "cannot trace into x.txt (its ending names no format) end the name in .vcd or .csv or "

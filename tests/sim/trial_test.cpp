@@ -108,6 +108,19 @@ TEST(Trial, EveryReasonIsCounted) {
   EXPECT_EQ(with(14, ' ').n_rejected_short, 1u);
 }
 
+// The longest message fills its line: without the newline, there is no room left for one.
+TEST(Trial, LongestMessageWithoutItsNewlineIsRejectedAsOverlong) {
+  const Link link = link_of({"device.message=" + std::string(protocol::longest_message, 'x')});
+  const Transmission sent = transmit(link, 3);
+  protocol::Bytes bytes = link.bytes;
+  EXPECT_EQ(tally_of(link, sent, pin_saying(link, sent, bytes)).n_frames_ok, 1u);
+  bytes.back() ^= 1;
+  const Tally tally = tally_of(link, sent, pin_saying(link, sent, bytes));
+  EXPECT_EQ(tally.n_rejected_overlong, 1u);
+  EXPECT_EQ(tally.n_frames_lost, 1u);
+  EXPECT_EQ(tally.n_frames_unended, 0u);
+}
+
 // A damaged newline merges the message with whatever comes next: nothing is rejected, all is lost.
 TEST(Trial, MessageWhoseNewlineIsDamagedIsCountedAsUnended) {
   const Link link = link_of({});

@@ -59,14 +59,19 @@ LogicTrace at_us(bool initial, const std::vector<double>& flips, double end) {
   return trace;
 }
 
-std::string failure_of(const std::string& text) {
+template <class Read>
+std::string failure_of(const Read& read) {
   try {
-    read(text);
+    read();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::bad_input);
     return failure.what();
   }
   return "no failure";
+}
+
+std::string failure_of(const std::string& text) {
+  return failure_of([&] { read(text); });
 }
 
 // --- what is written
@@ -194,6 +199,10 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains(one_wire("#5 q!"), "'q!' in a.vcd:2 (not a VCD value change)");
   contains(one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
   contains(one_wire("#5 $comment 1!"), "$end is missing");
+  std::istringstream garbage("garbage");
+  EXPECT_EQ(failure_of([&] { read_vcd(garbage, "a\nb.vcd"); }),
+            "'garbage' in a?b.vcd:1 (not a VCD declaration) give a complete text VCD file, as "
+            "sigrok-cli -O vcd or PulseView write it");
 }
 
 TEST(Vcd, GarbageIsReadOrRefusedButNeverCrashes) {

@@ -1,0 +1,17 @@
+#pragma once
+// What stands where a file shall be written. The program replaces files of its own of the same
+// kind; what else a user has there, named by mistake, must not be lost.
+#include <filesystem>
+#include <string>
+
+namespace sim {
+
+/// The first bytes of a file; fewer if it is shorter, none if it cannot be read.
+std::string beginning_of(const std::filesystem::path& path, std::size_t bytes);
+
+/// Throws Failure(bad_input) if a file with something in it is there and is not `own_kind`: "a
+/// result of cosys-sim".
+void refuse_to_lose(const std::filesystem::path& path, bool (*is_own)(const std::filesystem::path&),
+                    const std::string& own_kind);
+
+}  // namespace sim

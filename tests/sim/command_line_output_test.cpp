@@ -1,0 +1,109 @@
+// Where the program's output goes: closed, full and short-sighted readers, and files that are
+// there.
+#include <poll.h>
+#include <sys/inotify.h>
+
+#include <csignal>
+
+#include "program.hpp"
+
+namespace {
+
+constexpr int bad_input = 2, environment = 3;
+
+class CommandLineOutput : public CommandLine {
+ protected:
+  /// What a script prints in which $P is the program.
+  std::string script(const std::string& text) const {
+    return tool("bash", {"-c", "P='" COSYS_PROGRAM "'\n" + text});
+  }
+};
+
+/// Waits for files that take their place in a folder.
+class Arrivals {
+ public:
+  explicit Arrivals(const std::filesystem::path& folder) : queue_(::inotify_init1(IN_CLOEXEC)) {
+    ::inotify_add_watch(queue_, folder.c_str(), IN_MOVED_TO);
+  }
+  Arrivals(const Arrivals&) = delete;
+  Arrivals& operator=(const Arrivals&) = delete;
+  ~Arrivals() { ::close(queue_); }
+
+  bool wait() const {
+    constexpr int patience_ms = 60000;
+    pollfd arrival{.fd = queue_, .events = POLLIN, .revents = 0};
+    return ::poll(&arrival, 1, patience_ms) == 1;
+  }
+
+ private:
+  int queue_;
+};
+
+// Progress and farewells are words; a run for which nobody listens to them is as good.
+TEST_F(CommandLineOutput, AnUnwritableStderrEndsNothing) {
+  write_scenario("s.toml", "stop.max_frames = [16, 1e8]");
+  for (const std::string err : {"2>/dev/full", "2>&-"}) {
+    EXPECT_EQ(script("rm -f rows; mkfifo rows; $P run s.toml >rows " + err +
+                     " &\n"
+                     "exec 3<rows; for i in 1 2 3 4; do read -r row <&3; done\n"
+                     "kill -TERM $!; cat <&3 >copy; wait $!; echo $?"),
+              "130\n")
+        << err;
+    EXPECT_TRUE(values("s.h5", "n_frames").starts_with("16, "));
+  }
+}
+
+TEST_F(CommandLineOutput, AReaderThatHasSeenEnoughLosesNothing) {
+  write_scenario("s.toml", "receiver.range_m = \"1:0.001:9\"");
+  EXPECT_EQ(script("$P run s.toml -q 2>err | head -4 >rows; echo ${PIPESTATUS[0]}"),
+            std::to_string(environment) + "\n");
+  EXPECT_EQ(content(path("err")),
+            "cosys-sim: cannot write to standard output (it is closed or full) redirect it "
+            "elsewhere\n");
+  EXPECT_TRUE(values("s.h5", "n_frames").starts_with("16, ")) << values("s.h5", "n_frames");
+}
+
+TEST_F(CommandLineOutput, APointUnderWayIsKept) {
+  write_scenario("s.toml", "stop.max_frames = 1e8");
+  const Arrivals arrivals(folder());
+  Running running = start_program({"run", "s.toml"});
+  EXPECT_TRUE(arrivals.wait());
+  EXPECT_EQ(running.finish(SIGKILL).code, -SIGKILL);
+  EXPECT_GT(std::stoi(values("s.h5", "n_frames")), 0);
+  EXPECT_EQ(values("s.h5", "stop_reason"), "2");
+}
+
+TEST_F(CommandLineOutput, ResultsAndTracesDoNotReplaceEachOther) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  const Words run = {"run", "s.toml", "-o", "x.h5"}, trace = {"trace", "s.toml", "-o", "x.h5"};
+  ASSERT_EQ(program(run).code, 0);
+  expect_refused(trace, bad_input,
+                 "cannot write x.h5 (it exists and is not a trace of cosys-sim) choose another "
+                 "name");
+  EXPECT_EQ(program(run).code, 0);
+  std::filesystem::remove(path("x.h5"));
+  ASSERT_EQ(program(trace).code, 0);
+  expect_refused(run, bad_input,
+                 "cannot write x.h5 (it exists and is not a result of cosys-sim) choose another "
+                 "name");
+  EXPECT_EQ(program(trace).code, 0);
+}
+
+TEST_F(CommandLineOutput, NamesTooLongAreRefusedInOneLine) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  const std::string name(300, 'a');
+  expect_refused({"run", "s.toml", "-o", name}, environment,
+                 "cannot write " + name + " (File name too long) choose another place");
+}
+
+TEST_F(CommandLineOutput, ATraceThatNoMemoryHoldsIsRefused) {
+  write_scenario("s.toml", "receiver.range_m = 1");
+  const Outcome o =
+      program({"trace", "s.toml", "-o", "t.vcd", "--set", "device.baud=1", "--set",
+               "simulation.warmup_messages=100", "--set", "simulation.sample_rate_hz=2e7"});
+  EXPECT_EQ(o.code, environment);
+  EXPECT_TRUE(o.err.starts_with("cosys-sim: the trace would take ")) << o.err;
+  EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
+}
+
+}  // namespace

@@ -1,0 +1,53 @@
+// What is said while a run goes on, and that nobody needs to hear it.
+#include "sim/progress_line.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "gtest/gtest.h"
+
+namespace sim {
+namespace {
+
+ExperimentResult two_points() {
+  ExperimentResult result;
+  result.points.resize(2);
+  result.points[1].tally.n_frames = 16;
+  result.points[1].tally.n_frames_lost = 3;
+  result.points[1].tally.n_bits = 1000;
+  result.points[1].tally.n_bit_errors = 20;
+  return result;
+}
+
+void show_at_once(bool shown) {
+  const ExperimentResult result = two_points();
+  ProgressLine line(shown, std::chrono::milliseconds(0));
+  line.show({result, 1, 4e9});
+  line.clear();
+}
+
+TEST(ProgressLine, SaysHowFarARunIs) {
+  testing::internal::CaptureStderr();
+  show_at_once(true);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "point 2 of 2: 16 of at most 4000000000 frames, 3 lost, BER 0.02\n");
+}
+
+TEST(ProgressLine, IsSilentWhenAskedToBe) {
+  testing::internal::CaptureStderr();
+  show_at_once(false);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ProgressLine, AFullDiskIsNoReasonToEnd) {
+  const int before = ::dup(STDERR_FILENO);
+  const int full = ::open("/dev/full", O_WRONLY);
+  ::dup2(full, STDERR_FILENO);
+  EXPECT_NO_THROW(show_at_once(true));
+  ::dup2(before, STDERR_FILENO);
+  ::close(before);
+  ::close(full);
+}
+
+}  // namespace
+}  // namespace sim

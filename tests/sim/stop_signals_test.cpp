@@ -1,0 +1,65 @@
+// What the signals that stop a run do to the process; each test in a process of its own.
+#include "sim/stop_signals.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+
+#include "gtest/gtest.h"
+
+namespace sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Ends the process: with code 0 if the signals, sent twice at once, only set the flag.
+void expect_flag(int signal) {
+  const std::atomic<bool>& stop = heed_stop_signals();
+  const bool before = stop;
+  std::raise(signal);
+  std::raise(signal);
+  std::_Exit(!before && stop ? 0 : 1);
+}
+
+void raise_for_a_while() {
+  heed_stop_signals();
+  const auto began = Clock::now();
+  while (Clock::now() - began < std::chrono::seconds(20)) std::raise(SIGINT);
+  std::_Exit(1);
+}
+
+void hang_up_under_nohup() {
+  std::signal(SIGHUP, SIG_IGN);
+  const std::atomic<bool>& stop = heed_stop_signals();
+  std::raise(SIGHUP);
+  std::_Exit(stop ? 1 : 0);
+}
+
+void write_to_a_closed_pipe() {
+  heed_stop_signals();
+  std::raise(SIGPIPE);
+  std::raise(SIGXFSZ);
+  std::_Exit(0);
+}
+
+TEST(StopSignalsDeathTest, TheFirstSetsAFlagAndSaysSo) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    EXPECT_EXIT(expect_flag(signal), testing::ExitedWithCode(0),
+                "^cosys-sim: stopping \\(signal\\) keeping what was counted; once more to stop at "
+                "once\n$");
+}
+
+TEST(StopSignalsDeathTest, ALaterOneEndsAtOnce) {
+  EXPECT_EXIT(raise_for_a_while(), testing::ExitedWithCode(130), "once more to stop at once");
+}
+
+TEST(StopSignalsDeathTest, NohupHolds) {
+  EXPECT_EXIT(hang_up_under_nohup(), testing::ExitedWithCode(0), "");
+}
+
+TEST(StopSignalsDeathTest, WritingThatFailsIsNoSignal) {
+  EXPECT_EXIT(write_to_a_closed_pipe(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace sim
