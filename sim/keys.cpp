@@ -10,9 +10,6 @@ namespace {
 
 constexpr double largest_whole = 9007199254740991;  // 2^53 - 1: every one up to it is exact
 
-Range above(double low, double high) { return {low, high, true}; }
-Range from(double low, double high) { return {low, high, false}; }
-
 template <class Group>
 Key number(std::string name, std::string unit, Range range, Group Scenario::*group,
            double Group::*member, std::string long_name, std::string note = "",
@@ -170,129 +167,10 @@ std::vector<Key> make_scenario_keys() {
   return all;
 }
 
-PartNumber<channel::ModuleData> module_number(std::string name, std::string unit, Range range,
-                                              double channel::ModuleData::*member,
-                                              std::string long_name, std::string note = "") {
-  return {{std::move(name), std::move(unit), range, std::move(long_name), std::move(note)},
-          member,
-          false};
-}
-
-template <class... Rest>
-PartNumber<channel::ModuleData> printed(Rest&&... rest) {
-  auto row = module_number(std::forward<Rest>(rest)...);
-  row.required = true;
-  return row;
-}
-
-std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
-  using M = channel::ModuleData;
-  return {
-      printed("centre_hz", "Hz", from(1e3, 1e6), &M::centre_hz, "centre of the band-pass"),
-      module_number("q", "1", above(0.5, 100), &M::q, "quality factor of the band-pass",
-                    "centre over 3 dB width"),
-      printed("emin_mw_per_m2", "mW/m2", from(1e-3, 1e4), &M::emin_mw_per_m2,
-              "threshold irradiance in the dark", "typical, 30-cycle burst at the centre"),
-      module_number("emin_width_cycles", "cycle", from(-20, 20), &M::emin_width_cycles,
-                    "output less input width at the threshold"),
-      printed("emax_w_per_m2", "W/m2", from(1e-6, 1e4), &M::emax_w_per_m2,
-              "irradiance at which the input clips"),
-      module_number("comparator_hold_cycles", "cycle", from(0, 20), &M::comparator_hold_cycles,
-                    "time that the comparator holds a cycle's peak"),
-      module_number("integrator_cycles", "cycle", from(1, 100), &M::integrator_cycles,
-                    "length of the integrator"),
-      module_number("atc_fraction", "1", from(0, 0.95), &M::atc_fraction,
-                    "threshold as a fraction of the signal's peak", "0: a fixed threshold"),
-      module_number("atc_release_ms", "ms", from(0.01, 1e4), &M::atc_release_ms,
-                    "time constant with which that threshold falls"),
-  };
-}
-
-std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
-  using M = channel::ModuleData;
-  return {
-      module_number("agc_attack_db_per_ms", "dB/ms", from(0, 10), &M::agc_attack_db_per_ms,
-                    "rate at which the gain falls", "0: a part without AGC"),
-      printed("agc_max_duty", "1", from(0.01, 1), &M::agc_max_duty,
-              "largest lit fraction of long bursts that the AGC tolerates"),
-      printed("agc_long_burst_cycles", "cycle", from(1, 1e4), &M::agc_long_burst_cycles,
-              "length from which a burst is a long one"),
-      printed("agc_min_gap_cycles", "cycle", from(0, 1e4), &M::agc_min_gap_cycles,
-              "shortest gap after a short burst"),
-      module_number("agc_margin_db", "dB", from(0, 40), &M::agc_margin_db,
-                    "signal over threshold that the AGC aims at"),
-      module_number("agc_range_db", "dB", from(0, 200), &M::agc_range_db,
-                    "largest fall of the gain"),
-  };
-}
-
-std::vector<PartNumber<channel::ModuleData>> front_end_numbers() {
-  using M = channel::ModuleData;
-  return {
-      module_number("aperture_mm2", "mm2", from(0.01, 1e4), &M::aperture_mm2,
-                    "effective area, lens included"),
-      module_number("responsivity_a_per_w", "A/W", from(0.01, 1), &M::responsivity_a_per_w,
-                    "responsivity of the photodiode at 940 nm"),
-      module_number("feedback_ohm", "Ohm", from(100, 1e9), &M::feedback_ohm,
-                    "feedback resistance of the first amplifier"),
-      module_number("temperature_k", "K", from(200, 400), &M::temperature_k,
-                    "temperature of the part"),
-      module_number("front_end_hz", "Hz", from(2e4, 1e8), &M::front_end_hz,
-                    "bandwidth ahead of the band-pass", "one pole; not in data sheets"),
-      module_number("ambient_k", "1", from(0, 100), &M::ambient_k,
-                    "growth of the threshold with ambient light",
-                    "Emin^2 + k E (1 + E/Es), Emin in mW/m2, E in W/m2"),
-      module_number("ambient_es_w_per_m2", "W/m2", from(0.01, 1e6), &M::ambient_es_w_per_m2,
-                    "ambient irradiance Es of that law"),
-  };
-}
-
-PartKeys<channel::ModuleData> make_module_keys() {
-  PartKeys<channel::ModuleData> keys{"module", "modules", {}, {}};
-  for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
-    keys.numbers.insert(keys.numbers.end(), group.begin(), group.end());
-  keys.curves = {{"directivity",
-                  "relative distance of detection off axis; its square is the response",
-                  {"degrees", "degree", from(0, 90), "angle off axis", ""},
-                  {"relative_distance", "1", from(0, 1.5), "relative distance", ""},
-                  &channel::ModuleData::directivity,
-                  false}};
-  return keys;
-}
-
-PartKeys<channel::EmitterData> make_led_keys() {
-  using E = channel::EmitterData;
-  return {"LED",
-          "leds",
-          {},
-          {{"intensity",
-            "radiant intensity on axis against the current",
-            {"ma", "mA", from(1e-3, 1e5), "current", ""},
-            {"mw_per_sr", "mW/sr", from(1e-3, 1e6), "radiant intensity", ""},
-            &E::intensity_mw_per_sr,
-            true},
-           {"pattern",
-            "relative intensity against the angle off axis",
-            {"degrees", "degree", from(0, 90), "angle off axis", ""},
-            {"relative_intensity", "1", from(0, 1.5), "relative intensity", ""},
-            &E::pattern,
-            true}}};
-}
-
 }  // namespace
 
 bool Range::contains(double value) const {
   return (low_open ? value > low : value >= low) && value <= high;
-}
-
-const PartKeys<channel::ModuleData>& module_keys() {
-  static const auto keys = make_module_keys();
-  return keys;
-}
-
-const PartKeys<channel::EmitterData>& led_keys() {
-  static const auto keys = make_led_keys();
-  return keys;
 }
 
 const std::vector<Key>& scenario_keys() {

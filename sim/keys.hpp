@@ -15,6 +15,8 @@ struct Range {
   bool low_open = false;
   bool contains(double value) const;
 };
+constexpr Range above(double low, double high) { return {low, high, true}; }
+constexpr Range from(double low, double high) { return {low, high, false}; }
 
 enum class KeyType { number, whole_number, text, message, choice, part };
 
