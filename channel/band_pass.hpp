@@ -8,14 +8,32 @@
 namespace channel {
 
 /// What the output is a part of a sample later: of itself, of its integral and of the input.
+template <class T>
 struct BandPassStep {
-  float u, v, x;
+  T u, v, x;
 };
 
-struct BandPassDesign {
-  BandPassStep output, integral;   // over a whole sample
-  BandPassStep third, two_thirds;  // the output on the way
+template <class T>
+void set_lane(BandPassStep<T>& all, int lane, const BandPassStep<float>& one) {
+  dsp::set_lane(all.u, lane, one.u);
+  dsp::set_lane(all.v, lane, one.v);
+  dsp::set_lane(all.x, lane, one.x);
+}
+
+template <class T>
+struct BandPassDesignOf {
+  BandPassStep<T> output, integral;   // over a whole sample
+  BandPassStep<T> third, two_thirds;  // the output on the way
 };
+using BandPassDesign = BandPassDesignOf<float>;
+
+template <class T>
+void set_lane(BandPassDesignOf<T>& all, int lane, const BandPassDesign& one) {
+  set_lane(all.output, lane, one.output);
+  set_lane(all.integral, lane, one.integral);
+  set_lane(all.third, lane, one.third);
+  set_lane(all.two_thirds, lane, one.two_thirds);
+}
 
 /// Needs q > 0.5 and a sample rate above 2 f0. Makes up for the droop at f0 of an input that is
 /// held for a sample, and for `input_gain`, what a stage before this one leaves of a signal at f0.
@@ -25,7 +43,7 @@ BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_r
 template <class T>
 class BandPass {
  public:
-  explicit BandPass(const BandPassDesign& design) : design_(design) {}
+  explicit BandPass(const BandPassDesignOf<T>& design) : design_(design) {}
 
   /// One sample in; the output at its end.
   T operator()(T x) {
@@ -40,11 +58,11 @@ class BandPass {
   T peak() const { return peak_; }
 
  private:
-  T after(const BandPassStep& step, T x) const {
-    return dsp::fused(T(step.u), u_, dsp::fused(T(step.v), v_, T(step.x) * x));
+  T after(const BandPassStep<T>& step, T x) const {
+    return dsp::fused(step.u, u_, dsp::fused(step.v, v_, step.x * x));
   }
 
-  BandPassDesign design_;
+  BandPassDesignOf<T> design_;
   T u_ = T(0.0f);  // the output
   T v_ = T(0.0f);  // its scaled integral
   T peak_ = T(0.0f);

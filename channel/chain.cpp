@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
+#include "channel/bursts.hpp"
 #include "channel/chain_loop.hpp"
+#include "channel/kernel_disturbances.hpp"
 #include "channel/noise.hpp"
 
 namespace channel {
@@ -13,31 +14,6 @@ namespace {
 
 /// No noise at all would leave the filters to decay into denormal numbers, 17 times as slow.
 constexpr double least_noise_mw_per_m2 = 1e-12;
-
-CarrierDesign design_carrier(const LightSettings& light, dsp::Hertz sample_rate) {
-  const double cycles = light.carrier / sample_rate;
-  const double half = std::numbers::pi * cycles;
-  const double droop = std::sin(half) / half;  // of the mean over a sample, at the carrier
-  return {.step = static_cast<std::uint32_t>(std::llround(cycles * 0x1p32)),
-          .cycles = static_cast<float>(cycles),
-          .duty = static_cast<float>(light.duty),
-          .amplitude = static_cast<float>(light.signal.value * 1e3 / droop / cycles)};
-}
-
-/// Intervals of light on a drive wire, in samples.
-std::vector<Burst> bursts_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
-  std::vector<Burst> bursts;
-  bool lit = !drive.initial();
-  double since = 0;
-  for (const dsp::Seconds flip : drive.flips()) {
-    const double at = edge_at(dsp::cycles(flip, sample_rate));
-    if (lit) bursts.push_back({since, at});
-    lit = !lit;
-    since = at;
-  }
-  if (lit) bursts.push_back({since, edge_at(dsp::cycles(drive.end(), sample_rate))});
-  return bursts;
-}
 
 std::int64_t samples_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
   return static_cast<std::int64_t>(std::ceil(dsp::cycles(drive.end(), sample_rate)));
@@ -92,11 +68,12 @@ struct Recorder {
 /// Inputs of a group in the kernels' form, with the memory that they point to.
 struct PreparedGroup {
   std::vector<std::vector<Burst>> bursts;
+  KernelDisturbances disturbances;
   ChainKernelInput kernel;
 
   PreparedGroup(const ChainDesign& design, std::span<const ChainInput> inputs, PinWriter& pins) {
     kernel.carrier = &design.carrier;
-    kernel.module = &design.module;
+    for (ChainKernelInput::Lane& lane : kernel.lane) lane.module = &design.module;
     kernel.noise_dark = design.noise_dark;
     kernel.noise_lit = design.noise_lit;
     kernel.on_flip = &PinWriter::write;
@@ -105,9 +82,12 @@ struct PreparedGroup {
     for (const ChainInput& input : inputs) {
       ChainKernelInput::Lane& lane = kernel.lane[bursts.size()];
       bursts.push_back(bursts_of(*input.drive, design.sample_rate));
-      lane = {bursts.back().data(), bursts.back().size(), input.carrier_phase, input.noise_seed};
+      lane = {bursts.back().data(), bursts.back().size(), input.carrier_phase, input.noise_seed,
+              input.unit != nullptr ? input.unit : &design.module};
       kernel.samples = std::max(kernel.samples, samples_of(*input.drive, design.sample_rate));
+      disturbances.add_lane(design.disturbances, input.disturbances, design.sample_rate);
     }
+    disturbances.show_to(kernel);
   }
 };
 
@@ -122,13 +102,25 @@ Kernel best_kernel() {
   return run_lanes_baseline;
 }
 
+Kernel kernel_for(InstructionSet set) {
+  static const Kernel best = best_kernel();
+  return set == InstructionSet::best ? best : run_lanes_baseline;
+}
+
+std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {
+  std::vector<dsp::Seconds> ends;
+  for (const ChainInput& input : inputs) ends.push_back(input.drive->end());
+  return ends;
+}
+
 }  // namespace
 
 ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
                          dsp::Hertz sample_rate) {
   assert(sample_rate > 2.0 * light.carrier && light.duty > 0 && light.duty < 1);
   const dsp::Amperes dark = photocurrent(module, light.ambient);
-  const dsp::Amperes lit = dark + photocurrent(module, light.signal * light.duty);
+  const dsp::Amperes lit =
+      photocurrent(module, noisy_light(module, light.ambient, light.signal * light.duty));
   const auto deviation = [&](dsp::Amperes mean) {
     const double density = noise_density(module, mean);
     return static_cast<float>(
@@ -136,20 +128,26 @@ ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
                  light.noise_scale * sample_deviation_mw_per_m2(module, density, sample_rate)));
   };
   return {.sample_rate = sample_rate,
-          .carrier = design_carrier(light, sample_rate),
+          .carrier = design_carrier(light.signal, light.carrier, light.duty, sample_rate),
           .module = design_module(module, light.ambient, sample_rate),
           .noise_dark = deviation(dark),
           .noise_lit = deviation(lit)};
+}
+
+ModuleDesign design_unit(const ModuleData& unit, dsp::WattsPerSquareMetre ambient,
+                         const ChainDesign& chain) {
+  ModuleDesign design = design_module(unit, ambient, chain.sample_rate);
+  design.agc.samples_per_tick = chain.module.agc.samples_per_tick;  // one for all lanes
+  return design;
 }
 
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop, InstructionSet set) {
   assert(inputs.size() <= lanes_per_group);
-  static const Kernel best = best_kernel();
   PinWriter pins(inputs, design.sample_rate, stop);
   const PreparedGroup group(design, inputs, pins);
-  (set == InstructionSet::best ? best : run_lanes_baseline)(group.kernel);
+  kernel_for(set)(group.kernel);
   return pins.take();
 }
 
@@ -164,6 +162,34 @@ dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& inp
     run_chain<float>(group.kernel, NoProbe{});
   }
   return pins.take().front();
+}
+
+std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign& receiver,
+                                    std::span<const ChainInput> inputs,
+                                    std::span<const BitSlots> slots, const std::atomic<bool>* stop,
+                                    InstructionSet set) {
+  assert(inputs.size() <= lanes_per_group && slots.size() == inputs.size());
+  PinWriter unused(inputs, design.sample_rate, stop);
+  SlotWriter pins(receiver, slots, design.sample_rate, stop);
+  PreparedGroup group(design, inputs, unused);
+  pins.attach_to(group.kernel);
+  kernel_for(set)(group.kernel);
+  return pins.take(ends_of(inputs));
+}
+
+dsp::LogicTrace detect_alone(const ChainDesign& design, const IdealDesign& receiver,
+                             const ChainInput& input, const BitSlots& slots, Recording* recording) {
+  const std::span<const ChainInput> inputs(&input, 1);
+  PinWriter unused(inputs, design.sample_rate, nullptr);
+  SlotWriter pins(receiver, {&slots, 1}, design.sample_rate, nullptr);
+  PreparedGroup group(design, inputs, unused);
+  pins.attach_to(group.kernel);
+  if (recording != nullptr) {
+    run_correlator<float>(group.kernel, Recorder{recording});
+  } else {
+    run_correlator<float>(group.kernel, NoProbe{});
+  }
+  return pins.take(ends_of(inputs)).front();
 }
 
 }  // namespace channel

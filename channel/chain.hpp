@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "channel/disturbance.hpp"
+#include "channel/ideal_receiver.hpp"
 #include "channel/keyed_carrier.hpp"
 #include "channel/receiver_module.hpp"
 #include "dsp/logic_trace.hpp"
@@ -21,12 +23,13 @@ struct ChainDesign {
   ModuleDesign module;
   float noise_dark = 0;  // standard deviation of a sample, mW/m2
   float noise_lit = 0;   // the same while the carrier is on
+  std::vector<Disturbance> disturbances{};
 };
 
 /// What the light of one operating point is made of.
 struct LightSettings {
   dsp::WattsPerSquareMetre signal;   // effective, peak of the on/off wave
-  dsp::WattsPerSquareMetre ambient;  // effective, constant
+  dsp::WattsPerSquareMetre ambient;  // effective, constant; means of disturbances included
   dsp::Hertz carrier;                // its true frequency
   double duty = 0.5;
   double noise_scale = 1;
@@ -36,11 +39,17 @@ struct LightSettings {
 ChainDesign design_chain(const ModuleData& module, const LightSettings& light,
                          dsp::Hertz sample_rate);
 
+/// A unit of the module that differs from the others, for ChainInput::unit in trials of a chain.
+ModuleDesign design_unit(const ModuleData& unit, dsp::WattsPerSquareMetre ambient,
+                         const ChainDesign& chain);
+
 /// One trial: the wire that drives the LED, observed to its end, and the trial's random state.
 struct ChainInput {
   const dsp::LogicTrace* drive;
   std::uint32_t carrier_phase;  // at time 0, in 2^-32 cycles
   std::array<std::uint32_t, 4> noise_seed;
+  const ModuleDesign* unit = nullptr;  // a module of the trial's own instead of the design's
+  std::vector<DisturbanceInput> disturbances{};  // one for each of the design's
 };
 
 constexpr int lanes_per_group = 8;
@@ -64,5 +73,18 @@ struct Recording {
 /// The pin of one trial, computed alone; the same bits as in a group. Fills `recording` if given.
 dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
                                 Recording* recording = nullptr);
+
+/// The same light and noise heard by a matched receiver instead of the module, which is told each
+/// trial's bits' slots.
+std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign& receiver,
+                                    std::span<const ChainInput> inputs,
+                                    std::span<const BitSlots> slots,
+                                    const std::atomic<bool>* stop = nullptr,
+                                    InstructionSet set = InstructionSet::best);
+
+/// One trial of that alone; of `recording` only the irradiance has numbers, the rest is NaN.
+dsp::LogicTrace detect_alone(const ChainDesign& design, const IdealDesign& receiver,
+                             const ChainInput& input, const BitSlots& slots,
+                             Recording* recording = nullptr);
 
 }  // namespace channel

@@ -6,6 +6,11 @@
 
 namespace channel {
 
-void COSYS_KERNEL(const ChainKernelInput& input) { run_chain<dsp::Lanes8>(input, NoProbe{}); }
+void COSYS_KERNEL(const ChainKernelInput& input) {
+  if (input.on_slot != nullptr)
+    run_correlator<dsp::Lanes8>(input, NoProbe{});
+  else
+    run_chain<dsp::Lanes8>(input, NoProbe{});
+}
 
 }  // namespace channel

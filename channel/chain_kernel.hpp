@@ -10,7 +10,11 @@ namespace channel {
 
 struct Burst;
 struct CarrierDesign;
-struct ModuleDesign;
+struct SlotSamples;
+struct SlotSums;
+struct ToneDesign;
+template <class T>
+struct ModuleDesignOf;
 
 struct ChainKernelInput {
   struct Lane {
@@ -18,14 +22,38 @@ struct ChainKernelInput {
     std::size_t n_bursts = 0;
     std::uint32_t carrier_phase = 0;
     std::array<std::uint32_t, 4> noise_seed{};
+    const ModuleDesignOf<float>* module = nullptr;
+    const SlotSamples* slots = nullptr;  // for on_slot
+    std::size_t n_slots = 0;
   };
   Lane lane[8];
   const CarrierDesign* carrier = nullptr;
-  const ModuleDesign* module = nullptr;
   float noise_dark = 0, noise_lit = 0;
+  /// Light of others; phases at time 0, in 2^-32 cycles.
+  struct Tone {
+    const ToneDesign* design = nullptr;
+    std::uint32_t phase[8] = {};
+  };
+  struct Table {
+    const float* samples = nullptr;
+    std::uint32_t period = 0;
+    std::uint32_t phase[8] = {};
+  };
+  struct Carrier {
+    const CarrierDesign* design = nullptr;
+    const Burst* bursts[8] = {};
+    std::size_t n_bursts[8] = {};
+    std::uint32_t phase[8] = {};
+  };
+  const Tone* tones = nullptr;
+  const Table* tables = nullptr;
+  const Carrier* carriers = nullptr;
+  std::size_t n_tones = 0, n_tables = 0, n_carriers = 0;
   std::int64_t samples = 0;  // of the longest lane
   /// Called when pins change: at which sample's end, and which lanes (bit i = lane i).
   void (*on_flip)(void* context, std::int64_t sample, std::uint32_t lanes) = nullptr;
+  /// If set, no module runs: called at the end of each slot of a lane with its correlation.
+  void (*on_slot)(void* context, int lane, const SlotSums& sums) = nullptr;
   /// Whether to give up, asked once a block.
   bool (*stopped)(void* context) = nullptr;
   void* context = nullptr;

@@ -4,8 +4,11 @@
 // registers; that of all in one does not (tests/bench). Only the kernels include it.
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "channel/chain_kernel.hpp"
+#include "channel/correlator.hpp"
+#include "channel/interference.hpp"
 #include "channel/keyed_carrier.hpp"
 #include "channel/receiver_module.hpp"
 #include "dsp/lanes.hpp"
@@ -21,6 +24,7 @@ struct NoProbe {
 
 /// Samples made at a time: few enough to stay in the first-level cache.
 constexpr int block = 256;
+static_assert(block <= longest_interference_block);
 
 /// Turns white noise into irradiance: noise of the lit or the dark strength, and the light.
 template <class T>
@@ -41,22 +45,87 @@ void add_light(KeyedCarrier<T>& carrier, T dark, T lit, std::int64_t first, T* x
   }
 }
 
+/// The light of others. Costs nothing where there is none.
+template <class T>
+class Interference {
+ public:
+  explicit Interference(const ChainKernelInput& in) {
+    for (std::size_t i = 0; i < in.n_tones; ++i) load(in.tones[i]);
+    for (std::size_t i = 0; i < in.n_tables; ++i) load(in.tables[i]);
+    for (std::size_t i = 0; i < in.n_carriers; ++i) load(in.carriers[i]);
+  }
+
+  /// Adds the samples [first, first + n).
+  void add(std::int64_t first, T* x, int n) {
+    for (Tone<T>& tone : tones_) tone.add(x, n);
+    for (PeriodicTable<T>& table : tables_) table.add(x, n);
+    for (KeyedCarrier<T>& carrier : carriers_) add_light(carrier, T(1.0f), T(1.0f), first, x, n);
+  }
+
+ private:
+  void load(const ChainKernelInput::Tone& in) {
+    Tone<T>& tone = tones_.emplace_back(*in.design);
+    for (int i = 0; i < dsp::lanes<T>; ++i) tone.load(i, in.phase[i]);
+  }
+  void load(const ChainKernelInput::Table& in) {
+    PeriodicTable<T>& table = tables_.emplace_back(in.samples, in.period);
+    for (int i = 0; i < dsp::lanes<T>; ++i) table.load(i, in.phase[i]);
+  }
+  void load(const ChainKernelInput::Carrier& in) {
+    KeyedCarrier<T>& carrier = carriers_.emplace_back(*in.design);
+    for (int i = 0; i < dsp::lanes<T>; ++i)
+      carrier.load(i, {in.bursts[i], in.n_bursts[i]}, in.phase[i]);
+  }
+
+  std::vector<Tone<T>> tones_;
+  std::vector<PeriodicTable<T>> tables_;
+  std::vector<KeyedCarrier<T>> carriers_;
+};
+
+/// The modules of the lanes, which need not be alike.
+template <class T>
+ReceiverModule<T> modules_of(const ChainKernelInput& in) {
+  ModuleDesignOf<T> units;
+  for (int i = 0; i < dsp::lanes<T>; ++i) set_lane(units, i, *in.lane[i].module);
+  return ReceiverModule<T>(units);
+}
+
+/// Noise, light and the light of others, which are the same for any receiver.
+template <class T>
+class Irradiance {
+ public:
+  explicit Irradiance(const ChainKernelInput& in)
+      : dark_(in.noise_dark), lit_(in.noise_lit), carrier_(*in.carrier), others_(in) {
+    for (int i = 0; i < dsp::lanes<T>; ++i) {
+      carrier_.load(i, {in.lane[i].bursts, in.lane[i].n_bursts}, in.lane[i].carrier_phase);
+      noise_.seed(i, in.lane[i].noise_seed);
+    }
+  }
+
+  /// The block that begins at sample `first`; to be called for each in turn.
+  void fill(std::int64_t first, T* x, int length) {
+    noise_.fill(x, block);
+    add_light(carrier_, dark_, lit_, first, x, length);
+    others_.add(first, x, length);
+  }
+
+ private:
+  T dark_, lit_;
+  KeyedCarrier<T> carrier_;
+  Interference<T> others_;
+  dsp::NormalSource<T> noise_;
+};
+
 template <class T, class Probe>
 void run_chain(const ChainKernelInput& in, Probe probe) {
-  KeyedCarrier<T> carrier(*in.carrier);
-  dsp::NormalSource<T> noise;
-  ReceiverModule<T> module(*in.module);
-  for (int i = 0; i < dsp::lanes<T>; ++i) {
-    carrier.load(i, {in.lane[i].bursts, in.lane[i].n_bursts}, in.lane[i].carrier_phase);
-    noise.seed(i, in.lane[i].noise_seed);
-  }
+  Irradiance<T> irradiance(in);
+  ReceiverModule<T> module = modules_of<T>(in);
   T x[block];
   std::uint8_t pins[block];  // bit i: lane i
   auto before = static_cast<std::uint8_t>(dsp::bits(dsp::Mask<T>(true)));
   for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
     const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
-    noise.fill(x, block);
-    add_light(carrier, T(in.noise_dark), T(in.noise_lit), first, x, length);
+    irradiance.fill(first, x, length);
     for (int i = 0; i < length; ++i) {
       pins[i] = static_cast<std::uint8_t>(dsp::bits(module(x[i])));
       probe(x[i], module.taps());
@@ -66,6 +135,26 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
       if (flips != 0) in.on_flip(in.context, first + i + 1, flips);
       before = pins[i];
     }
+  }
+}
+
+/// The same light to matched receivers (channel/ideal_receiver.hpp), which have none of a module's
+/// stages: their taps are NaN.
+template <class T, class Probe>
+void run_correlator(const ChainKernelInput& in, Probe probe) {
+  Irradiance<T> irradiance(in);
+  Correlator<T> correlator(in.carrier->step);
+  for (int i = 0; i < dsp::lanes<T>; ++i)
+    correlator.load(i, {in.lane[i].slots, in.lane[i].n_slots},
+                    fundamental_phase(*in.carrier, in.lane[i].carrier_phase));
+  const T none(__builtin_nanf(""));
+  T x[block];
+  for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
+    const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
+    irradiance.fill(first, x, length);
+    correlator(first, x, length,
+               [&](int lane, const SlotSums& sums) { in.on_slot(in.context, lane, sums); });
+    for (int i = 0; i < length; ++i) probe(x[i], ModuleTaps<T>{none, none, none, none});
   }
 }
 

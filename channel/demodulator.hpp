@@ -11,8 +11,7 @@ namespace channel {
 template <class T>
 class PeakFollower {
  public:
-  PeakFollower(float fraction, float decay_per_sample)
-      : fraction_(fraction), decay_(decay_per_sample) {}
+  PeakFollower(T fraction, T decay_per_sample) : fraction_(fraction), decay_(decay_per_sample) {}
 
   T operator()(T u) {
     peak_ = dsp::larger(u, peak_ * decay_);
@@ -28,7 +27,7 @@ class PeakFollower {
 template <class T>
 class PulseHold {
  public:
-  explicit PulseHold(float samples) : samples_(samples) {}
+  explicit PulseHold(T samples) : samples_(samples) {}
 
   /// The share of this sample that the level lasts, 0 to 1: a hold need not be whole samples.
   T operator()(dsp::Mask<T> pulse) {
@@ -45,7 +44,7 @@ class PulseHold {
 template <class T>
 class PulseIntegrator {
  public:
-  explicit PulseIntegrator(float samples) : top_(samples) {}
+  explicit PulseIntegrator(T samples) : top_(samples) {}
 
   /// `light`: the lit share of the sample. True while the output reports light.
   dsp::Mask<T> operator()(T light) {

@@ -35,9 +35,9 @@ double roughness_factor(double roughness_um, dsp::Radians grazing, dsp::Metres w
 }
 
 double mirrored_share(const Floor& floor, double sin_grazing, dsp::Metres wavelength) {
-  if (floor.refractive_index == 1) return 0;
-  return fresnel(floor.refractive_index, sin_grazing) *
-         ament(floor.roughness_um, sin_grazing, wavelength);
+  const double surface = fresnel(floor.refractive_index, sin_grazing);
+  const double both = surface + (1 - surface) * floor.metal_reflectance;
+  return both * ament(floor.roughness_um, sin_grazing, wavelength);
 }
 
 double diffuse_brdf(const Floor& floor, double sin_in, double sin_out, dsp::Metres wavelength) {

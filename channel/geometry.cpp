@@ -39,11 +39,58 @@ dsp::Radians angle_between(const Point& axis, const Point& ray, double length) {
   return dsp::Radians(std::acos(std::clamp(axis.dot(ray) / length, -1.0, 1.0)));
 }
 
+struct Interval {
+  double begin, end;
+};
+
+struct Bump {  // across the line between the feet, at right angles to it
+  Foot place = Foot::Zero();
+  Foot ahead = Foot::Zero();  // unit vector from the LED's foot to the receiver's
+  double height = 0;          // 0: none
+  double behind = 0;          // how far its shadow of the LED reaches along `ahead`
+  double before = 0;          // how far back the floor is hidden from the receiver
+
+  /// Whether the ray meets it. A mirror image is as far below the floor as its object is above.
+  bool hides(const Point& from, const Point& to) const {
+    if (height <= 0) return false;
+    const double t_from = ahead.dot(from.head<2>() - place);
+    const double t_to = ahead.dot(to.head<2>() - place);
+    if ((t_from < 0) == (t_to < 0)) return false;
+    return std::abs(std::lerp(from.z(), to.z(), t_from / (t_from - t_to))) <= height;
+  }
+
+  /// The part of a line over the floor, from 0 to `reach`, that LED or receiver does not see.
+  Interval shadow(const Foot& start, const Foot& direction, double reach) const {
+    if (height <= 0) return {reach, reach};
+    const double t = ahead.dot(start - place), slope = ahead.dot(direction);
+    const auto [begin, end] = std::minmax({(-before - t) / slope, (behind - t) / slope});
+    return {std::clamp(begin, 0.0, reach), std::clamp(end, 0.0, reach)};
+  }
+};
+
+double shadow_length(double bump, double eye, double distance) {
+  return eye > bump ? bump * distance / (eye - bump) : std::numeric_limits<double>::infinity();
+}
+
+/// A receiver right above or below the LED has no bump between the two.
+Bump bump_of(const Floor& floor, const Placed& led, const Placed& receiver) {
+  const Foot gap = receiver.foot() - led.foot();
+  const double distance = gap.norm(), height = floor.bump_height_mm * 1e-3;
+  if (distance == 0 || height <= 0) return {};
+  const double share = floor.bump_position;
+  return {.place = led.foot() + share * gap,
+          .ahead = gap / distance,
+          .height = height,
+          .behind = shadow_length(height, led.height(), share * distance),
+          .before = shadow_length(height, receiver.height(), (1 - share) * distance)};
+}
+
 struct Link {
   const EmitterData& emitter;
   const Directivity& directivity;
   Placed led, receiver;
   dsp::Metres wavelength;
+  Bump bump;
 
   double emitted(const Placed& from, const Point& ray, double length) const {
     return relative_intensity(emitter, angle_between(from.axis, ray, length));
@@ -58,6 +105,7 @@ double ray_gain(const Link& link, const Placed& from) {
   const Point ray = link.receiver.position - from.position;
   const double length = ray.norm();
   assert(length > 0);
+  if (link.bump.hides(from.position, link.receiver.position)) return 0;
   return link.emitted(from, ray, length) * link.accepted(ray, length) / (length * length);
 }
 
@@ -80,21 +128,22 @@ struct Sector {  // the half of the floor on one foot's side of the bisector bet
   double split;  // distance of the bisector; infinite: the whole floor
   double scale;
   double reach;
+  Bump bump = {};
 };
 
 template <class Density>
-double integrate_ray(const Foot& foot, const Foot& direction, double scale, double reach,
+double integrate_ray(const Foot& foot, const Foot& direction, double scale, const Interval& radii,
                      const Density& density) {
-  if (reach <= 0) return 0;
-  const double end = std::asinh(reach / scale);
-  const double steps = std::ceil(end / radial_step);
-  const double du = end / steps;
+  if (radii.end <= radii.begin) return 0;
+  const double begin = std::asinh(radii.begin / scale), end = std::asinh(radii.end / scale);
+  const double steps = std::ceil((end - begin) / radial_step);
+  const double du = (end - begin) / steps;
   double sum = 0;
   for (double k = 0; k < steps; ++k) {
-    const double r = scale * std::sinh((k + 0.5) * du);
+    const double r = scale * std::sinh(begin + (k + 0.5) * du);
     // The midpoint rule overrates the kink at the foot by a twelfth of the first step (Euler and
     // Maclaurin's first term), which matters where a narrow beam falls on it.
-    const double weight = k == 0 ? 11.0 / 12.0 : 1.0;
+    const double weight = k == 0 && begin == 0 ? 11.0 / 12.0 : 1.0;
     sum += weight * density(Foot(foot + r * direction)) * r * std::hypot(r, scale);
   }
   return sum * du;
@@ -112,7 +161,9 @@ double integrate(const Sector& sector, const Density& density) {
     const Foot direction = std::cos(phi) * sector.towards + std::sin(phi) * across;
     const double ahead = std::cos(phi);
     const double reach = ahead > 0 ? std::min(sector.reach, sector.split / ahead) : sector.reach;
-    sum += integrate_ray(sector.foot, direction, sector.scale, reach, density);
+    const Interval dark = sector.bump.shadow(sector.foot, direction, reach);
+    for (const Interval& lit : {Interval{0, dark.begin}, Interval{dark.end, reach}})
+      sum += integrate_ray(sector.foot, direction, sector.scale, lit, density);
   }
   return sum * 2 * pi / rays;
 }
@@ -143,8 +194,9 @@ double diffuse_gain(const Link& link, const Floor& floor) {
   // Far out the density falls as r^-6: beyond this reach less than 1e-4 of it is left.
   const double reach = 30 * (distance + link.led.height() + link.receiver.height());
   const auto density = [&](const Foot& at) { return scattered(link, floor, at); };
-  return integrate({link.led.foot(), towards, distance / 2, lower, reach}, density) +
-         integrate({link.receiver.foot(), -towards, distance / 2, lower, reach}, density);
+  return integrate({link.led.foot(), towards, distance / 2, lower, reach, link.bump}, density) +
+         integrate({link.receiver.foot(), -towards, distance / 2, lower, reach, link.bump},
+                   density);
 }
 
 }  // namespace
@@ -167,10 +219,11 @@ double Directivity::operator()(dsp::Radians off_axis) const {
 
 ReceivedLight received_light(const EmitterData& emitter, dsp::WattsPerSteradian axial,
                              const Pose& led, const Directivity& directivity, const Pose& receiver,
-                             const Floor& floor) {
+                             const Floor& floor, double led_celsius) {
   assert(led.z >= 0 && receiver.z >= 0);
-  const Link link{emitter, directivity, placed(led), placed(receiver),
-                  dsp::Metres(emitter.wavelength_nm * 1e-9)};
+  const Placed from = placed(led), to = placed(receiver);
+  const Link link{
+      emitter, directivity, from, to, wavelength(emitter, led_celsius), bump_of(floor, from, to)};
   const auto irradiance = [&](double gain) { return dsp::WattsPerSquareMetre(axial.value * gain); };
   return {.direct = irradiance(ray_gain(link, link.led)),
           .specular = irradiance(specular_gain(link, floor)),

@@ -35,11 +35,13 @@ struct ReceivedLight {
 };
 
 /// Light of an LED of axial intensity `axial` at the receiver. Paths add incoherently: the path
-/// difference exceeds the coherence length of a 30 nm wide LED (29 um) up to about 7 m.
-/// LED and receiver must not be below the floor nor at the same point.
+/// difference exceeds the coherence length of a 30 nm wide LED (29 um) up to about 7 m. Rays that
+/// meet the floor's bump, at its top too, are lost on each path.
+/// LED and receiver must not be below the floor nor at the same point. The LED's temperature only
+/// decides the wavelength here: `axial` is taken as it is.
 ReceivedLight received_light(const EmitterData& emitter, dsp::WattsPerSteradian axial,
                              const Pose& led, const Directivity& directivity, const Pose& receiver,
-                             const Floor& floor);
+                             const Floor& floor, double led_celsius = emitter_reference_celsius);
 
 /// Light of the LED that meets the floor, in watts, by the same patches as the diffuse part. The
 /// LED must be above the floor.

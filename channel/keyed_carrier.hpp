@@ -28,6 +28,12 @@ struct CarrierDesign {
       amplitude;  // peak irradiance over `cycles`, made up for the droop of the mean over a sample
 };
 
+/// Phase of the carrier's fundamental, a cosine, at the centre of a sample at whose start the
+/// carrier has `phase`: the lit part begins a cycle. All in 2^-32 cycles.
+inline std::uint32_t fundamental_phase(const CarrierDesign& d, std::uint32_t phase) {
+  return phase + d.step / 2 - static_cast<std::uint32_t>(d.duty * 0x1p31f);
+}
+
 template <class T>
 class KeyedCarrier {
  public:

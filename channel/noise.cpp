@@ -19,6 +19,11 @@ dsp::Amperes photocurrent(const ModuleData& data, dsp::WattsPerSquareMetre irrad
   return dsp::Amperes(irradiance.value * 1e3 * amperes_per_mw_per_m2(data));
 }
 
+dsp::WattsPerSquareMetre noisy_light(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
+                                     dsp::WattsPerSquareMetre signal) {
+  return is_matched(data) ? ambient : ambient + signal;
+}
+
 double noise_density(const ModuleData& data, dsp::Amperes mean) {
   return 2 * elementary_charge * mean.value +
          4 * boltzmann * data.temperature_k / data.feedback_ohm;

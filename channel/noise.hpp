@@ -9,6 +9,12 @@ namespace channel {
 /// Photocurrent of an irradiance: responsivity times effective aperture times irradiance.
 dsp::Amperes photocurrent(const ModuleData& data, dsp::WattsPerSquareMetre irradiance);
 
+/// Mean irradiance whose shot noise counts while the carrier is on: all of it; for a matched
+/// receiver the ambient light alone, since the closed forms want noise that does not depend on the
+/// bit.
+dsp::WattsPerSquareMetre noisy_light(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
+                                     dsp::WattsPerSquareMetre signal);
+
 /// One-sided density of the noise current at a mean photocurrent, A^2/Hz.
 double noise_density(const ModuleData& data, dsp::Amperes mean);
 

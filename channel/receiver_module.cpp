@@ -28,7 +28,8 @@ constexpr double fundamental = 2.0 / pi;
 
 /// Output and integral of u' = (w0/Q)(x - u) - w0 v, v' = w0 u a time t later, x being constant:
 /// exp(At) and A^-1 (exp(At) - 1) B.
-std::pair<BandPassStep, BandPassStep> step_of(dsp::Hertz centre, double q, double t, double droop) {
+std::pair<BandPassStep<float>, BandPassStep<float>> step_of(dsp::Hertz centre, double q, double t,
+                                                            double droop) {
   const double w0 = 2 * pi * centre.value;
   const double decay = w0 / (2 * q);
   const double wd = w0 * std::sqrt(1 - 1 / (4 * q * q));
@@ -50,8 +51,13 @@ SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
   const double attack = data.agc_attack_db_per_ms * 1e3 / sample_rate.value;
   const double duty = std::min(data.agc_max_duty, 0.999);
   const double release = attack * duty / (1.0 - duty);
-  return {.long_burst = static_cast<float>(data.agc_long_burst_cycles * cycle),
+  const double ms = sample_rate.value * 1e-3;
+  const double long_burst =
+      data.agc_long_burst_ms > 0 ? data.agc_long_burst_ms * ms : data.agc_long_burst_cycles * cycle;
+  return {.long_burst = static_cast<float>(long_burst),
           .min_gap = static_cast<float>(data.agc_min_gap_cycles * cycle),
+          .free = static_cast<float>(std::min(data.agc_free_cycles * cycle, long_burst)),
+          .hold = static_cast<float>(data.agc_hold_ms * ms),
           .attack = static_cast<float>(attack),
           .release = static_cast<float>(release),
           .range = static_cast<float>(data.agc_range_db),

@@ -16,13 +16,19 @@ namespace channel {
 
 struct ModuleData {
   std::string name;
+  /// "module", or a matched receiver (channel/ideal_receiver.hpp) of which only front end and
+  /// directivity of the rest count: "coherent", "noncoherent".
+  std::string detector = "module";
+  double detector_threshold = 0;  // of a matched receiver: share of the lit amplitude; 0: optimum
   // Band-pass.
   double centre_hz = 56e3;
+  double centre_tolerance = 0.05;  // of a unit's centre, as a share of it
   double q = 10;
   // Sensitivity. Emin: peak irradiance of a 30-cycle burst at f0 at which the output pulse is
   // emin_width_cycles longer than the burst (a negative number: shorter).
   double emin_mw_per_m2 = 0.12;
   double emin_width_cycles = -5;
+  double emin_max_mw_per_m2 = 0.25;  // of the least sensitive unit
   double emax_w_per_m2 = 50;
   // Demodulator.
   double comparator_hold_cycles = 1.25;
@@ -33,33 +39,67 @@ struct ModuleData {
   double agc_attack_db_per_ms = 0.3;
   double agc_max_duty = 0.305;
   double agc_long_burst_cycles = 80;
+  double agc_long_burst_ms = 0;  // where the sheet has the limit in ms; else 0
+  double agc_free_cycles = 0;
   double agc_min_gap_cycles = 29;
+  double agc_hold_ms = 0;
   double agc_margin_db = 3;
   double agc_range_db = 120;
   // Front end and noise.
   double aperture_mm2 = 6.7;
   double responsivity_a_per_w = 0.65;
   double feedback_ohm = 1e6;
-  double temperature_k = 300;
+  double temperature_k = 298.15;  // of the surroundings (channel/conditions)
   double front_end_hz = 150e3;
   // Threshold in ambient light: Emin^2 grows by k*E*(1 + E/Es), E in W/m2, Emin in mW/m2.
   double ambient_k = 0.047;
   double ambient_es_w_per_m2 = 18;
   // Response off axis, as relative distance against degrees; empty: cos^1.
   Curve directivity;
+  // Response against the wavelength in nm, in any unit; empty: the same at all.
+  Curve spectral;
+  // Emin in mW/m2 against degrees Celsius, supply in V and its ripple at f0 in mV rms; empty: the
+  // sheet does not say.
+  Curve emin_against_temperature, emin_against_supply, emin_against_ripple;
 };
 
+inline bool is_matched(const ModuleData& data) { return data.detector != "module"; }
+
 /// Units inside: irradiance in mW/m2 as the peak of an on/off waveform of 50 % duty at the input,
-/// amplitude in mW/m2 behind the band-pass; times in samples.
-struct ModuleDesign {
-  float front_end;  // share of the way to its input that the front end goes in a sample
-  BandPassDesign band_pass;
-  float limit;      // irradiance at which the input clips
-  float threshold;  // amplitude of the fixed comparator, slow AGC at rest
-  float atc_fraction, atc_decay;
-  float hold, integrator;
-  SlowAgcDesign agc;
+/// amplitude in mW/m2 behind the band-pass; times in samples. Of one unit (T = float), or of eight
+/// that need not be alike.
+template <class T>
+struct ModuleDesignOf {
+  T front_end;  // share of the way to its input that the front end goes in a sample
+  BandPassDesignOf<T> band_pass;
+  T limit;      // irradiance at which the input clips
+  T threshold;  // amplitude of the fixed comparator, slow AGC at rest
+  T atc_fraction, atc_decay;
+  T hold, integrator;
+  SlowAgcDesignOf<T> agc;
 };
+using ModuleDesign = ModuleDesignOf<float>;
+
+template <class T>
+void set_lane(ModuleDesignOf<T>& all, int lane, const ModuleDesign& one) {
+  dsp::set_lane(all.front_end, lane, one.front_end);
+  set_lane(all.band_pass, lane, one.band_pass);
+  dsp::set_lane(all.limit, lane, one.limit);
+  dsp::set_lane(all.threshold, lane, one.threshold);
+  dsp::set_lane(all.atc_fraction, lane, one.atc_fraction);
+  dsp::set_lane(all.atc_decay, lane, one.atc_decay);
+  dsp::set_lane(all.hold, lane, one.hold);
+  dsp::set_lane(all.integrator, lane, one.integrator);
+  set_lane(all.agc, lane, one.agc);
+}
+
+/// The same unit in every lane.
+template <class T>
+ModuleDesignOf<T> in_all_lanes(const ModuleDesign& one) {
+  ModuleDesignOf<T> all;
+  for (int i = 0; i < dsp::lanes<T>; ++i) set_lane(all, i, one);
+  return all;
+}
 
 /// Emin in ambient light: sqrt(Emin^2 + k E (1 + E / Es)), mW/m2. Vishay 82459 Fig. 6 within 6 %
 /// rms.
@@ -80,7 +120,7 @@ struct ModuleTaps {
 template <class T>
 class ReceiverModule {
  public:
-  explicit ReceiverModule(const ModuleDesign& d)
+  explicit ReceiverModule(const ModuleDesignOf<T>& d)
       : front_end_(d.front_end),
         limit_(d.limit),
         threshold_(d.threshold),

@@ -8,7 +8,9 @@
 // whole: its time up to there is charged at once, the rest as it goes. So the duty that a train of
 // long bursts can keep for ever is release / (attack + release), whatever the burst length, and
 // trains of short bursts with long enough gaps are never charged: the two plateaus and the drop of
-// Vishay 82459 Fig. 8.
+// Vishay 82459 Fig. 8. A part may spare the first cycles of a long burst (82491 Fig. 8, AGC4). A
+// part that asks for one gap, however long the burst (AGC5, AGC6: Vishay
+// 81762, 82836 Fig. 8), holds its gain for so long before it lets it down.
 //
 // The gain moves once a tick, but activity is measured in shares of samples: when a burst begins
 // and ends on the grid of ticks must not change what it is charged.
@@ -17,25 +19,38 @@
 
 namespace channel {
 
-struct SlowAgcDesign {
-  float long_burst, min_gap;  // samples
-  float attack, release;      // dB a sample
-  float range;                // dB
-  float margin;               // activity is seen down to this fraction of the threshold
-  int samples_per_tick;       // at most one carrier cycle of f0
+template <class T>
+struct SlowAgcDesignOf {
+  T long_burst, min_gap;  // samples
+  T free;                 // samples of a long burst that are not charged
+  T hold;                 // dark samples before the gain comes back
+  T attack, release;      // dB a sample
+  T range;                // dB
+  T margin;               // activity is seen down to this fraction of the threshold
+  int samples_per_tick;   // about a carrier cycle of f0, the same in all lanes
 };
+using SlowAgcDesign = SlowAgcDesignOf<float>;
+
+template <class T>
+void set_lane(SlowAgcDesignOf<T>& all, int lane, const SlowAgcDesign& one) {
+  dsp::set_lane(all.long_burst, lane, one.long_burst);
+  dsp::set_lane(all.min_gap, lane, one.min_gap);
+  dsp::set_lane(all.free, lane, one.free);
+  dsp::set_lane(all.hold, lane, one.hold);
+  dsp::set_lane(all.attack, lane, one.attack);
+  dsp::set_lane(all.release, lane, one.release);
+  dsp::set_lane(all.range, lane, one.range);
+  dsp::set_lane(all.margin, lane, one.margin);
+  all.samples_per_tick = one.samples_per_tick;
+}
 
 template <class T>
 class SlowAgc {
  public:
-  explicit SlowAgc(const SlowAgcDesign& d)
-      : long_burst_(d.long_burst),
-        longest_(d.long_burst + 2.0f * static_cast<float>(d.samples_per_tick)),
-        min_gap_(d.min_gap),
-        attack_(d.attack),
-        release_(d.release),
-        range_(d.range),
-        tick_(static_cast<float>(d.samples_per_tick)) {}
+  explicit SlowAgc(const SlowAgcDesignOf<T>& d)
+      : d_(d),
+        tick_(static_cast<float>(d.samples_per_tick)),
+        longest_(d.long_burst + tick_ + tick_) {}
 
   /// One tick, of which `active` samples saw activity; returns the factor on the threshold, 1 or
   /// more.
@@ -44,20 +59,23 @@ class SlowAgc {
     const T idle = tick_ - active;
     const T gap = quiet_ + idle;
     quiet_ = dsp::choose(active > zero, idle, gap);
-    const T before = dsp::choose(gap > min_gap_, zero, burst_);
+    const T before = dsp::choose(gap > d_.min_gap, zero, burst_);
     const T burst = before + active;
-    const T charged =
-        dsp::choose(burst > long_burst_, dsp::choose(before > long_burst_, active, burst), zero);
+    const T charged = dsp::choose(
+        burst > d_.long_burst, dsp::choose(before > d_.long_burst, active, burst - d_.free), zero);
     burst_ = dsp::smaller(burst, longest_);
-    const T risen = dsp::fused(attack_, charged, decibels_);
-    decibels_ = dsp::smaller(dsp::larger(dsp::fused(-release_, idle, risen), zero), range_);
+    const T recovered = dsp::smaller(dsp::larger(gap - d_.hold, zero), idle);
+    const T risen = dsp::fused(d_.attack, charged, decibels_);
+    decibels_ =
+        dsp::smaller(dsp::larger(dsp::fused(-d_.release, recovered, risen), zero), d_.range);
     return dsp::power_of_two(decibels_ * T(log2_of_one_decibel));
   }
 
  private:
   static constexpr float log2_of_one_decibel = 0.16609640474436813f;  // log2(10) / 20
 
-  T long_burst_, longest_, min_gap_, attack_, release_, range_, tick_;
+  SlowAgcDesignOf<T> d_;
+  T tick_, longest_;      // samples
   T burst_ = T(0.0f);     // samples of activity since the last gap
   T quiet_ = T(0.0f);     // samples without, since the last activity
   T decibels_ = T(0.0f);  // by which the threshold is raised

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "sim/disturbance_keys.hpp"
 #include "sim/entries.hpp"
 #include "sim/keys.hpp"
 
@@ -25,10 +26,41 @@ std::string curve_text(const std::string& name, const channel::Curve& curve) {
 }
 
 template <class Part>
+std::string choices_text(const PartKeys<Part>& keys, const Part& part) {
+  std::string lines;
+  for (const auto& choice : keys.choices)
+    lines += fmt::format("{}.{} = {}\n", keys.folder, choice.facts.name, part.*choice.member);
+  return lines;
+}
+
+template <class Part>
 std::string curves_text(const PartKeys<Part>& keys, const Part& part) {
   std::string lines;
   for (const auto& curve : keys.curves)
     lines += curve_text(keys.folder + "." + curve.name, part.*curve.member);
+  return lines;
+}
+
+template <class Part>
+std::string numbers_text(const PartKeys<Part>& keys, const Part& part) {
+  std::string lines;
+  for (const auto& number : keys.numbers)
+    lines +=
+        fmt::format("{}.{} = {}\n", keys.folder, number.facts.name, exact(part.*number.member));
+  return lines;
+}
+
+std::string disturbances_text(const Scenario& s) {
+  std::string lines;
+  for (const auto& [name, disturbance] : s.disturbances) {
+    const DisturbanceKind& kind = kind_of(disturbance);
+    lines += fmt::format("disturbance.{}.kind = {}\n", name, kind.name);
+    if (kind.has_message)
+      lines += fmt::format("disturbance.{}.message = {}\n", name, toml_string(disturbance.message));
+    for (const DisturbanceNumber& number : kind.numbers)
+      lines += fmt::format("disturbance.{}.{} = {}\n", name, number.facts.name,
+                           exact(disturbance.*number.member));
+  }
   return lines;
 }
 
@@ -41,7 +73,9 @@ std::string canonical_text(const Scenario& scenario) {
     if (is_physics(key))
       lines += fmt::format("{} = {}\n", key.name(),
                            key.is_number() ? exact(key.number(s)) : toml_string(key.text(s)));
-  return lines + curves_text(module_keys(), s.module) + curves_text(led_keys(), s.emitter);
+  return lines + disturbances_text(s) + choices_text(module_keys(), s.module) +
+         curves_text(module_keys(), s.module) + numbers_text(led_keys(), s.emitter) +
+         curves_text(led_keys(), s.emitter);
 }
 
 }  // namespace sim

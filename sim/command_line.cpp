@@ -50,6 +50,16 @@ void add_short_form(CLI::App& app, const std::string& names, const char* key,
       ->type_name("N");
 }
 
+/// Folders of parts that come before the program's own.
+void add_part_folders(CLI::App& app, PartRoots& parts) {
+  app.add_option("--parts", parts,
+                 "a folder with modules/, leds/ or floors/ of your own; may be given several times")
+      ->type_name("DIR")
+      ->expected(1)
+      ->check(CLI::ExistingDirectory.description(""))
+      ->take_all();
+}
+
 void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   app.add_option("--set", options.overrides,
                  "change a key of the scenario: receiver.range_m=3, a range or list sweeps it: "
@@ -57,12 +67,7 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  app.add_option("--parts", options.parts,
-                 "a folder with modules/ and leds/ of your own; may be given several times")
-      ->type_name("DIR")
-      ->expected(1)
-      ->check(CLI::ExistingDirectory.description(""))
-      ->take_all();
+  add_part_folders(app, options.parts);
   add_short_form(app, "-S,--seed", "simulation.seed", options.overrides, "seed of all randomness");
 }
 
@@ -144,6 +149,20 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
 }
 
+void add_parts(CLI::App& app, PartsRequest& request) {
+  auto& parts = *app.add_subcommand(
+      "parts", "List modules, LEDs, floors and photodiodes, or show one with all its sources");
+  parts
+      .add_option("NAME", request.name,
+                  "the part to show: its numbers, and the model beside the data sheet's curves")
+      ->type_name("");
+  parts.add_option("--search", request.search, "list only parts whose file mentions this")
+      ->type_name("TEXT");
+  add_part_folders(parts, request.parts);
+  parts.add_flag("--json", request.json, "JSON on stdout, not text");
+  parts.footer("Example: cosys-sim parts TSOP4856");
+}
+
 std::vector<std::string> names_of(const std::vector<const CLI::Option*>& options) {
   std::vector<std::string> names;
   for (const CLI::Option* option : options)
@@ -184,6 +203,7 @@ struct Requests {
   TraceRequest trace;
   std::string message;
   DecodeRequest decode;
+  PartsRequest parts;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
@@ -191,12 +211,14 @@ void fill_in(Requests& to, const Surroundings& from) {
   to.run.program = to.trace.program = from.program;
   to.run.options.parts.push_back(from.shipped_parts);
   to.trace.options.parts.push_back(from.shipped_parts);
+  to.parts.parts.push_back(from.shipped_parts);
 }
 
 ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("run")) return run_command(requests.run);
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
+  if (app.got_subcommand("parts")) return parts_command(requests.parts);
   return decode_command(requests.decode);
 }
 
@@ -213,6 +235,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_trace(app, requests.trace);
   add_encode(app, requests.message);
   add_decode(app, requests.decode);
+  add_parts(app, requests.parts);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

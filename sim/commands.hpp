@@ -56,4 +56,12 @@ struct DecodeRequest {
 };
 ExitCode decode_command(const DecodeRequest& request);
 
+struct PartsRequest {
+  std::string name;    // of the part to show; empty: list all
+  std::string search;  // of a list: only parts whose file mentions this
+  PartRoots parts;     // --parts, then the program's own
+  bool json = false;
+};
+ExitCode parts_command(const PartsRequest& request);
+
 }  // namespace sim

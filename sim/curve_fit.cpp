@@ -67,6 +67,11 @@ Crossing bracket(Crossing::Kind kind, const Observations& all, double level) {
   return {kind, (from + to) / 2, std::min(from, to), std::max(from, to)};
 }
 
+Crossing whole_sweep(Crossing::Kind kind, const Observations& all) {
+  const auto [low, high] = std::minmax(all.front().x, all.back().x);
+  return {kind, (low + high) / 2, low, high};
+}
+
 struct Fit {
   arma::vec coefficients;  // logit(loss) = c0 + c1 x
   arma::mat covariance;
@@ -131,9 +136,13 @@ Crossing crossing_of(const Fit& fit, double level, double ci_level) {
   return {Kind::fitted, at, at - margin, at + margin};
 }
 
-std::string quantity(const Axis& axis, const std::string& value) {
-  const std::string unit = axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit;
-  return fmt::format("{} = {}{}", axis.key, value, unit);
+std::string with_unit(const Axis& axis, const std::string& value) {
+  const bool plain = axis.unit.empty() || axis.unit == "1" || axis.unit == "1e-6";
+  return plain ? value : value + " " + axis.unit;
+}
+
+std::string span_text(const Crossing& c) {
+  return c.low == c.high ? fmt::format("{:g}", c.low) : fmt::format("{:g} .. {:g}", c.low, c.high);
 }
 
 std::string fitted_text(const Crossing& c) {
@@ -149,7 +158,9 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   const Observations all = observations_of(result);
   const auto is_bad = [=](const Observation& o) { return o.ratio() > level; };
   if (!rises_throughout(all)) return {Kind::not_monotone};
-  if (std::ranges::none_of(all, is_bad) || std::ranges::all_of(all, is_bad)) return {};
+  if (all.empty()) return {};
+  if (std::ranges::none_of(all, is_bad)) return whole_sweep(Kind::all_below, all);
+  if (std::ranges::all_of(all, is_bad)) return whole_sweep(Kind::all_above, all);
   if (separated(all)) return bracket(Kind::jump, all, level);
 
   const Crossing unfitted =
@@ -165,9 +176,37 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   return trusted ? c : unfitted;
 }
 
+std::string quantity(const Axis& axis, const std::string& value) {
+  return axis.key + " = " + with_unit(axis, value);
+}
+
+std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
+  const std::string range = with_unit(axis, span_text(c));
+  const std::string gap = with_unit(axis, fmt::format("{:g} and {:g}", c.low, c.high));
+  const double percent = level * 100;
+  switch (c.kind) {
+    case Kind::fitted:
+      return with_unit(axis, fitted_text(c));
+    case Kind::jump:
+      return "between " + gap + " (a jump: refine the sweep there)";
+    case Kind::unfitted:
+      return "between " + gap + " (no logit curve fits the points)";
+    case Kind::all_below:
+      return fmt::format("beyond the sweep: at most {:g} % lost anywhere in {}", percent, range);
+    case Kind::all_above:
+      return fmt::format("not in the sweep: more than {:g} % lost everywhere in {}", percent,
+                         range);
+    case Kind::not_monotone:
+      return "loss rises and falls: no single value, see the table";
+    case Kind::unclear:
+      break;
+  }
+  return fmt::format("unclear: too few frames to tell its side of {:g} %", percent);
+}
+
 std::string crossing_sentence(const Axis& axis, const Crossing& c, double level) {
   const std::string crosses = fmt::format("frame loss crosses {:g} % ", level * 100);
-  const std::string range = quantity(axis, fmt::format("{:g} .. {:g}", c.low, c.high));
+  const std::string range = quantity(axis, span_text(c));
   switch (c.kind) {
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
@@ -178,7 +217,12 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::not_monotone:
       return fmt::format("frame loss rises and falls along {}: no single crossing of {:g} %",
                          axis.key, level * 100);
-    case Kind::outside:
+    case Kind::all_below:
+      return fmt::format("frame loss stays at most {:g} % over the whole sweep, ", level * 100) +
+             range;
+    case Kind::all_above:
+      return fmt::format("frame loss is above {:g} % over the whole sweep, ", level * 100) + range;
+    case Kind::unclear:
       break;
   }
   return fmt::format("frame loss does not clearly cross {:g} % inside the sweep of {}", level * 100,

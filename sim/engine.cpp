@@ -158,7 +158,8 @@ PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link,
           .stop = stop,
           .elapsed_s = std::chrono::duration<double>(Clock::now() - began).count(),
           .simulated_s = sum.simulated_s,
-          .n_samples = sum.n_samples};
+          .n_samples = sum.n_samples,
+          .outside = link.outside};
 }
 
 }  // namespace

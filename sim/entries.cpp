@@ -32,11 +32,18 @@ std::string name_of(toml::node_type type) {
       return "a table";
     case toml::node_type::array:
       return "a list that is not of numbers";
-    case toml::node_type::boolean:
-      return "true or false";
     default:
       return "a date or time";
   }
+}
+
+Value list_of_texts(const toml::array& list) {
+  std::vector<std::string> texts;
+  for (const auto& item : list) {
+    if (!item.is_string()) return OtherValue{name_of(toml::node_type::array)};
+    texts.push_back(*item.value<std::string>());
+  }
+  return texts;
 }
 
 Value list_of_numbers(const toml::array& list) {
@@ -51,8 +58,11 @@ Value list_of_numbers(const toml::array& list) {
 Value to_value(const toml::node& node) {
   if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
   if (const auto* real = node.as_floating_point()) return real->get();
+  if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* text = node.as_string()) return text->get();
-  if (const auto* list = node.as_array()) return list_of_numbers(*list);
+  if (const auto* list = node.as_array())
+    return !list->empty() && list->front().is_string() ? list_of_texts(*list)
+                                                       : list_of_numbers(*list);
   return OtherValue{name_of(node.type())};
 }
 
@@ -142,8 +152,10 @@ std::string escaped(const std::string& text, std::string_view kept) {
 
 std::string kind_of(const Value& value) {
   if (std::holds_alternative<double>(value)) return "a number";
+  if (std::holds_alternative<bool>(value)) return "true or false";
   if (std::holds_alternative<std::string>(value)) return "text";
   if (std::holds_alternative<std::vector<double>>(value)) return "a list";
+  if (std::holds_alternative<std::vector<std::string>>(value)) return "a list of texts";
   return std::get<OtherValue>(value).what;
 }
 

@@ -13,7 +13,8 @@ struct OtherValue {
   std::string what;
 };
 
-using Value = std::variant<double, std::string, std::vector<double>, OtherValue>;
+using Value = std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>,
+                           OtherValue>;
 
 /// One `key = value` of a file, with its tables joined to its name by dots.
 struct Entry {

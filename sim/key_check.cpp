@@ -48,7 +48,7 @@ std::string in_words(const Range& range) {
 
 void check_number(const KeyFacts& facts, double value, const std::string& place) {
   const std::string problem = fmt::format("{} = {} {}", facts.name, value, place);
-  const bool whole_number = facts.type == KeyType::whole_number;
+  const bool whole_number = facts.type == KeyType::whole_number || facts.type == KeyType::flag;
   const std::string remedy =
       fmt::format("use a {} {}", whole_number ? "whole number" : "value", in_words(facts.range));
   if (!std::isfinite(value)) throw bad_input(problem, "not a finite number", remedy);

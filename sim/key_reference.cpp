@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "protocol/cosys.hpp"
+#include "sim/disturbance_keys.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 
@@ -10,8 +13,10 @@ namespace sim {
 namespace {
 
 std::string default_of(const Key& key) {
-  if (key.name().starts_with("module.")) return "from the part";
+  if (is_given_by_part(key.name())) return "from the part";
   Scenario defaults;
+  if (key.facts.type == KeyType::flag) return key.number(defaults) != 0 ? "true" : "false";
+  if (key.is_number() && std::isnan(key.number(defaults))) return "unset";
   if (key.is_number()) return fmt::format("{}", key.number(defaults));
   const std::string& value = key.text(defaults);
   return value.empty() ? "empty" : "`" + value + "`";
@@ -23,6 +28,8 @@ std::string allowed(const Key& key) {
       return in_words(key.facts.range);
     case KeyType::whole_number:
       return "whole, " + in_words(key.facts.range);
+    case KeyType::flag:
+      return "true or false";
     case KeyType::text:
       return "text";
     case KeyType::message:
@@ -60,12 +67,40 @@ std::string scenario_tables() {
   return out;
 }
 
+std::string disturbance_table(const DisturbanceKind& kind) {
+  const auto key = [](const std::string& what) { return *find_key("disturbance.NAME." + what); };
+  std::string out = table_head(
+      fmt::format("`[disturbance.NAME]` with `kind = \"{}\"`: {}", kind.name, kind.long_name));
+  if (kind.has_message)
+    out += table_row(key("message").facts, "message", "`" + DisturbanceSettings{}.message + "`",
+                     allowed(key("message")));
+  for (const DisturbanceNumber& n : kind.numbers)
+    out += table_row(n.facts, n.facts.name, fmt::format("{:.6g}", n.standard),
+                     allowed(key(n.facts.name)));
+  return out;
+}
+
+std::string disturbance_tables() {
+  std::string out;
+  for (const DisturbanceKind& kind : disturbance_kinds()) out += disturbance_table(kind);
+  return out;
+}
+
+/// A number that cannot be the default stands for a part without it.
+template <class Part>
+std::string default_of(const PartNumber<Part>& number) {
+  const double value = Part{}.*number.member;
+  return number.facts.range.contains(value) ? fmt::format("{}", value) : "none";
+}
+
 template <class Part>
 std::string part_table(const PartKeys<Part>& keys, const std::string& heading) {
   std::string out = table_head(heading);
+  for (const auto& c : keys.choices)
+    out += table_row(c.facts, c.facts.name, "`" + Part{}.*c.member + "`",
+                     fmt::format("`{}`", fmt::join(c.choices, "` or `")));
   for (const auto& n : keys.numbers)
-    out += table_row(n.facts, n.facts.name,
-                     n.required ? "required" : fmt::format("{}", Part{}.*n.member),
+    out += table_row(n.facts, n.facts.name, n.required ? "required" : default_of(n),
                      in_words(n.facts.range));
   for (const auto& c : keys.curves)
     for (const KeyFacts* axis : {&c.x, &c.y}) {
@@ -80,8 +115,11 @@ std::string part_table(const PartKeys<Part>& keys, const std::string& heading) {
 }  // namespace
 
 std::string key_reference() {
-  return scenario_tables() + part_table(module_keys(), "`modules/NAME.toml`") +
-         part_table(led_keys(), "`leds/NAME.toml`");
+  return scenario_tables() + disturbance_tables() +
+         part_table(module_keys(), "`modules/NAME.toml`") +
+         part_table(led_keys(), "`leds/NAME.toml`") +
+         part_table(floor_keys(), "`floors/NAME.toml`") +
+         part_table(photodiode_keys(), "`photodiodes/NAME.toml`");
 }
 
 }  // namespace sim

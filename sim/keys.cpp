@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocol/uart.hpp"
+#include "sim/disturbance_keys.hpp"
 
 namespace sim {
 namespace {
@@ -25,6 +26,13 @@ Key whole(Rest&&... rest) {
   Key key = number(std::forward<Rest>(rest)...);
   key.facts.type = KeyType::whole_number;
   return key;
+}
+
+template <class Group>
+Key flag(std::string name, Group Scenario::*group, double Group::*member, std::string long_name,
+         std::string note) {
+  return number(std::move(name), "1", from(0, 1), group, member, std::move(long_name),
+                std::move(note), KeyType::flag);
 }
 
 template <class Group>
@@ -77,6 +85,8 @@ std::vector<Key> led_settings_keys() {
           "not beyond the part's curve; TSAL6200: 997, in pulses of 100 us (Vishay 81010 Fig. 5)"),
       number("led.height_mm", "mm", from(0.1, 1e4), at, &L::height_mm,
              "LED height above the floor"),
+      number("led.temperature_c", "degree_C", from(-60, 150), at, &L::temperature_c,
+             "temperature of the LED", "other than 25 where its part has the curve"),
       number("led.yaw_deg", "degree", from(-180, 180), at, &L::yaw_deg,
              "direction of the LED along the floor", "0: towards bearing 0"),
       number("led.elevation_deg", "degree", from(-90, 90), at, &L::elevation_deg,
@@ -90,6 +100,10 @@ std::vector<Key> receiver_keys() {
   return {
       text(KeyType::part, "receiver.module", at, &R::module, "receiver module",
            "a file in `modules/`"),
+      number("receiver.ebn0_db", "dB", from(-30, 60), at, &R::ebn0_db,
+             "energy of a bit over the noise density",
+             "sets the light, and geometry and LED are then only labels; half of the bits being "
+             "light, so coherent OOK has BER = Q(sqrt(Eb/N0))"),
       number("receiver.range_m", "m", from(0.01, 1000), at, &R::range_m,
              "distance along the floor"),
       number("receiver.bearing_deg", "degree", from(-180, 180), at, &R::bearing_deg,
@@ -100,15 +114,43 @@ std::vector<Key> receiver_keys() {
              "turn of the receiver away from the LED"),
       number("receiver.tilt_deg", "degree", from(-90, 90), at, &R::tilt_deg, "tilt of the receiver",
              "positive: up"),
+      number("receiver.temperature_c", "degree_C", from(-60, 150), at, &R::temperature_c,
+             "temperature of the module", "where its sheet shows Emin against it"),
+      number("receiver.supply_v", "V", from(1.5, 30), at, &R::supply_v,
+             "supply voltage of the module", "where its sheet shows Emin against it"),
+      number("receiver.supply_ripple_mv", "mV", from(0, 1e4), at, &R::supply_ripple_mv,
+             "rms ripple of the supply at the module's centre",
+             "where its sheet shows Emin against it"),
+      flag("receiver.population", at, &R::population, "another unit of the part in each trial",
+           "centre within its tolerance, threshold between typical and maximum"),
   };
 }
 
-std::vector<Key> module_override_keys() {
+/// Keys that change single numbers of a part.
+template <class Part>
+std::vector<Key> override_keys(const std::string& table, const PartKeys<Part>& part,
+                               Part Scenario::*at) {
   std::vector<Key> keys;
-  for (const auto& n : module_keys().numbers)
-    keys.push_back(number("module." + n.facts.name, n.facts.unit, n.facts.range, &Scenario::module,
-                          n.member, n.facts.long_name, n.facts.note));
+  for (const auto& n : part.numbers)
+    keys.push_back(number(table + "." + n.facts.name, n.facts.unit, n.facts.range, at, n.member,
+                          n.facts.long_name, n.facts.note));
   return keys;
+}
+
+std::vector<Key> floor_part_keys() {
+  return {text(KeyType::part, "floor.part", &Scenario::floor_settings, &FloorSettings::part,
+               "floor", "a file in `floors/`")};
+}
+
+std::vector<Key> bump_keys() {
+  constexpr auto floor = &Scenario::floor;
+  using F = channel::Floor;
+  return {
+      number("floor.bump_height_mm", "mm", from(0, 1e4), floor, &F::bump_height_mm,
+             "height of a bump across the way", "light that meets it is lost; 0: none"),
+      number("floor.bump_position", "1", from(0.01, 0.99), floor, &F::bump_position,
+             "place of the bump", "share of the way from LED to receiver"),
+  };
 }
 
 std::vector<std::string> uart_names() {
@@ -118,15 +160,7 @@ std::vector<std::string> uart_names() {
 }
 
 std::vector<Key> surroundings_keys() {
-  constexpr auto floor = &Scenario::floor;
-  using F = channel::Floor;
   return {
-      number("floor.refractive_index", "1", from(1, 4), floor, &F::refractive_index,
-             "refractive index of the floor's surface", "1: no mirror image; varnish, vinyl: 1.5"),
-      number("floor.roughness_um", "um", from(0, 1e4), floor, &F::roughness_um,
-             "rms roughness of the floor", "weakens the mirror image"),
-      number("floor.diffuse_reflectance", "1", from(0, 1), floor, &F::diffuse_reflectance,
-             "diffuse reflectance of the floor"),
       text(KeyType::choice, "uart.receiver", &Scenario::uart, &UartSettings::receiver,
            "listening UART", "16 samples a bit, majority of three; or one sample in mid-bit",
            uart_names()),
@@ -135,6 +169,11 @@ std::vector<Key> surroundings_keys() {
       number("ambient.irradiance_w_per_m2", "W/m2", from(0, 1000), &Scenario::ambient,
              &AmbientSettings::irradiance_w_per_m2, "steady ambient irradiance",
              "as if at 950 nm; 10: 1.4 klx of tungsten or 8.2 klx of day (Vishay 82459 Fig. 6)"),
+      number("ambient.daylight_lux", "lx", from(0, 2e5), &Scenario::ambient,
+             &AmbientSettings::daylight_lux, "daylight besides that", "direct sun: about 100000"),
+      number("ambient.tungsten_lux", "lx", from(0, 2e5), &Scenario::ambient,
+             &AmbientSettings::tungsten_lux, "light of incandescent lamps besides that",
+             "their ripple is a disturbance"),
       number("noise.scale", "1", from(0, 100), &Scenario::noise, &NoiseSettings::scale,
              "factor on the rms of all noise", "0: no noise"),
   };
@@ -161,8 +200,11 @@ std::vector<Key> run_keys() {
 
 std::vector<Key> make_scenario_keys() {
   std::vector<Key> all{title_key()};
-  for (const auto& group : {device_keys(), led_settings_keys(), receiver_keys(),
-                            module_override_keys(), surroundings_keys(), run_keys()})
+  for (const auto& group :
+       {device_keys(), led_settings_keys(), receiver_keys(),
+        override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
+        override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
+        run_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -173,6 +215,12 @@ bool Range::contains(double value) const {
   return (low_open ? value > low : value >= low) && value <= high;
 }
 
+bool is_given_by_part(const std::string& name) {
+  return name.starts_with("module.") ||
+         std::ranges::any_of(floor_keys().numbers,
+                             [&](const auto& n) { return name == "floor." + n.facts.name; });
+}
+
 const std::vector<Key>& scenario_keys() {
   static const std::vector<Key> keys = make_scenario_keys();
   return keys;
@@ -181,7 +229,7 @@ const std::vector<Key>& scenario_keys() {
 const Key* find_key(const std::string& name) {
   const auto& keys = scenario_keys();
   const auto at = std::ranges::find(keys, name, &Key::name);
-  return at == keys.end() ? nullptr : &*at;
+  return at == keys.end() ? find_disturbance_key(name) : &*at;
 }
 
 }  // namespace sim

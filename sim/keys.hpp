@@ -3,8 +3,10 @@
 // meaning and place in the program. Loading, sweeping, --set, hashing and the README all follow it.
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "channel/photodiode.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -18,7 +20,7 @@ struct Range {
 constexpr Range above(double low, double high) { return {low, high, true}; }
 constexpr Range from(double low, double high) { return {low, high, false}; }
 
-enum class KeyType { number, whole_number, text, message, choice, part };
+enum class KeyType { number, whole_number, flag, text, message, choice, part };
 
 /// What a key is called and what it may hold, whoever owns it.
 struct KeyFacts {
@@ -58,21 +60,39 @@ struct PartCurve {
   bool required;
 };
 
+/// One word of a few in a part's file, which says what the part is and so needs no source.
+template <class Part>
+struct PartChoice {
+  KeyFacts facts;
+  std::string Part::*member;
+  std::vector<std::string> choices;
+};
+
 template <class Part>
 struct PartKeys {
   std::string kind;    // "module"
   std::string folder;  // "modules"
   std::vector<PartNumber<Part>> numbers;
   std::vector<PartCurve<Part>> curves;
+  std::vector<std::pair<std::string, std::string>> either = {};  // exactly one of the two is given
+  std::vector<std::string> figures = {};  // of sim/figures.hpp, for which a file may name curves
+  std::vector<PartChoice<Part>> choices = {};
+  bool (*needs_numbers)(const Part&) = nullptr;  // false: what is required may be missing
 };
 
 const PartKeys<channel::ModuleData>& module_keys();
 const PartKeys<channel::EmitterData>& led_keys();
+const PartKeys<channel::Floor>& floor_keys();
+const PartKeys<channel::PhotodiodeData>& photodiode_keys();
 
 /// All keys of a scenario, in the order of the README and of the canonical text.
 const std::vector<Key>& scenario_keys();
 
-/// The key of that name, or nothing.
+/// Whether a part gives that key its value where the scenario does not.
+bool is_given_by_part(const std::string& name);
+
+/// The key of that name, those of disturbances included, or nothing. While scenarios are loaded
+/// only: it makes the latter as they are asked for.
 const Key* find_key(const std::string& name);
 
 }  // namespace sim

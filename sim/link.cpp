@@ -3,17 +3,18 @@
 #include <xxhash.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "channel/conditions.hpp"
 #include "channel/emitter.hpp"
 #include "channel/noise.hpp"
 #include "protocol/cosys.hpp"
 #include "sim/canonical_text.hpp"
+#include "sim/disturbance.hpp"
+#include "sim/matched.hpp"
+#include "sim/validity.hpp"
 
 namespace sim {
 namespace {
-
-using std::numbers::pi;
 
 dsp::Hertz off_by(double nominal_hz, double ppm) {
   return dsp::Hertz(nominal_hz * (1 + ppm * 1e-6));
@@ -27,36 +28,58 @@ double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
   return 1 / std::hypot(1.0, module.q * (ratio - 1 / ratio));
 }
 
+/// The part as it is where and how it is used.
+channel::ModuleData module_of(const Scenario& s) {
+  return channel::under({.celsius = s.receiver.temperature_c,
+                         .supply_v = s.receiver.supply_v,
+                         .ripple_mv_rms = s.receiver.supply_ripple_mv},
+                        s.module);
+}
+
+dsp::Hertz true_baud(const Scenario& s) { return off_by(s.device.baud, s.device.clock_error_ppm); }
+
+/// What the module makes of the LED's colour, relative to 940 nm.
+double colour_response(const Scenario& s) {
+  constexpr double nm = 1e9;
+  return channel::spectral_response(s.module,
+                                    channel::wavelength(s.emitter, s.led.temperature_c).value * nm);
+}
+
 channel::LightSettings light_settings(const Scenario& s) {
-  return {.signal = light_of(s).total(),
-          .ambient = dsp::WattsPerSquareMetre(s.ambient.irradiance_w_per_m2),
+  return {.signal = light_of(s).total() * colour_response(s),
+          .ambient = ambient_of(s),
           .carrier = off_by(s.device.carrier_hz, s.device.carrier_error_ppm),
           .duty = s.device.carrier_duty,
           .noise_scale = s.noise.scale};
 }
 
 /// Signal: the carrier's fundamental. Noise: what shot and thermal noise put into the module with
-/// the carrier on. SNR is taken behind the band-pass; Eb/N0 at the input, half of the bits being
-/// light (average-energy convention: coherent OOK has BER = Q(sqrt(Eb/N0))).
+/// the carrier on. SNR is taken behind the band-pass, or in the bandwidth of a bit that a matched
+/// receiver has; Eb/N0 at the input, half of the bits being light (average-energy convention:
+/// coherent OOK has BER = Q(sqrt(Eb/N0))).
 OperatingPoint operating_point(const Scenario& s, const channel::LightSettings& light) {
-  const double amplitude =
-      channel::photocurrent(s.module, light.signal).value * 2 / pi * std::sin(pi * light.duty);
-  const auto mean = channel::photocurrent(s.module, light.ambient + light.signal * light.duty);
-  const double density =
-      channel::noise_density(s.module, mean) * light.noise_scale * light.noise_scale;
-  const dsp::Hertz bandwidth = channel::noise_bandwidth(s.module);
-  const double power = amplitude * amplitude / 2;
-  const double gain = band_pass_gain(s.module, light.carrier);
+  const dsp::Hertz baud = true_baud(s);
+  const double ebn0 = ebn0_of(s.module, light, baud);
+  const bool matched = channel::is_matched(s.module);
+  const dsp::Hertz bandwidth = matched ? baud : channel::noise_bandwidth(s.module);
+  const double gain = matched ? 1 : band_pass_gain(s.module, light.carrier);
   return {.irradiance_mw_per_m2 = light.signal.value * 1e3,
           .ambient_w_per_m2 = light.ambient.value,
-          .snr_db = in_db(power * gain * gain / (density * bandwidth.value)),
+          .snr_db = in_db(ebn0 * 2 * (baud / bandwidth) * gain * gain),
           .snr_bandwidth_hz = bandwidth.value,
-          .ebn0_db = in_db(power / 2 / s.device.baud / density)};
+          .ebn0_db = in_db(ebn0)};
 }
 
 std::uint32_t point_hash(const Scenario& scenario) {
   const std::string text = canonical_text(scenario);
   return XXH32(text.data(), text.size(), 0);
+}
+
+void add_disturbances(Link& link, const Scenario& s) {
+  for (const auto& [name, disturbance] : s.disturbances) {
+    link.disturbances.push_back(disturbance);
+    link.chain.disturbances.push_back(design_disturbance(disturbance, link.chain.sample_rate));
+  }
 }
 
 }  // namespace
@@ -69,28 +92,45 @@ channel::ReceivedLight light_of(const Scenario& s) {
       channel::receiver_pose(dsp::Metres(s.receiver.range_m), dsp::degrees(s.receiver.bearing_deg),
                              dsp::Metres(s.receiver.height_mm * 1e-3),
                              dsp::degrees(s.receiver.yaw_deg), dsp::degrees(s.receiver.tilt_deg));
-  const auto axial = channel::axial_intensity(s.emitter, dsp::Amperes(s.led.current_ma * 1e-3));
+  const auto axial = channel::axial_intensity(s.emitter, dsp::Amperes(s.led.current_ma * 1e-3),
+                                              s.led.temperature_c);
   const channel::Directivity directivity{.relative_distance = s.module.directivity};
-  return channel::received_light(s.emitter, axial, led, directivity, receiver, s.floor);
+  return channel::received_light(s.emitter, axial, led, directivity, receiver, s.floor,
+                                 s.led.temperature_c);
 }
 
-Link make_link(const Scenario& s) {
-  const channel::LightSettings light = light_settings(s);
+Link make_link(const Scenario& scenario) {
+  Scenario s = scenario;
+  s.module = module_of(scenario);
+  channel::LightSettings light = light_settings(s);
+  if (!std::isnan(s.receiver.ebn0_db))
+    light.signal = signal_for_ebn0(s.module, light, true_baud(s), s.receiver.ebn0_db);
   Link link;
   link.message = s.device.message;
   link.bytes = protocol::cosys_encode(s.device.message);
-  link.device_baud = off_by(s.device.baud, s.device.clock_error_ppm);
+  link.device_baud = true_baud(s);
   link.start_jitter = dsp::Seconds(s.device.start_jitter_us * 1e-6);
   link.interval_min = dsp::Seconds(s.device.interval_min_ms * 1e-3);
   link.interval_max = dsp::Seconds(s.device.interval_max_ms * 1e-3);
   link.warmup_messages = static_cast<int>(s.simulation.warmup_messages);
   link.chain = channel::design_chain(s.module, light, dsp::Hertz(s.simulation.sample_rate_hz));
   link.delay = channel::nominal_delay(s.module);
+  link.module = s.module;
+  link.ambient = light.ambient;
+  add_disturbances(link, s);
+  link.population = s.receiver.population != 0;
   link.receiver_baud = off_by(s.device.baud, s.uart.clock_error_ppm);
   link.uart = protocol::find_uart_receiver(s.uart.receiver);
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);
-  link.point = point_hash(s);
+  link.point = point_hash(scenario);
   link.operating = operating_point(s, light);
+  link.outside = outside_validity(scenario, link.operating.irradiance_mw_per_m2);
+  if (const auto matched =
+          matched_receiver(s.module, light, link.chain, link.device_baud, link.bytes)) {
+    link.ideal = matched->design;
+    link.delay = matched->design.delay;
+    link.operating.ber_theory = matched->ber;
+  }
   return link;
 }
 

@@ -2,7 +2,9 @@
 // Link: one operating point with everything worked out that its trials share, from the bytes of the
 // message to the numbers per sample. Built once a point from a Scenario; constant from then on.
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "channel/chain.hpp"
 #include "channel/geometry.hpp"
@@ -22,7 +24,12 @@ struct Link {
   int warmup_messages = 1;
   // Light and module.
   channel::ChainDesign chain;
-  dsp::Seconds delay;  // constant part, light to pin
+  std::optional<channel::IdealDesign> ideal;  // a matched receiver instead of the module
+  dsp::Seconds delay;                         // constant part, light to pin
+  channel::ModuleData module;                 // under the point's conditions
+  dsp::WattsPerSquareMetre ambient;
+  std::vector<DisturbanceSettings> disturbances;  // in the order of the chain's
+  bool population = false;                        // each trial has a unit of its own
   // Receiver.
   dsp::Hertz receiver_baud;
   const protocol::UartReceiver* uart = nullptr;
@@ -31,6 +38,7 @@ struct Link {
   std::uint32_t point = 0;  // hash of the point's canonical text
 
   OperatingPoint operating;
+  std::uint64_t outside = 0;  // of the models' validity, as sim/validity has it
 };
 
 Link make_link(const Scenario& scenario);

@@ -118,6 +118,14 @@ Handle write_dataset(hid_t file, const std::string& name, const std::vector<hsiz
   return data;
 }
 
+/// Text of any length, UTF-8.
+Handle user_text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  checked(H5Tset_size(type, H5T_VARIABLE));
+  checked(H5Tset_cset(type, H5T_CSET_UTF8));
+  return type;
+}
+
 std::string now_iso_8601() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -204,12 +212,23 @@ void NetcdfFile::set_text(const std::string& variable, const char* name, const s
   checked(H5LTset_attribute_string(state_->file, variable.c_str(), name, text.c_str()));
 }
 
+void NetcdfFile::add_dimension(const VariableFacts& facts, std::span<const std::string> texts) {
+  std::vector<const char*> values;
+  for (const std::string& text : texts) values.push_back(text.c_str());
+  const Handle type = user_text_type(), space = space_of({values.size()});
+  Handle scale(H5Dcreate2(state_->file, facts.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
+                          H5P_DEFAULT),
+               H5Dclose);
+  checked(H5Dwrite(scale, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  checked(H5DSset_scale(scale, facts.name.c_str()));
+  checked(H5LTset_attribute_string(scale, ".", "long_name", facts.long_name.c_str()));
+  state_->dimensions.emplace(facts.name, State::Dimension{values.size(), std::move(scale)});
+}
+
 // A fixed-length attribute would end at 64 kB and be read as ASCII.
 void NetcdfFile::set_user_text(const std::string& variable, const char* name,
                                const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  checked(H5Tset_size(type, H5T_VARIABLE));
-  checked(H5Tset_cset(type, H5T_CSET_UTF8));
+  const Handle type = user_text_type();
   const char* const value = text.c_str();
   write_attribute(state_->object(variable), name, type, space_of({}), &value);
 }

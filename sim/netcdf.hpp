@@ -1,7 +1,7 @@
 #pragma once
-// An HDF5 file on the netCDF-4 model (a scale on each axis of each variable, no text variables), so
-// that xarray, ncdump and MATLAB open it. It is built in memory and becomes plain bytes. HDF5 is
-// not safe for threads: one thread at a time.
+// An HDF5 file on the netCDF-4 model (a scale on each axis of each variable, text in coordinates
+// only), so that xarray, ncdump and MATLAB open it. It is built in memory and becomes plain bytes.
+// HDF5 is not safe for threads: one thread at a time.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -40,6 +40,8 @@ class NetcdfFile {
 
   /// A dimension and its coordinate; the name is that of both.
   void add_dimension(const VariableFacts& facts, std::span<const double> values);
+  /// The same of texts, which have no unit: variable-length UTF-8.
+  void add_dimension(const VariableFacts& facts, std::span<const std::string> texts);
   /// A variable on dimensions added before, in their order; none: one number.
   void add_variable(const VariableFacts& facts, const std::vector<std::string>& dimensions,
                     Values values);

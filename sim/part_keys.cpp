@@ -1,6 +1,7 @@
-// What part files may say: numbers and curves, each with its unit and bounds.
+// What the files of modules may say: numbers and curves, each with its unit and bounds.
 #include <utility>
 
+#include "sim/figures.hpp"
 #include "sim/keys.hpp"
 
 namespace sim {
@@ -25,12 +26,17 @@ std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
   using M = channel::ModuleData;
   return {
       printed("centre_hz", "Hz", from(1e3, 1e6), &M::centre_hz, "centre of the band-pass"),
+      module_number("centre_tolerance", "1", from(0, 0.5), &M::centre_tolerance,
+                    "largest error of a unit's centre", "as a share of it"),
       module_number("q", "1", above(0.5, 100), &M::q, "quality factor of the band-pass",
                     "centre over 3 dB width"),
       printed("emin_mw_per_m2", "mW/m2", from(1e-3, 1e4), &M::emin_mw_per_m2,
               "threshold irradiance in the dark", "typical, 30-cycle burst at the centre"),
       module_number("emin_width_cycles", "cycle", from(-20, 20), &M::emin_width_cycles,
                     "output less input width at the threshold"),
+      module_number("emin_max_mw_per_m2", "mW/m2", from(0, 1e4), &M::emin_max_mw_per_m2,
+                    "threshold irradiance of the least sensitive unit",
+                    "printed maximum; not above the typical one: no spread"),
       printed("emax_w_per_m2", "W/m2", from(1e-6, 1e4), &M::emax_w_per_m2,
               "irradiance at which the input clips"),
       module_number("comparator_hold_cycles", "cycle", from(0, 20), &M::comparator_hold_cycles,
@@ -53,8 +59,14 @@ std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
               "largest lit fraction of long bursts that the AGC tolerates"),
       printed("agc_long_burst_cycles", "cycle", from(1, 1e4), &M::agc_long_burst_cycles,
               "length from which a burst is a long one"),
+      module_number("agc_long_burst_ms", "ms", from(0, 1e3), &M::agc_long_burst_ms,
+                    "the same as a time", "0: the limit in cycles holds"),
+      module_number("agc_free_cycles", "cycle", from(0, 1e4), &M::agc_free_cycles,
+                    "part of a long burst that is not charged"),
       printed("agc_min_gap_cycles", "cycle", from(0, 1e4), &M::agc_min_gap_cycles,
               "shortest gap after a short burst"),
+      module_number("agc_hold_ms", "ms", from(0, 1e3), &M::agc_hold_ms,
+                    "dark time before the gain recovers", "AGC5, AGC6: one gap for all bursts"),
       module_number("agc_margin_db", "dB", from(0, 40), &M::agc_margin_db,
                     "signal over threshold that the AGC aims at"),
       module_number("agc_range_db", "dB", from(0, 200), &M::agc_range_db,
@@ -71,10 +83,11 @@ std::vector<PartNumber<channel::ModuleData>> front_end_numbers() {
                     "responsivity of the photodiode at 940 nm"),
       module_number("feedback_ohm", "Ohm", from(100, 1e9), &M::feedback_ohm,
                     "feedback resistance of the first amplifier"),
-      module_number("temperature_k", "K", from(200, 400), &M::temperature_k,
-                    "temperature of the part"),
       module_number("front_end_hz", "Hz", from(2e4, 1e8), &M::front_end_hz,
                     "bandwidth ahead of the band-pass", "one pole; not in data sheets"),
+      module_number("detector_threshold", "1", from(0, 2), &M::detector_threshold,
+                    "threshold of a matched receiver over the amplitude of light",
+                    "0: the optimum for bits that are light as often as dark"),
       module_number("ambient_k", "1", from(0, 100), &M::ambient_k,
                     "growth of the threshold with ambient light",
                     "Emin^2 + k E (1 + E/Es), Emin in mW/m2, E in W/m2"),
@@ -83,47 +96,61 @@ std::vector<PartNumber<channel::ModuleData>> front_end_numbers() {
   };
 }
 
-PartKeys<channel::ModuleData> make_module_keys() {
-  PartKeys<channel::ModuleData> keys{"module", "modules", {}, {}};
-  for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
-    keys.numbers.insert(keys.numbers.end(), group.begin(), group.end());
-  keys.curves = {{"directivity",
-                  "relative distance of detection off axis; its square is the response",
-                  {"degrees", "degree", from(0, 90), "angle off axis", ""},
-                  {"relative_distance", "1", from(0, 1.5), "relative distance", ""},
-                  &channel::ModuleData::directivity,
-                  false}};
-  return keys;
+/// Emin against something that surrounds the part.
+PartCurve<channel::ModuleData> emin_against(const std::string& what, KeyFacts x,
+                                            channel::Curve channel::ModuleData::*member) {
+  return {"emin_against_" + what,
+          "threshold irradiance against " + x.long_name,
+          std::move(x),
+          {"emin_mw_per_m2", "mW/m2", from(1e-4, 1e4), "threshold irradiance", ""},
+          member,
+          false};
 }
 
-PartKeys<channel::EmitterData> make_led_keys() {
-  using E = channel::EmitterData;
-  return {"LED",
-          "leds",
-          {},
-          {{"intensity",
-            "radiant intensity on axis against the current",
-            {"ma", "mA", from(1e-3, 1e5), "current", ""},
-            {"mw_per_sr", "mW/sr", from(1e-3, 1e6), "radiant intensity", ""},
-            &E::intensity_mw_per_sr,
-            true},
-           {"pattern",
-            "relative intensity against the angle off axis",
-            {"degrees", "degree", from(0, 90), "angle off axis", ""},
-            {"relative_intensity", "1", from(0, 1.5), "relative intensity", ""},
-            &E::pattern,
-            true}}};
+std::vector<PartCurve<channel::ModuleData>> module_curves() {
+  using M = channel::ModuleData;
+  return {
+      {"directivity",
+       "relative distance of detection off axis; its square is the response",
+       {"degrees", "degree", from(0, 90), "angle off axis", ""},
+       {"relative_distance", "1", from(0, 1.5), "relative distance", ""},
+       &M::directivity,
+       false},
+      {"spectral",
+       "response against the wavelength",
+       {"nm", "nm", from(300, 2000), "wavelength", ""},
+       {"relative_response", "1", from(0, 1.5), "relative response", ""},
+       &M::spectral,
+       false},
+      emin_against("temperature", {"celsius", "degree_C", from(-60, 150), "temperature", ""},
+                   &M::emin_against_temperature),
+      emin_against("supply", {"volt", "V", from(0, 30), "supply voltage", ""},
+                   &M::emin_against_supply),
+      emin_against("ripple", {"mv_rms", "mV", from(0, 1e4), "supply ripple at f0", ""},
+                   &M::emin_against_ripple),
+  };
+}
+
+PartKeys<channel::ModuleData> make_module_keys() {
+  PartKeys<channel::ModuleData> keys{"module", "modules", {}, module_curves()};
+  for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
+    keys.numbers.insert(keys.numbers.end(), group.begin(), group.end());
+  keys.figures = figure_names(module_figures());
+  keys.choices = {{{"detector",
+                    "",
+                    {},
+                    "what kind of receiver the part is",
+                    "a module; or a matched receiver, for validation, which needs no other number"},
+                   &channel::ModuleData::detector,
+                   {"module", "coherent", "noncoherent"}}};
+  keys.needs_numbers = [](const channel::ModuleData& part) { return !channel::is_matched(part); };
+  return keys;
 }
 
 }  // namespace
 
 const PartKeys<channel::ModuleData>& module_keys() {
   static const auto keys = make_module_keys();
-  return keys;
-}
-
-const PartKeys<channel::EmitterData>& led_keys() {
-  static const auto keys = make_led_keys();
   return keys;
 }
 

@@ -73,19 +73,25 @@ class PartReader {
     if (!same_name(part.name, stem))
       throw bad_input(fmt::format("name = \"{}\" {}", part.name, find("name")->place),
                       "the file has another name", "rename one of the two");
+    for (const auto& choice : keys_.choices) read_choice(choice, part);
     for (const auto& number : keys_.numbers) read_number(number, part);
     for (const auto& curve : keys_.curves) read_curve(curve, part);
+    for (const auto& [one, other] : keys_.either) require_either(one, other);
+    for (const auto& entry : entries_)
+      if (entry.key.starts_with("figures.")) text(entry.key, "name a file in curves/");
     return part;
   }
 
  private:
   std::vector<std::string> known() const {
     std::vector<std::string> names{"name"};
+    for (const auto& c : keys_.choices) names.push_back(c.facts.name);
     for (const auto& n : keys_.numbers)
       for (const char* leaf : {".value", ".source"}) names.push_back(n.facts.name + leaf);
     for (const auto& c : keys_.curves)
       for (const auto& leaf : {c.x.name, c.y.name, std::string("source")})
         names.push_back(c.name + "." + leaf);
+    for (const auto& figure : keys_.figures) names.push_back("figures." + figure);
     return names;
   }
 
@@ -139,11 +145,18 @@ class PartReader {
   bool present(const std::string& name, const std::string& sample, bool required) const {
     if (!has_any(name)) {
       if (!required) return false;
-      throw bad_input(name + " " + file_, "missing, though every data sheet prints it",
-                      "add " + sample);
+      throw bad_input(name + " " + file_, "missing, and no default can be right", "add " + sample);
     }
     require_source(name);
     return true;
+  }
+
+  void require_either(const std::string& one, const std::string& other) const {
+    if (has_any(one) != has_any(other)) return;
+    const bool both = has_any(one);
+    throw bad_input(fmt::format("{} and {} {}", one, other, file_),
+                    both ? "both are given" : "both are missing",
+                    both ? "remove one of the two" : "add one of the two");
   }
 
   void require_source(const std::string& name) const {
@@ -154,10 +167,25 @@ class PartReader {
     throw bad_input(name + " " + first->place, "without its source", remedy);
   }
 
+  void read_choice(const PartChoice<Data>& choice, Data& part) const {
+    const std::string& name = choice.facts.name;
+    if (find(name) == nullptr) return;
+    const std::string remedy =
+        fmt::format("use {} = \"{}\"", name, fmt::join(choice.choices, "\" or \""));
+    part.*choice.member = text(name, remedy);
+    if (std::ranges::find(choice.choices, part.*choice.member) == choice.choices.end())
+      throw bad_input(fmt::format("{} = \"{}\" {}", name, part.*choice.member, find(name)->place),
+                      choice.facts.long_name + " is one of a list", remedy);
+  }
+
+  bool is_required(const PartNumber<Data>& number, const Data& part) const {
+    return number.required && (keys_.needs_numbers == nullptr || keys_.needs_numbers(part));
+  }
+
   void read_number(const PartNumber<Data>& number, Data& part) const {
     const std::string& name = number.facts.name;
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
-    if (!present(name, sample, number.required)) return;
+    if (!present(name, sample, is_required(number, part))) return;
     const double value = get<double>(name + ".value", "a number", "write " + sample);
     check_number(number.facts, value, find(name + ".value")->place);
     part.*number.member = value;
@@ -234,17 +262,29 @@ Part<channel::EmitterData> load_led(const std::string& name, const PartSources& 
   return load_part(led_keys(), name, from, asked);
 }
 
+Part<channel::Floor> load_floor(const std::string& name, const PartSources& from,
+                                const std::string& asked) {
+  return load_part(floor_keys(), name, from, asked);
+}
+
+Part<channel::PhotodiodeData> load_photodiode(const std::string& name, const PartSources& from,
+                                              const std::string& asked) {
+  return load_part(photodiode_keys(), name, from, asked);
+}
+
 bool is_part_file(const std::string& file) {
   const fs::path path(file);
   const std::string folder = path.parent_path().generic_string();
   return path.extension() == ".toml" &&
-         (folder == module_keys().folder || folder == led_keys().folder);
+         (folder == module_keys().folder || folder == led_keys().folder ||
+          folder == floor_keys().folder);
 }
 
 std::vector<PartFile> list_parts(const PartRoots& folders) {
   auto parts = all_parts(led_keys(), folders);
-  const auto modules = all_parts(module_keys(), folders);
-  parts.insert(parts.end(), modules.begin(), modules.end());
+  for (const auto& more : {all_parts(floor_keys(), folders), all_parts(module_keys(), folders),
+                           all_parts(photodiode_keys(), folders)})
+    parts.insert(parts.end(), more.begin(), more.end());
   return parts;
 }
 

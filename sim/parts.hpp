@@ -1,16 +1,19 @@
 #pragma once
-// Parts: receiver modules and LEDs, one TOML file each in FOLDER/modules/ or FOLDER/leds/, in which
-// every number carries its source. A scenario may carry such files in its own text.
+// Parts: receiver modules, LEDs, floors and photodiodes, one TOML file each in FOLDER/modules/,
+// leds/, floors/ or photodiodes/, in which every number carries its source. A scenario may carry
+// such files in its own text.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "channel/emitter.hpp"
+#include "channel/floor.hpp"
+#include "channel/photodiode.hpp"
 #include "channel/receiver_module.hpp"
 
 namespace sim {
 
-/// Folders that hold modules/ and leds/.
+/// Folders that hold modules/, leds/, floors/ and photodiodes/.
 using PartRoots = std::vector<std::filesystem::path>;
 
 /// A part's file as a scenario carries it.
@@ -37,12 +40,16 @@ Part<channel::ModuleData> load_module(const std::string& name, const PartSources
                                       const std::string& asked);
 Part<channel::EmitterData> load_led(const std::string& name, const PartSources& from,
                                     const std::string& asked);
+Part<channel::Floor> load_floor(const std::string& name, const PartSources& from,
+                                const std::string& asked);
+Part<channel::PhotodiodeData> load_photodiode(const std::string& name, const PartSources& from,
+                                              const std::string& asked);
 
 /// Whether a part's file may have this name: "modules/x.toml", "leds/x.toml".
 bool is_part_file(const std::string& file);
 
 struct PartFile {
-  std::string kind;  // "module" or "LED"
+  std::string kind;  // "module", "LED", "floor" or "photodiode"
   std::string name;  // the file's, without ".toml"
   std::filesystem::path path;
 };

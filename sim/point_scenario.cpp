@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
+#include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
 #include "sim/keys.hpp"
+#include "sim/part_slot.hpp"
 #include "sim/sweep.hpp"
 
 namespace sim {
@@ -38,6 +41,29 @@ const std::vector<Limit>& limits() {
   return table;
 }
 
+std::vector<Limit> limits_of(const std::string& name, const DisturbanceSettings& d) {
+  const auto key = [&](const char* what) { return find_key("disturbance." + name + "." + what); };
+  const Key* rate = find_key("simulation.sample_rate_hz");
+  std::vector<Limit> limits;
+  if (is_keyed(d))
+    limits.push_back({key("carrier_hz"), rate, 4, "a carrier period takes at least 4 samples"});
+  if (d.kind == "cosys") {
+    limits.push_back({key("interval_min_ms"), key("interval_max_ms"), 1,
+                      "the shortest pause cannot exceed the longest"});
+    limits.push_back({key("baud"), key("carrier_hz"), 4, "a bit takes at least 4 carrier periods"});
+    limits.push_back({key("baud"), rate, 100, "a bit takes at least 100 samples"});
+  }
+  return limits;
+}
+
+/// All limits of a scenario, whatever its numbers are.
+std::vector<Limit> limits_of(const Scenario& s) {
+  std::vector<Limit> all = limits();
+  for (const auto& [name, disturbance] : s.disturbances)
+    for (const Limit& limit : limits_of(name, disturbance)) all.push_back(limit);
+  return all;
+}
+
 [[noreturn]] void refuse_together(const Limit& limit, double small, double large,
                                   const Places& places) {
   const std::string &a = limit.small->name(), &b = limit.large->name();
@@ -48,8 +74,8 @@ const std::vector<Limit>& limits() {
                               small * limit.times));
 }
 
-void check_together(Scenario& s, const Places& places) {
-  for (const Limit& limit : limits()) {
+void check_together(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+  for (const Limit& limit : limits) {
     const double small = limit.small->number(s), large = limit.large->number(s);
     if (large < limit.times * small) refuse_together(limit, small, large, places);
   }
@@ -65,9 +91,49 @@ void check_current(const Scenario& s, const Places& places) {
       fmt::format("use at most {}", last));
 }
 
-void check_point(Scenario& s, const Places& places) {
-  check_together(s, places);
+/// Where its data do not tell of temperature, an LED has the sheet's.
+void check_temperature(const Scenario& s, const Places& places) {
+  const double celsius = s.led.temperature_c;
+  if (celsius == channel::emitter_reference_celsius) return;
+  const auto& known = s.emitter.relative_intensity_against_temperature.x;
+  if (!known.empty() && known.front() <= celsius && celsius <= known.back()) return;
+  const std::string asked =
+      fmt::format("led.temperature_c = {} {}", celsius, place_of(places, "led.temperature_c"));
+  if (known.empty())
+    throw bad_input(asked, "the data of " + s.emitter.name + " hold for one temperature",
+                    fmt::format("use {}", channel::emitter_reference_celsius));
+  throw bad_input(asked,
+                  fmt::format("the data of {} span {} to {} degree_C", s.emitter.name,
+                              known.front(), known.back()),
+                  "use a temperature between them");
+}
+
+/// Without noise there is no light of a given Eb/N0.
+void check_ebn0(const Scenario& s, const Places& places) {
+  if (std::isnan(s.receiver.ebn0_db) || s.noise.scale > 0) return;
+  throw bad_input(
+      fmt::format("receiver.ebn0_db = {} {} with noise.scale = 0 {}", s.receiver.ebn0_db,
+                  place_of(places, "receiver.ebn0_db"), place_of(places, "noise.scale")),
+      "without noise no light has this Eb/N0", "raise noise.scale or remove receiver.ebn0_db");
+}
+
+void check_remotes(const Scenario& s, const Places& places) {
+  for (const auto& [name, d] : s.disturbances) {
+    if (d.kind != "remote") continue;
+    const double frame_ms = longest_frame(d).value * 1e3;
+    if (frame_ms < d.repetition_ms) continue;
+    const std::string key = "disturbance." + name + ".repetition_ms";
+    throw bad_input(fmt::format("{} = {} {}", key, d.repetition_ms, place_of(places, key)),
+                    fmt::format("a frame may last {:.4g} ms", frame_ms), "use more than that");
+  }
+}
+
+void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+  check_together(s, limits, places);
+  check_remotes(s, places);
   check_current(s, places);
+  check_ebn0(s, places);
+  check_temperature(s, places);
 }
 
 using Setters = std::vector<const Key*>;
@@ -78,9 +144,23 @@ Setters setters_of(const std::vector<Axis>& sweep) {
   return setters;
 }
 
-void place_at(Scenario& s, const Setters& setters, const std::vector<double>& coordinates) {
+void place_text(Scenario& s, const Key& key, const std::string& label,
+                const std::vector<Scenario>& variants, std::size_t which) {
+  key.text(s) = label;
+  if (key.facts.type == KeyType::part) part_slot(key.name()).copy(variants[which], s);
+}
+
+/// Parts first: numbers hold for any of them.
+void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
+              const std::vector<double>& coordinates) {
   assert(setters.size() == coordinates.size());
-  for (std::size_t i = 0; i < setters.size(); ++i) setters[i]->number(s) = coordinates[i];
+  for (std::size_t i = 0; i < setters.size(); ++i) {
+    if (setters[i]->is_number()) continue;
+    const auto which = static_cast<std::size_t>(coordinates[i]);
+    place_text(s, *setters[i], loaded.sweep[i].labels[which], loaded.variants[i], which);
+  }
+  for (std::size_t i = 0; i < setters.size(); ++i)
+    if (setters[i]->is_number()) setters[i]->number(s) = coordinates[i];
 }
 
 }  // namespace
@@ -88,13 +168,13 @@ void place_at(Scenario& s, const Setters& setters, const std::vector<double>& co
 std::string place_of(const Places& places, const std::string& key) {
   const auto at = places.find(key);
   if (at != places.end()) return at->second;
-  return key.starts_with("module.") ? "from the part" : "by default";
+  return is_given_by_part(key) ? "from the part" : "by default";
 }
 
 Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
   Scenario s = loaded.base;
-  place_at(s, setters_of(loaded.sweep), coordinates);
-  check_point(s, loaded.places);
+  place_at(s, loaded, setters_of(loaded.sweep), coordinates);
+  check_point(s, limits_of(s), loaded.places);
   return s;
 }
 
@@ -102,9 +182,10 @@ void check_all_points(const LoadedScenario& loaded) {
   const Setters setters = setters_of(loaded.sweep);
   const std::size_t n = count_points(loaded.sweep);
   Scenario s = loaded.base;
+  const std::vector<Limit> limits = limits_of(s);
   for (std::size_t i = 0; i < n; ++i) {
-    place_at(s, setters, point_coordinates(loaded.sweep, i));
-    check_point(s, loaded.places);
+    place_at(s, loaded, setters, point_coordinates(loaded.sweep, i));
+    check_point(s, limits, loaded.places);
   }
 }
 

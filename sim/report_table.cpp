@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/ranking.hpp"
 #include "sim/statistics.hpp"
+#include "sim/validity.hpp"
 
 namespace sim {
 namespace {
@@ -16,19 +19,28 @@ struct Cell {
   int width;             // negative: to the left, as in printf
 };
 
+using Kind = Crossing::Kind;
+constexpr double crossing_level = 0.01;
+
 constexpr int number_width = 10;    // "-1.234e-09"
 constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
+
+std::size_t widest(const std::vector<std::string>& texts) {
+  std::size_t width = 0;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  return width;
+}
 
 Cell axis_cell(const Axis& axis) {
   const std::size_t dot = axis.key.rfind('.');
   const std::string table = dot == std::string::npos ? "" : axis.key.substr(0, dot);
   const std::string name = dot == std::string::npos ? axis.key : axis.key.substr(dot + 1);
   const std::string unit = axis.unit.empty() || axis.unit == "1" ? "" : "[" + axis.unit + "]";
-  const std::size_t widest = std::max({table.size(), name.size(), unit.size()});
-  return {{table, name, unit}, std::max(number_width, static_cast<int>(widest))};
+  const int width = static_cast<int>(std::max(widest({table, name, unit}), widest(axis.labels)));
+  return {{table, name, unit}, axis.is_text() ? -width : std::max(number_width, width)};
 }
 
-std::vector<Cell> cells_of(const std::vector<Axis>& axes) {
+std::vector<Cell> cells_of(const std::vector<Axis>& axes, bool theory) {
   std::vector<Cell> cells;
   for (const Axis& axis : axes) cells.push_back(axis_cell(axis));
   cells.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
@@ -36,6 +48,7 @@ std::vector<Cell> cells_of(const std::vector<Axis>& axes) {
   cells.push_back({{"", "", "frames"}, number_width});
   cells.push_back({{"", "bit", "errors"}, number_width});
   cells.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
+  if (theory) cells.push_back({{"", "in theory", ""}, number_width});
   cells.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
   cells.push_back({{"", "real", "time"}, 7});
   cells.push_back({{"", "", "stopped by"}, -1});
@@ -54,6 +67,10 @@ std::string line_of(const std::vector<Cell>& cells, const std::vector<std::strin
 }
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+std::string coordinate_text(const Axis& axis, double coordinate) {
+  return axis.is_text() ? axis.labels.at(static_cast<std::size_t>(coordinate)) : number(coordinate);
+}
 
 std::string decibel(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
@@ -84,6 +101,18 @@ std::string estimate_text(const Estimate& e) {
   return fmt::format("{} [{}, {}]", text(e.value), text(e.low), text(e.high));
 }
 
+std::string theory_text(double ratio) {
+  if (std::isnan(ratio)) return "-";
+  return ratio < 0.01 ? scientific(ratio, 3) : fmt::format("{:.4f}", ratio);
+}
+
+/// Why it stopped, and behind it a mark where a model is outside of its range.
+std::string closing_text(const PointResult& point, bool known) {
+  if (!known) return "-";
+  const std::string reason = stop_reason_name(point.stop);
+  return point.outside == 0 ? reason : reason + "  ! " + validity_names(point.outside);
+}
+
 std::string real_time_factor(const PointResult& p) {
   const double factor = p.simulated_s / p.elapsed_s;
   if (!std::isfinite(factor)) return "-";
@@ -105,10 +134,57 @@ nlohmann::ordered_json json_value(const Column& column, const PointResult& p, do
   return std::visit(Read{p, ci_level}, column.value);
 }
 
+nlohmann::ordered_json json_coordinate(const Axis& axis, double coordinate) {
+  if (axis.is_text()) return axis.labels.at(static_cast<std::size_t>(coordinate));
+  return coordinate;
+}
+
+const char* crossing_name(Crossing::Kind kind) {
+  static constexpr std::array names{"fitted",    "jump",    "unfitted",    "all_below",
+                                    "all_above", "unclear", "not_monotone"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranking& ranking,
+                                     const RowCrossing& row) {
+  nlohmann::ordered_json json;
+  if (ranking.other != Ranking::none) {
+    const Axis& other = result.axes[ranking.other];
+    json[other.key] = json_coordinate(other, other.values[row.row]);
+  }
+  const Crossing& c = row.crossing;
+  const bool at_one_place =
+      c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::unfitted;
+  json["along"] = result.axes[ranking.abscissa].key;
+  json["flr"] = crossing_level;
+  json["kind"] = crossing_name(c.kind);
+  json["at"] = c.kind == Kind::fitted ? nlohmann::ordered_json(c.at) : nullptr;
+  json["low"] = at_one_place ? nlohmann::ordered_json(c.low) : nullptr;
+  json["high"] = at_one_place ? nlohmann::ordered_json(c.high) : nullptr;
+  return json;
+}
+
+/// In the order of the ranking.
+nlohmann::ordered_json json_crossings(const ExperimentResult& result) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  const Ranking ranking = rank(result, crossing_level);
+  for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
+  return json;
+}
+
+nlohmann::ordered_json json_axis(const Axis& a) {
+  nlohmann::ordered_json json{{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}};
+  if (a.is_text())
+    json["values"] = a.labels;
+  else
+    json["values"] = a.values;
+  return json;
+}
+
 nlohmann::ordered_json json_point(const ExperimentResult& result, const PointResult& p) {
   nlohmann::ordered_json point;
   for (std::size_t i = 0; i < result.axes.size(); ++i) {
-    point[result.axes[i].key] = p.coordinates[i];
+    point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
   }
   for (const Column& column : columns()) {
     point[column.name] = json_value(column, p, result.ci_level);
@@ -118,8 +194,8 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
 
 }  // namespace
 
-std::string table_header(const std::vector<Axis>& axes) {
-  const std::vector<Cell> cells = cells_of(axes);
+std::string table_header(const std::vector<Axis>& axes, bool theory) {
+  const std::vector<Cell> cells = cells_of(axes, theory);
   std::string header;
   for (int row = axes.empty() ? 1 : 0; row < 3; ++row) {
     std::vector<std::string> texts;
@@ -129,19 +205,32 @@ std::string table_header(const std::vector<Axis>& axes) {
   return header;
 }
 
-std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level) {
+std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
+                      bool theory) {
   const bool known = measured(point);
   std::vector<std::string> texts;
-  for (const double c : point.coordinates) texts.push_back(number(c));
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    texts.push_back(coordinate_text(axes[i], point.coordinates[i]));
   texts.push_back(known ? number(point.operating.irradiance_mw_per_m2) : "-");
   texts.push_back(known ? decibel(point.operating.snr_db) : "-");
   texts.push_back(std::to_string(point.tally.n_frames));
   texts.push_back(std::to_string(point.tally.n_bit_errors));
   texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
+  if (theory) texts.push_back(theory_text(point.operating.ber_theory));
   texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
   texts.push_back(real_time_factor(point));
-  texts.emplace_back(known ? stop_reason_name(point.stop) : "-");
-  return line_of(cells_of(axes), texts);
+  texts.push_back(closing_text(point, known));
+  return line_of(cells_of(axes, theory), texts);
+}
+
+std::string validity_notes(const ExperimentResult& result) {
+  std::uint64_t all = 0;
+  for (const PointResult& p : result.points) all |= p.outside;
+  std::string notes;
+  for (std::size_t i = 0; i < validity_limits().size(); ++i)
+    if ((all >> i & 1U) != 0)
+      notes += fmt::format("! {}: {}\n", validity_limits()[i].name, validity_limits()[i].meaning);
+  return notes;
 }
 
 std::string to_json(const ExperimentResult& result) {
@@ -150,12 +239,10 @@ std::string to_json(const ExperimentResult& result) {
       {"seed", result.seed},        {"ci_level", result.ci_level},
       {"eb_convention", "average"}, {"result_digest", result_digest(result)}};
   json["axes"] = nlohmann::ordered_json::array();
-  for (const Axis& a : result.axes) {
-    json["axes"].push_back({{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}});
-    json["axes"].back()["values"] = a.values;
-  }
+  for (const Axis& a : result.axes) json["axes"].push_back(json_axis(a));
   json["points"] = nlohmann::ordered_json::array();
   for (const PointResult& p : result.points) json["points"].push_back(json_point(result, p));
+  json["crossings"] = json_crossings(result);
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

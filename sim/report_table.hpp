@@ -8,13 +8,19 @@
 
 namespace sim {
 
-/// Three lines (names and units), each ended by a newline.
-std::string table_header(const std::vector<Axis>& axes);
+/// Three lines (names and units), each ended by a newline. `theory`: with a column for what theory
+/// says beside the bit error ratio.
+std::string table_header(const std::vector<Axis>& axes, bool theory = false);
 
-/// One line, in the columns of table_header(axes).
-std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level);
+/// One line, in the columns of table_header(axes, theory).
+std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
+                      bool theory = false);
+
+/// A line for each kind of mark in the table: what "! near" means; empty if there is none.
+std::string validity_notes(const ExperimentResult& result);
 
 /// All counts and rates of all points by the names of the result file; what is NaN is null.
+/// "crossings" is the ranking (sim/ranking) in its order: of each row where 1 % of frames is lost.
 std::string to_json(const ExperimentResult& result);
 
 }  // namespace sim

@@ -86,6 +86,10 @@ const std::array table{
            operating<&OperatingPoint::snr_bandwidth_hz>},
     Column{"ebn0_db", "dB", "energy per bit over noise density",
            operating<&OperatingPoint::ebn0_db>},
+    Column{"ber_theory", "1", "bit error ratio of a matched receiver in theory",
+           operating<&OperatingPoint::ber_theory>},
+    Column{"outside_validity", "1", "limits of the models' validity that the point leaves",
+           &PointResult::outside},
     Column{"stop_reason", "1", "why the point stopped", &PointResult::stop},
     Column{"elapsed_s", "s", "wall-clock time", cost<&PointResult::elapsed_s>},
     Column{"simulated_s", "s", "simulated time of the link", cost<&PointResult::simulated_s>},
@@ -97,6 +101,13 @@ constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted
 // Little-endian whatever the machine, so that digests compare between machines.
 void append(std::string& bytes, std::uint64_t word) {
   for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>((word >> shift) & 0xff);
+}
+
+void append_labels(std::string& bytes, const Axis& axis) {
+  for (const std::string& label : axis.labels) {
+    append(bytes, label.size());
+    bytes += label;
+  }
 }
 
 void append_point(std::string& bytes, const PointResult& p) {
@@ -122,6 +133,7 @@ const char* stop_reason_name(StopReason reason) {
 
 std::string result_digest(const ExperimentResult& result) {
   std::string bytes;
+  for (const Axis& axis : result.axes) append_labels(bytes, axis);
   for (const PointResult& p : result.points) append_point(bytes, p);
   XXH128_canonical_t hash;
   XXH128_canonicalFromHash(&hash, XXH3_128bits(bytes.data(), bytes.size()));

@@ -3,6 +3,7 @@
 // operating point and the cost. The store, the table and the JSON printer all read this and nothing
 // else.
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <variant>
@@ -20,6 +21,7 @@ struct OperatingPoint {
   double snr_db = 0;            // behind the band-pass, in its noise bandwidth
   double snr_bandwidth_hz = 0;  // that bandwidth
   double ebn0_db = 0;           // average-energy convention
+  double ber_theory = std::numeric_limits<double>::quiet_NaN();  // of a matched receiver
 };
 
 enum class StopReason : std::int16_t { max_frames = 0, max_frame_errors = 1, interrupted = 2 };
@@ -32,6 +34,7 @@ struct PointResult {
   double elapsed_s = 0;         // wall clock
   double simulated_s = 0;       // of the link's own time
   std::uint64_t n_samples = 0;  // waveform samples simulated
+  std::uint64_t outside = 0;    // of the models' validity: bits of sim/validity
 };
 
 struct ExperimentResult {

@@ -5,11 +5,11 @@
 #include <chrono>
 
 #include "sim/commands.hpp"
-#include "sim/curve_fit.hpp"
 #include "sim/engine.hpp"
 #include "sim/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/progress_line.hpp"
+#include "sim/ranking.hpp"
 #include "sim/report_table.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"
@@ -56,10 +56,8 @@ void refuse_same_output(const RunRequest& request) {
 }
 
 std::string closing_lines(const ExperimentResult& result, const fs::path& output) {
-  std::string text;
-  if (result.axes.size() == 1)
-    text += crossing_sentence(result.axes[0], frame_loss_crossing(result)) + "\n";
-  return text + fmt::format("{}: digest {}\n", output.string(), result_digest(result));
+  return validity_notes(result) + ranking_lines(result, rank(result)) +
+         fmt::format("{}: digest {}\n", output.string(), result_digest(result));
 }
 
 /// Writes the file while a run goes on, points under way included: at most once a second, and a
@@ -87,20 +85,29 @@ class Keeper {
 
 /// A row may have no place to go, such as a reader that has seen enough: that ends the run, but
 /// what was counted is kept.
-void print_row(const ExperimentResult& result, std::size_t point, Keeper& keeper) {
+void print_row(const ExperimentResult& result, std::size_t point, bool theory, Keeper& keeper) {
   try {
-    print(table_row(result.axes, result.points[point], result.ci_level));
+    print(table_row(result.axes, result.points[point], result.ci_level, theory));
   } catch (const Failure&) {
     keeper.keep(result, true);
     throw;
   }
 }
 
+/// Whether a receiver of the sweep is one that theory knows.
+bool has_theory(const LoadedScenario& scenario) {
+  bool matched = channel::is_matched(scenario.base.module);
+  for (const std::vector<Scenario>& variants : scenario.variants)
+    for (const Scenario& variant : variants) matched |= channel::is_matched(variant.module);
+  return matched;
+}
+
 void run_scenario(const RunRequest& request, const LoadedScenario& scenario, const fs::path& output,
                   const std::atomic<bool>& interrupt) {
   Keeper keeper(output, request.program);
   ProgressLine progress(!request.quiet);
-  if (!request.json) print(table_header(scenario.sweep));
+  const bool theory = has_theory(scenario);
+  if (!request.json) print(table_header(scenario.sweep, theory));
   ExperimentOptions options{.threads = request.threads > 0 ? request.threads : default_threads(),
                             .interrupt = &interrupt};
   options.on_progress = [&](const Progress& p) {
@@ -110,7 +117,7 @@ void run_scenario(const RunRequest& request, const LoadedScenario& scenario, con
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
     keeper.keep(result, false);
-    if (!request.json) print_row(result, point, keeper);
+    if (!request.json) print_row(result, point, theory, keeper);
   };
   const ExperimentResult result = run_experiment(scenario, request.command, options);
   keeper.keep(result, true);

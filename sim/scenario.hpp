@@ -3,6 +3,7 @@
 // sim/keys.cpp, which gives its name, unit, bounds and meaning; scenarios/README.md prints it.
 // Loading turns text into a base and its sweep, all of whose points hold before any is run.
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,15 +30,25 @@ struct LedSettings {
   std::string part = "TSAL6200";
   double current_ma = 100;
   double height_mm = 10;
+  double temperature_c = 25;
   double yaw_deg = 0, elevation_deg = 0;
+};
+
+struct FloorSettings {
+  std::string part = "indoor";
 };
 
 struct ReceiverSettings {
   std::string module = "TSOP4856";
+  double ebn0_db = std::numeric_limits<double>::quiet_NaN();  // NaN: the geometry sets the light
   double range_m = 1;
   double bearing_deg = 0;
   double height_mm = 10;
   double yaw_deg = 0, tilt_deg = 0;
+  double temperature_c = 25;
+  double supply_v = 5;
+  double supply_ripple_mv = 0;
+  double population = 0;  // 1: each trial has a unit of its own
 };
 
 struct UartSettings {
@@ -47,6 +58,25 @@ struct UartSettings {
 
 struct AmbientSettings {
   double irradiance_w_per_m2 = 0.6;
+  double daylight_lux = 0, tungsten_lux = 0;  // add to it
+};
+
+/// Another light. Which numbers mean something, and their defaults, depend on the kind:
+/// sim/disturbance_keys.hpp.
+struct DisturbanceSettings {
+  std::string kind{};
+  double irradiance_w_per_m2 = 0;  // mean of a lamp, peak of an on/off wave
+  // Lamps.
+  double mains_hz = 50, modulation_depth = 0;
+  double ballast_hz = 0, ballast_db_per_decade = 20;
+  double frequency_hz = 0, duty = 0.5;
+  // Keyed carriers.
+  double carrier_hz = 0, carrier_duty = 0.5;
+  double leader_ms = 0, leader_gap_ms = 0, burst_ms = 0, gap_min_ms = 0, gap_max_ms = 0;
+  double bursts = 0;  // whole number
+  double repetition_ms = 0;
+  std::string message = "IND 111110 OK";
+  double baud = 0, interval_min_ms = 0, interval_max_ms = 0;
 };
 
 struct NoiseSettings {
@@ -71,9 +101,11 @@ struct Scenario {
   ReceiverSettings receiver;
   channel::ModuleData module;    // from the part's file, then [module] keys override
   channel::EmitterData emitter;  // from the part's file
-  channel::Floor floor{.refractive_index = 1.5, .roughness_um = 5, .diffuse_reflectance = 0.3};
+  FloorSettings floor_settings;
+  channel::Floor floor;  // from the part's file, then [floor] keys override
   UartSettings uart;
   AmbientSettings ambient;
+  std::map<std::string, DisturbanceSettings> disturbances;  // by their names
   NoiseSettings noise;
   SimulationSettings simulation;
   StopSettings stop;
@@ -86,15 +118,18 @@ using Places = std::map<std::string, std::string>;
 struct LoadedScenario {
   Scenario base;  // everything but the sweep
   /// Enough to repeat the run anywhere: the whole file, and behind it a [[part]] table for each
-  /// part that it does not carry yet and an [[override]] table for each --set.
+  /// part that it does not carry yet and an [[override]] table for each --set and for the names
+  /// behind each "*".
   std::string text;
   std::filesystem::path path;
   std::vector<Axis> sweep;  // in the order of the file, then of --set
   Places places;
+  /// For each axis: of parts, the base with each of them; of others, nothing.
+  std::vector<std::vector<Scenario>> variants;
 };
 
 /// Load a file. `overrides` are "key=value" as of --set, applied in order after the file's own
-/// [[override]] tables; `roots` are folders that hold modules/ and leds/.
+/// [[override]] tables; `roots` are folders that hold modules/, leds/ and floors/.
 LoadedScenario load_scenario(const std::filesystem::path& path,
                              const std::vector<std::string>& overrides,
                              const std::vector<std::filesystem::path>& roots);

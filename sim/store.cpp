@@ -7,6 +7,7 @@
 #include "sim/existing_file.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/new_file.hpp"
+#include "sim/validity.hpp"
 
 namespace sim {
 namespace {
@@ -23,7 +24,11 @@ struct Target {
 void write_axis(Target& to, const Axis& axis) {
   std::string name = axis.key;
   std::replace(name.begin(), name.end(), '.', '_');
-  to.file.add_dimension({name, axis.unit, axis.long_name}, axis.values);
+  const VariableFacts facts{name, axis.unit, axis.long_name};
+  if (axis.is_text())
+    to.file.add_dimension(facts, std::span<const std::string>(axis.labels));
+  else
+    to.file.add_dimension(facts, std::span<const double>(axis.values));
   to.dimensions.push_back(name);
 }
 
@@ -65,6 +70,17 @@ void explain_stop_reason(NetcdfFile& file) {
                 fmt::format("{}", fmt::join(stop_reason_names(), " ")));
 }
 
+void explain_validity(NetcdfFile& file) {
+  std::vector<std::int64_t> masks;
+  std::vector<std::string> names;
+  for (const ValidityLimit& limit : validity_limits()) {
+    masks.push_back(std::int64_t{1} << names.size());
+    names.emplace_back(limit.name);
+  }
+  file.set_numbers("outside_validity", "flag_masks", std::span<const std::int64_t>(masks));
+  file.set_text("outside_validity", "flag_meanings", fmt::format("{}", fmt::join(names, " ")));
+}
+
 // As an attribute only where it is one number; the variable snr_bandwidth_hz always has it.
 void explain_snr(Target& in) {
   in.file.set_text("snr_db", "ancillary_variables", "snr_bandwidth_hz");
@@ -97,6 +113,7 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   for (const Axis& axis : result.axes) write_axis(to, axis);
   for (const Column& column : columns()) std::visit(ColumnWriter{to, column}, column.value);
   explain_stop_reason(to.file);
+  explain_validity(to.file);
   explain_snr(to);
   to.file.set_text("ebn0_db", "eb_convention", "average");
   write_root(to);

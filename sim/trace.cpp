@@ -29,9 +29,13 @@ std::span<const Tap> analogue_taps() { return all_taps; }
 TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   const Link link = make_link(scenario);
   Transmission sent = transmit(link, trial);
+  const auto unit = draw_unit(link, trial);
   TracedTrial traced;
   traced.sample_rate = link.chain.sample_rate;
-  traced.rx = channel::propagate_alone(link.chain, chain_input(link, trial, sent), &traced.taps);
+  const channel::ChainInput input = chain_input(link, trial, sent, unit);
+  traced.rx = link.ideal ? channel::detect_alone(link.chain, *link.ideal, input,
+                                                 bit_slots(link, sent), &traced.taps)
+                         : channel::propagate_alone(link.chain, input, &traced.taps);
   traced.tx = std::move(sent.line);
   return traced;
 }

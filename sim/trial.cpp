@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
+#include "sim/disturbance.hpp"
 
 namespace sim {
 namespace {
@@ -17,6 +19,17 @@ dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpos
           .point = link.point,
           .trial = trial,
           .purpose = static_cast<std::uint32_t>(purpose)};
+}
+
+std::vector<channel::DisturbanceInput> draw_disturbances(const Link& link, std::uint32_t trial,
+                                                         dsp::Seconds end) {
+  std::vector<channel::DisturbanceInput> inputs;
+  dsp::RandomAddress draws = address(link, trial, Purpose::disturbance);
+  for (const DisturbanceSettings& disturbance : link.disturbances) {
+    inputs.push_back(draw_disturbance(disturbance, draws, end));
+    draws.purpose += 1U << 8U;
+  }
+  return inputs;
 }
 
 SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds start,
@@ -100,6 +113,15 @@ void count_rejected(protocol::CosysOutcome outcome, Tally& tally) {
   }
 }
 
+std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<Transmission>& sent,
+                                     const std::vector<channel::ChainInput>& inputs,
+                                     const std::atomic<bool>* stop) {
+  if (!link.ideal) return channel::propagate(link.chain, inputs, stop);
+  std::vector<channel::BitSlots> slots;
+  for (const Transmission& trial : sent) slots.push_back(bit_slots(link, trial));
+  return channel::detect(link.chain, *link.ideal, inputs, slots, stop);
+}
+
 bool overlaps_any(const Transmission& sent, const protocol::CosysFrame& frame, dsp::Seconds end,
                   const Link& link) {
   return std::any_of(sent.messages.begin(), sent.messages.end(), [&](const SentMessage& m) {
@@ -154,10 +176,30 @@ Transmission transmit(const Link& link, std::uint32_t trial) {
   return sent;
 }
 
-channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent) {
+std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial) {
+  if (!link.population) return std::nullopt;
+  const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
+  return channel::design_unit(channel::unit_of(link.module, draws.uniform(0), draws.uniform(1)),
+                              link.ambient, link.chain);
+}
+
+channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent,
+                                const std::optional<channel::ModuleDesign>& unit) {
   return {.drive = &sent.line,
           .carrier_phase = address(link, trial, Purpose::carrier_phase).block(0)[0],
-          .noise_seed = address(link, trial, Purpose::noise).block(0)};
+          .noise_seed = address(link, trial, Purpose::noise).block(0),
+          .unit = unit ? &*unit : nullptr,
+          .disturbances = draw_disturbances(link, trial, sent.line.end())};
+}
+
+channel::BitSlots bit_slots(const Link& link, const Transmission& sent) {
+  const dsp::Seconds bit = dsp::period(link.device_baud);
+  channel::BitSlots slots;
+  for (const SentMessage& message : sent.messages)
+    for (const dsp::Seconds start : message.byte_start)
+      for (int slot = 0; slot < protocol::bits_per_byte; ++slot)
+        slots.push_back({start + bit * slot, start + bit * (slot + 1)});
+  return slots;
 }
 
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
@@ -184,12 +226,15 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
 
 GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
   std::vector<Transmission> sent;
+  std::vector<std::optional<channel::ModuleDesign>> units;
   std::vector<channel::ChainInput> inputs;
-  for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-  for (int i = 0; i < n; ++i)
-    inputs.push_back(chain_input(link, first + static_cast<std::uint32_t>(i),
-                                 sent[static_cast<std::size_t>(i)]));
-  std::vector<dsp::LogicTrace> pins = channel::propagate(link.chain, inputs, stop);
+  for (int i = 0; i < n; ++i) {
+    sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+    units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
+  }
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    inputs.push_back(chain_input(link, first + static_cast<std::uint32_t>(i), sent[i], units[i]));
+  std::vector<dsp::LogicTrace> pins = pins_of(link, sent, inputs, stop);
 
   GroupResult result;
   for (std::size_t i = 0; i < sent.size(); ++i) {

@@ -26,6 +26,7 @@
 // counts the last message only: one trial is one frame.
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dsp/logic_trace.hpp"
@@ -41,7 +42,9 @@ enum class Purpose : std::uint32_t {
   jitter = 2,
   carrier_phase = 3,
   noise = 4,
-  uart_phase = 5
+  uart_phase = 5,
+  unit = 6,
+  disturbance = 7  // and the numbers that end in this byte: one for each
 };
 
 /// A message on the wire: when each of its characters starts, and when the last one ends.
@@ -66,8 +69,15 @@ struct Reception {
 /// Steps 1-2: the trial's messages, at its own random instants.
 Transmission transmit(const Link& link, std::uint32_t trial);
 
-/// The random state of steps 3-7 for one trial.
-channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent);
+/// The trial's own unit of the module, where each trial has one.
+std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial);
+
+/// The random state of steps 3-7 for one trial; points to its transmission and unit.
+channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent,
+                                const std::optional<channel::ModuleDesign>& unit = std::nullopt);
+
+/// When each bit is sent: what a matched receiver, which then makes steps 6-7, is told.
+channel::BitSlots bit_slots(const Link& link, const Transmission& sent);
 
 /// Steps 8-9: what the decoder makes of the pin.
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin);

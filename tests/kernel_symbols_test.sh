@@ -8,4 +8,4 @@ if [[ -n $shared ]]; then
   printf 'weak symbols of %s that are not of %s alone:\n%s\n' "$1" "$2" "$shared"
   exit 1
 fi
-nm --demangle "$1" | grep -q " T .*run_lanes_$2" || { echo "$1 does not define run_lanes_$2"; exit 1; }
+nm --demangle "$1" | grep " T .*run_lanes_$2" >/dev/null || { echo "$1 does not define run_lanes_$2"; exit 1; }

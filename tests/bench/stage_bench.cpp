@@ -90,7 +90,7 @@ BENCHMARK_CAPTURE(light, lit, 300.0);
 BENCHMARK_CAPTURE(light, dark, -1.0);
 
 void band_pass(benchmark::State& state) {
-  channel::BandPass<Lanes8> filter(module_design().band_pass);
+  channel::BandPass<Lanes8> filter(channel::in_all_lanes<Lanes8>(module_design()).band_pass);
   run(
       state, [filter](Lanes8 x) mutable { return dsp::to_bits(filter(x)); }, noise(1));
 }
@@ -126,7 +126,8 @@ BENCHMARK(integrator);
 void slow_agc_tick(benchmark::State& state) {
   run(
       state,
-      [stage = channel::SlowAgc<Lanes8>(module_design().agc)](Lanes8 x) mutable {
+      [stage = channel::SlowAgc<Lanes8>(channel::in_all_lanes<Lanes8>(module_design()).agc)](
+          Lanes8 x) mutable {
         return dsp::to_bits(stage(dsp::choose(x > Lanes8(0.0f), Lanes8(17.0f), Lanes8(0.0f))));
       },
       noise(1));
@@ -136,7 +137,9 @@ BENCHMARK(slow_agc_tick);
 void receiver_module(benchmark::State& state) {
   const ModuleDesign d = module_design();
   run(
-      state, [module = channel::ReceiverModule<Lanes8>(d)](Lanes8 x) mutable { return module(x); },
+      state,
+      [module = channel::ReceiverModule<Lanes8>(channel::in_all_lanes<Lanes8>(d))](
+          Lanes8 x) mutable { return module(x); },
       noise(10 * d.threshold));
 }
 BENCHMARK(receiver_module);

@@ -79,6 +79,47 @@ TEST(Emitter, CosinePowerHoldsOnlyInsideTheBeam) {  // 15.5 = ln(1/2) / ln(cos 1
   EXPECT_GT(relative(50), 10 * cosine(50));
 }
 
+TEST(Emitter, AHalfAngleAloneMakesACosinePower) {  // ln(1/2) / ln(cos phi)
+  const double half_angle_and_power[][2] = {{10, 45.3}, {17, 15.5}, {22, 9.2},
+                                            {25, 7.05}, {45, 2.0},  {60, 1.0}};
+  for (const auto& [deg, m] : half_angle_and_power) {
+    EXPECT_NEAR(cosine_power(dsp::degrees(deg)), m, .005 * m);
+    const EmitterData led{
+        .name = "", .intensity_mw_per_sr = {{1}, {1}}, .pattern = {}, .half_angle_deg = deg};
+    EXPECT_EQ(relative_intensity(led, {}), 1);
+    EXPECT_NEAR(relative_intensity(led, dsp::degrees(deg)), .5, 1e-12);
+    EXPECT_NEAR(relative_intensity(led, dsp::degrees(30)),
+                std::pow(std::cos(dsp::degrees(30).value), cosine_power(dsp::degrees(deg))), 1e-12);
+    EXPECT_EQ(relative_intensity(led, dsp::degrees(91)), 0);
+  }
+}
+
+// 81010 Fig. 7, some of its digitised points.
+TEST(Emitter, FadesWithTemperatureAsTheFigure) {  // T3: .577 at 85 C
+  EmitterData led = tsal6200();
+  led.relative_intensity_against_temperature = {
+      {-10, 0.533881, 21.2743, 25.8084, 39.9942, 60.9521, 81.3534, 86.2566, 100.258},
+      {1.354, 1.2356, 1.0353, 0.99558, 0.8789, 0.72556, 0.59772, 0.57044, 0.50127}};
+  const auto relative = [&](double celsius) {
+    return axial_intensity(led, dsp::Amperes(.1), celsius) / axial_intensity(led, dsp::Amperes(.1));
+  };
+  EXPECT_NEAR(relative(85), .577, .03);
+  EXPECT_NEAR(relative(-10), 1.35, .01);
+  EXPECT_NEAR(relative(60), .73, .01);
+  EXPECT_EQ(relative(25), 1);
+  EXPECT_DOUBLE_EQ(axial_intensity(led, dsp::Amperes(.1)).value, 72.3e-3);
+}
+
+TEST(Emitter, WithoutACurveTemperatureChangesNothing) {
+  EXPECT_EQ(axial_intensity(tsal6200(), dsp::Amperes(.1), 85).value * 1e3, intensity(100));
+}
+
+TEST(Emitter, GrowsRedderWithTemperature) {  // 81010 rev 2.4, basic characteristics: 0.2 nm/K
+  EXPECT_DOUBLE_EQ(wavelength(tsal6200()).value, 940e-9);
+  EXPECT_NEAR(wavelength(tsal6200(), 85).value, 952e-9, 1e-15);
+  EXPECT_NEAR(wavelength(tsal6200(), -10).value, 933e-9, 1e-15);
+}
+
 TEST(Emitter, IsDarkBehind) {
   const EmitterData isotropic{"", {{1}, {1}}, {{0}, {1}}};
   EXPECT_EQ(relative_intensity(isotropic, dsp::degrees(90)), 1);

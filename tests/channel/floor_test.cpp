@@ -82,6 +82,16 @@ TEST(Mirror, ShareIsFresnelTimesAment) {
   }
 }
 
+TEST(Mirror, MetalTakesItsShareOfWhatTheSurfaceLetsIn) {
+  const Floor bare{.refractive_index = 1, .metal_reflectance = 1};
+  const Floor glass{.refractive_index = 1.5, .metal_reflectance = .9};
+  for (double sin_grazing : {0.0, 1e-3, .02, .3, 1.0}) {
+    EXPECT_EQ(mirrored_share(bare, sin_grazing, infrared), 1);
+    const double surface = fresnel_reflectance(1.5, dsp::Radians(std::asin(sin_grazing)));
+    EXPECT_NEAR(mirrored_share(glass, sin_grazing, infrared), 1 - (1 - surface) * .1, 1e-12);
+  }
+}
+
 // All that leaves a unit of light: its mirror image and what the layer scatters upward.
 double light_back(const Floor& floor, double sin_in) {
   constexpr int steps = 2000;
@@ -97,7 +107,10 @@ TEST(Diffuse, NeverGivesBackMoreThanCame) {
   for (double n : {1.0, 1.3, 1.5, 3.0}) {
     for (double roughness : {0.0, 0.3, 5.0}) {
       for (double sin_in : {0.0, 1e-3, .02, .3, .7, 1.0}) {
-        EXPECT_LE(light_back({n, roughness, 1.0}, sin_in), 1 + 1e-6) << n << ' ' << roughness;
+        for (double metal : {0.0, 0.5, 1.0}) {
+          const Floor floor{n, roughness, 1.0, metal};
+          EXPECT_LE(light_back(floor, sin_in), 1 + 1e-6) << n << ' ' << roughness << ' ' << metal;
+        }
       }
     }
   }

@@ -12,8 +12,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr dsp::WattsPerSteradian one_watt(1);
-constexpr Floor no_floor{.refractive_index = 1};
-constexpr Floor white{.refractive_index = 1, .diffuse_reflectance = 1};
+const Floor no_floor{.refractive_index = 1};
+const Floor white{.refractive_index = 1, .diffuse_reflectance = 1};
 
 EmitterData cosine_led(double m) {
   EmitterData led{"cosine", {{100}, {100}}, {}};
@@ -105,7 +105,7 @@ TEST(Direct, NothingBehindLedOrReceiver) {
 
 TEST(Specular, PerfectMirrorAddsTheImageSource) {  // P2
   const EmitterData isotropic{"", {{1}, {1}}, {{0}, {1}}};
-  const Floor mirror{.refractive_index = 1e9};
+  const Floor mirror{.refractive_index = 1, .metal_reflectance = 1};
   for (double d : {.1, 1.0, 5.0}) {
     const ReceivedLight light =
         received_light(isotropic, one_watt, at(0, 0, .01), cosine(0), facing(d, .01), mirror);
@@ -166,6 +166,16 @@ TEST(Diffuse, TendsToTheClosedForm) {  // (h / d) (1 / (m + 1) + 1 / (n + 1)) as
   }
 }
 
+bool shaded(double height, double top) { return std::abs(height) <= top; }
+
+// Whether the bump hides (x, y) on the floor from either end, for a receiver on the x axis.
+bool shaded_patch(double x, const Pose& led, const Pose& receiver, const Floor& floor) {
+  const double bump = floor.bump_position * receiver.x, top = floor.bump_height_mm * 1e-3;
+  if (top == 0) return false;
+  if (x > bump) return shaded(led.z * (x - bump) / x, top);
+  return shaded(receiver.z * (bump - x) / (receiver.x - x), top);
+}
+
 // The diffuse part once more: equal squares over a piece of floor, cosines as such.
 double plain_diffuse(double m, double n, const Pose& led, const Pose& receiver,
                      const Floor& floor) {
@@ -178,13 +188,13 @@ double plain_diffuse(double m, double n, const Pose& led, const Pose& receiver,
     return std::max(dot / r, 0.0);
   };
   double sum = 0;
-  for (double x = -half_width; x < half_width; x += cell) {
-    for (double y = -half_width; y < half_width; y += cell) {
+  for (double x = cell / 2 - half_width; x < half_width; x += cell) {
+    for (double y = cell / 2 - half_width; y < half_width; y += cell) {
       const double r1 = std::hypot(x - led.x, y - led.y, led.z);
       const double r2 = std::hypot(x - receiver.x, y - receiver.y, receiver.z);
       const double cosines = std::pow(toward(led, x, y, r1), m) *
                              std::pow(toward(receiver, x, y, r2), n) * led.z * receiver.z;
-      if (cosines <= 0) continue;
+      if (cosines <= 0 || shaded_patch(x, led, receiver, floor)) continue;
       sum += cosines / std::pow(r1 * r2, 3) *
              diffuse_brdf(floor, led.z / r1, receiver.z / r2, dsp::Metres(940e-9));
     }
@@ -213,6 +223,97 @@ TEST(Diffuse, MatchesAPlainSumForAnyPose) {
     const double plain = plain_diffuse(c.m, c.n, c.led, c.receiver, c.floor);
     EXPECT_NEAR(light, plain, .01 * plain) << &c - cases;
   }
+}
+
+Floor bumpy(Floor floor, double height_mm, double position = .5) {
+  floor.bump_height_mm = height_mm;
+  floor.bump_position = position;
+  return floor;
+}
+
+TEST(Bump, ThrowsItsShadowOnTheScatteredLight) {
+  // Bumps whose shadows end on the borders of the plain sum's squares.
+  const Pose led = at(0, 0, .02, 0, -30), receiver = at(.06, 0, .03, 180, -30);
+  for (const auto& [top_mm, position] : {std::pair{5.0, .5}, {10.0, 1 / 3.}, {15.0, .6}}) {
+    const Floor floor = bumpy(white, top_mm, position);
+    const double plain = plain_diffuse(3, 1, led, receiver, floor);
+    const double light =
+        received_light(cosine_led(3), one_watt, led, cosine(1), receiver, floor).diffuse.value;
+    EXPECT_NEAR(light, plain, .01 * plain) << top_mm;
+    EXPECT_LT(light, .9 * plain_diffuse(3, 1, led, receiver, white)) << top_mm;
+  }
+}
+
+TEST(Bump, AsHighAsTheLineOfSightHidesTheLed) {
+  for (double d : {.05, 1.0, 10.0}) {
+    for (double position : {.01, .3, .5, .99}) {
+      const auto light = [&](double top_mm) {
+        return level_link(15.5, 1, d, 10 * 1e-3, bumpy({1.5, 0, 1}, top_mm, position));
+      };
+      EXPECT_EQ(light(10).total().value, 0) << d << ' ' << position;
+      EXPECT_EQ(light(10.1).total().value, 0);
+      EXPECT_EQ(light(9.99).direct, light(0).direct);
+    }
+  }
+}
+
+TEST(Bump, OfAnyHeightInTheMiddleHidesTheMirrorImageOfALevelLink) {
+  const Floor floor{1.5, 0, 0};
+  EXPECT_EQ(level_link(1, 1, 1, .01, bumpy(floor, .1)).specular.value, 0);
+  // At a quarter of the way the mirrored ray passes half as high as the LED.
+  EXPECT_EQ(level_link(1, 1, 1, .01, bumpy(floor, 5.1, .25)).specular.value, 0);
+  EXPECT_EQ(level_link(1, 1, 1, .01, bumpy(floor, 4.9, .25)).specular,
+            level_link(1, 1, 1, .01, floor).specular);
+  EXPECT_EQ(level_link(1, 1, 1, .01, bumpy(floor, 4.9, .75)).specular,
+            level_link(1, 1, 1, .01, floor).specular);
+}
+
+TEST(Bump, IsSeenOverFromAHigherReceiver) {
+  const auto direct = [](double receiver_h, double position) {
+    return received_light(cosine_led(1), one_watt, at(0, 0, .01), cosine(1), facing(1, receiver_h),
+                          bumpy(no_floor, 20, position))
+        .direct.value;
+  };
+  EXPECT_EQ(direct(.029, .5), 0);  // 19.5 mm above the bump
+  EXPECT_GT(direct(.031, .5), 0);
+  EXPECT_EQ(direct(.031, .4), 0);
+  EXPECT_GT(direct(.031, .6), 0);
+}
+
+TEST(Bump, TurnsWithTheReceiversBearing) {
+  for (double bearing : {-170.0, -60.0, 45.0, 90.0, 180.0}) {
+    const Pose receiver =
+        receiver_pose(dsp::Metres(1), dsp::degrees(bearing), dsp::Metres(.01), {}, {});
+    const auto light = [&](double top_mm) {
+      return received_light(cosine_led(1), one_watt, at(0, 0, .01, bearing), cosine(1), receiver,
+                            bumpy(no_floor, top_mm));
+    };
+    EXPECT_EQ(light(10.01).total().value, 0) << bearing;
+    EXPECT_EQ(light(9.99).total(), light(0).total()) << bearing;
+  }
+}
+
+TEST(Bump, LeavesAReceiverRightAboveTheLedAlone) {
+  const auto light = [](const Floor& floor) {
+    return received_light(cosine_led(1), one_watt, at(0, 0, .01, 0, 90), cosine(1),
+                          at(0, 0, .5, 0, -90), floor);
+  };
+  EXPECT_GT(light(white).direct.value, 0);
+  EXPECT_EQ(light(bumpy(white, 100)).total(), light(white).total());
+}
+
+TEST(ReceivedLight, AWarmLedsLongerWavesSeeASmootherFloor) {
+  const Floor floor{.refractive_index = 1.5, .roughness_um = 5};
+  const auto specular = [&](double celsius) {
+    return received_light(cosine_led(1), one_watt, at(0, 0, .01), cosine(1), facing(1, .01), floor,
+                          celsius)
+        .specular.value;
+  };
+  const double grazing = std::atan(.02);
+  const auto left = [&](double nm) {
+    return roughness_factor(5, dsp::Radians(grazing), dsp::Metres(nm * 1e-9));
+  };
+  EXPECT_NEAR(specular(85) / specular(25), left(952) / left(940), 1e-12);
 }
 
 TEST(Diffuse, IsProportionalToReflectanceAndIntensity) {

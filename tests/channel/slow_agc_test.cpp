@@ -14,6 +14,8 @@ namespace {
 constexpr int tick = 10;
 constexpr SlowAgcDesign design{.long_burst = 800,
                                .min_gap = 300,
+                               .free = 0,
+                               .hold = 0,
                                .attack = 0.01f,
                                .release = 0.004f,
                                .range = 60,
@@ -25,7 +27,7 @@ double in_db(float factor) { return 20 * std::log10(static_cast<double>(factor))
 /// An AGC and a clock: bursts and gaps of any length, wherever they fall on the grid of ticks.
 class Timeline {
  public:
-  explicit Timeline(double start) { dark(start); }
+  explicit Timeline(double start, const SlowAgcDesign& d = design) : agc_(d) { dark(start); }
 
   Timeline& lit(double samples) { return pass(samples, 1); }
   Timeline& dark(double samples) { return pass(samples, 0); }
@@ -46,7 +48,7 @@ class Timeline {
     return *this;
   }
 
-  SlowAgc<float> agc_{design};
+  SlowAgc<float> agc_;
   double into_ = 0, active_ = 0;
   float gain_ = 1;
 };
@@ -82,6 +84,26 @@ TEST(SlowAgc, DarkLetsItDownToRestAndNoFurther) {
   EXPECT_NEAR(t.gain(), 20, 1e-3);
   EXPECT_NEAR(t.dark(1000).gain(), 16, 1e-3);
   EXPECT_EQ(t.dark(10000).gain(), 0);
+}
+
+TEST(SlowAgc, SparesTheFirstCyclesOfALongBurst) {
+  SlowAgcDesign sparing = design;
+  sparing.free = 200;
+  EXPECT_NEAR(Timeline(0, sparing).lit(1000).gain(), 8, 1e-3);
+  EXPECT_EQ(Timeline(0, sparing).lit(790).gain(), 0);
+}
+
+// AGC5, AGC6: one gap for bursts of any length (Vishay 82836 Fig. 8).
+TEST(SlowAgc, HoldsItsGainUntilTheGapIsLongEnough) {
+  SlowAgcDesign holding = design;
+  holding.hold = 2000;
+  for (const double start : starts) {
+    EXPECT_NEAR(Timeline(start, holding).lit(1000).dark(1990).gain(), 10, 0.05) << start;
+    EXPECT_NEAR(Timeline(start, holding).lit(1000).dark(3000).gain(), 6, 0.05) << start;
+    Timeline train(start, holding);
+    for (int i = 0; i < 5; ++i) train.lit(1000).dark(1990);
+    EXPECT_NEAR(train.gain(), 50, 0.1) << start;
+  }
 }
 
 TEST(SlowAgc, StopsAtItsRange) { EXPECT_NEAR(Timeline(0).lit(50000).gain(), 60, 1e-3); }

@@ -98,11 +98,17 @@ TEST(Crossing, BracketsAJump) {
 }
 
 TEST(Crossing, SaysWhenThereIsNone) {
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {0, 0, 0})).kind, Kind::outside);
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {500, 800, 1000})).kind, Kind::outside);
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({}, {})).kind, Kind::outside);
+  const auto below = sim::frame_loss_crossing(sweep({1, 3, 2}, {0, 10, 0}));
+  EXPECT_EQ(below.kind, Kind::all_below);  // 1 % is not above 1 %
+  EXPECT_EQ(below.low, 1);
+  EXPECT_EQ(below.high, 3);
+  const auto above = sim::frame_loss_crossing(sweep({3, 1, 2}, {1000, 11, 800}));
+  EXPECT_EQ(above.kind, Kind::all_above);
+  EXPECT_EQ(above.low, 1);
+  EXPECT_EQ(above.high, 3);
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({}, {})).kind, Kind::unclear);
   // 0.9 % and 1.1 % of 1000 frames: on both sides of the level, but not told apart.
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {9, 10, 11})).kind, Kind::outside);
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {9, 10, 11})).kind, Kind::unclear);
 }
 
 TEST(Crossing, SaysWhenTheLossIsNotMonotone) {
@@ -151,10 +157,28 @@ TEST(CrossingSentence, SaysEachOutcome) {
   EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m "
             "(no logit curve fits the points)");
-  EXPECT_EQ(say({Kind::outside}),
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
+            "frame loss stays at most 1 % over the whole sweep, receiver.range_m = 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_above, 1, 1, 1}),
+            "frame loss is above 1 % over the whole sweep, receiver.range_m = 1 m");
+  EXPECT_EQ(say({Kind::unclear}),
             "frame loss does not clearly cross 1 % inside the sweep of receiver.range_m");
   EXPECT_EQ(say({Kind::not_monotone}),
             "frame loss rises and falls along receiver.range_m: no single crossing of 1 %");
+}
+
+TEST(CrossingWords, SayEachOutcomeInAList) {
+  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
+  const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8}), "between 7 and 8 m (a jump: refine the sweep there)");
+  EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}), "between 7 and 8 m (no logit curve fits the points)");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
+            "beyond the sweep: at most 1 % lost anywhere in 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5}),
+            "not in the sweep: more than 1 % lost everywhere in 1 .. 5 m");
+  EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
+  EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }
 
 }  // namespace

@@ -29,7 +29,11 @@ def check_axes(data, expected):
     for name, axis in zip(dims, expected["axes"]):
         coordinate = data.coords[name]
         assert coordinate.values.tolist() == axis["values"], coordinate
-        assert coordinate.attrs == {"units": axis["unit"], "long_name": axis["long_name"]}, coordinate
+        texts = isinstance(axis["values"][0], str)
+        facts = {"long_name": axis["long_name"]}
+        assert coordinate.attrs == (facts if texts else {"units": axis["unit"], **facts}), coordinate
+        first = data.sel({name: axis["values"][0]}), data.isel({name: 0})
+        assert first[0].equals(first[1]), "select by value"
     return tuple(dims)
 
 
@@ -88,6 +92,8 @@ def output_of(*command):
 def check_dumps(path, expected):
     header, dump = output_of("ncdump", "-h", path), output_of("h5dump", "-H", path)
     shape = [str(len(axis["values"])) for axis in expected["axes"]]
+    for text in (v for axis in expected["axes"] for v in axis["values"] if isinstance(v, str)):
+        assert f'"{text}"' in output_of("ncdump", path), text
     dims = [axis["key"].replace(".", "_") for axis in expected["axes"]]
     for name, size in zip(dims, shape):
         assert f"\t{name} = {size} ;" in header, header

@@ -103,6 +103,20 @@ TEST(TableRow, FitsAScreenWithTwoAxes) {
   for (const auto& line : lines_of(sim::table_header(two_axes))) EXPECT_LE(line.size(), 152U);
 }
 
+const std::vector<sim::Axis> text_axes{
+    {"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "a-longer-name"}},
+    {"receiver.range_m", "m", "distance", {1, 2, 3}}};
+
+TEST(TableRow, ShowsTextsToTheLeftInAColumnAsWideAsTheLongest) {
+  sim::PointResult p = measured_point();
+  p.coordinates = {0, 3};
+  EXPECT_TRUE(sim::table_row(text_axes, p, 0.95).starts_with("TSOP4856                3  "));
+  p.coordinates = {1, 3};
+  EXPECT_TRUE(sim::table_row(text_axes, p, 0.95).starts_with("a-longer-name           3  "));
+  const auto lines = lines_of(sim::table_header(text_axes));
+  EXPECT_TRUE(lines[1].starts_with("module            range_m  ")) << lines[1];
+}
+
 TEST(TableHeader, NamesTheAxesAndUnits) {
   const auto lines = lines_of(sim::table_header(one_axis));
   ASSERT_EQ(lines.size(), 3U);
@@ -130,6 +144,38 @@ TEST(Json, HoldsAllCountsAndRates) {
   EXPECT_EQ(point["flr"], 0.1);
   EXPECT_EQ(point["stop_reason"], "max_frame_errors");
   for (const sim::Column& column : sim::columns()) EXPECT_TRUE(point.contains(column.name));
+}
+
+sim::ExperimentResult two_modules() {
+  sim::ExperimentResult result;
+  result.axes = text_axes;
+  const std::vector<std::uint64_t> lost{0, 1000, 1000, 0, 0, 0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    result.points.push_back(measured_point());
+    result.points[i].coordinates = {i < 3 ? 0.0 : 1.0, 1.0 + static_cast<double>(i % 3)};
+    result.points[i].tally.n_frames_lost = lost[i];
+  }
+  return result;
+}
+
+TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
+  const auto json = nlohmann::json::parse(sim::to_json(two_modules()));
+  EXPECT_EQ(json["axes"][0]["values"], text_axes[0].labels);
+  EXPECT_EQ(json["points"][4]["receiver.module"], "a-longer-name");
+  EXPECT_EQ(json["points"][4]["receiver.range_m"], 2);
+  const auto expected = nlohmann::json::parse(R"([
+    {"receiver.module": "a-longer-name", "along": "receiver.range_m", "flr": 0.01,
+     "kind": "all_below", "at": null, "low": null, "high": null},
+    {"receiver.module": "TSOP4856", "along": "receiver.range_m", "flr": 0.01,
+     "kind": "jump", "at": null, "low": 1.0, "high": 2.0}])");
+  EXPECT_EQ(json["crossings"], expected);
+}
+
+TEST(Json, TextsCountInTheDigest) {
+  sim::ExperimentResult result = two_modules();
+  const std::string before = sim::result_digest(result);
+  result.axes[0].labels[1] = "another";
+  EXPECT_NE(sim::result_digest(result), before);
 }
 
 TEST(Json, NamesEachRateForWhatItIs) {

@@ -19,6 +19,8 @@ namespace {
 double other_value(const Key& key) {
   Scenario defaults;
   const double standard = key.number(defaults);
+  if (std::isnan(standard)) return key.facts.range.high / 2;  // unset by default
+  if (key.facts.type == KeyType::flag) return 1 - standard;
   if (key.facts.type == KeyType::whole_number) return standard + 1;
   const double up = standard == 0 ? 1.0 / 64 : standard * 1.0078125;
   return key.facts.range.contains(up) ? up : standard * 0.984375;
@@ -27,6 +29,7 @@ double other_value(const Key& key) {
 std::string other_text(const Key& key) {
   if (key.name() == "led.part") return "tsal6200";
   if (key.name() == "receiver.module") return "tsop4856";
+  if (key.name() == "floor.part") return "INDOOR";
   return key.facts.type == KeyType::choice ? "mid-bit" : "RFID \"S:\\U";
 }
 
@@ -59,7 +62,9 @@ TEST(ScenarioLaw, EveryNumberSweepsAndOnlyItChanges) {
   for (const Key& key : scenario_keys()) {
     if (!key.is_number()) continue;
     Scenario defaults;
-    const std::string values = fmt::format("{},{}", key.number(defaults), other_value(key));
+    const double standard = key.number(defaults);
+    const std::string values = fmt::format(
+        "{},{}", std::isnan(standard) ? key.facts.range.high : standard, other_value(key));
     const auto swept = loaded("[sweep]\n\"" + key.name() + "\" = \"" + values + "\"\n");
     ASSERT_EQ(swept.sweep.size(), 1U) << key.name();
     EXPECT_EQ(swept.sweep[0].unit, key.facts.unit);
@@ -74,11 +79,14 @@ TEST(ScenarioLaw, EveryNumberSweepsAndOnlyItChanges) {
 
 TEST(ScenarioLaw, AnEmptyFileIsTheStructsDefaults) {
   Scenario empty = loaded("").base, defaults;
-  for (const Key& key : scenario_keys())
-    if (key.is_number())
-      EXPECT_EQ(key.number(empty), key.number(defaults)) << key.name();
-    else
+  for (const Key& key : scenario_keys()) {
+    if (!key.is_number()) {
       EXPECT_EQ(key.text(empty), key.text(defaults)) << key.name();
+    } else if (!is_given_by_part(key.name()) && !std::isnan(key.number(defaults))) {
+      EXPECT_EQ(key.number(empty), key.number(defaults)) << key.name();
+    }
+  }
+  EXPECT_TRUE(std::isnan(empty.receiver.ebn0_db)) << "unset";
 }
 
 TEST(ScenarioLaw, CanonicalTextTellsPhysicsAndNothingElse) {
@@ -108,6 +116,7 @@ TEST(ScenarioLaw, CanonicalTextTellsTheLastBitOfANumber) {
     if (!key.is_number() || key.name().starts_with("stop.") || key.name() == "simulation.seed")
       continue;
     Scenario s = loaded("").base;
+    if (std::isnan(key.number(s))) key.number(s) = 10;
     const std::string before = canonical_text(s);
     key.number(s) = std::nextafter(key.number(s), 1e300);
     EXPECT_NE(canonical_text(s), before) << key.name();

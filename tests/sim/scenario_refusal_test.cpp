@@ -91,7 +91,17 @@ const Refusal refusals[] = {
      "sweep.led.yaw_deg in x.toml:2 (a list that is not of numbers where a range or list is "
      "expected) write \"1:1:20\" or [1, 2, 5]"},
     {"[sweep]\nled.part = [1]",
-     "led.part in x.toml:2 (text cannot be swept) write one scenario for each text"},
+     "sweep.led.part in x.toml:2 (a list where a list of texts is expected) write [\"A\", \"B\"] "
+     "or "
+     "\"*\" for all"},
+    {"[sweep]\ndevice.message = ['a', 'b']",
+     "device.message in x.toml:2 (text cannot be swept) write one scenario for each text"},
+    {"[sweep]\nled.yaw_deg = ['1', '2']",
+     "sweep.led.yaw_deg in x.toml:2 (a list of texts where a range or list is expected) write "
+     "\"1:1:20\" or [1, 2, 5]"},
+    {"[sweep]\nuart.receiver = ['atmega', 'avr']",
+     "uart.receiver = \"avr\" in x.toml:2 (the listening UART is one of a list) use atmega or "
+     "mid-bit"},
     {"[sweep]\nyaw_dge = 1", "yaw_dge in x.toml:2 (no such key) did you mean led.yaw_deg?"},
     {"[sweep]\nled.yaw_deg = \"0:0.1:100\"\nreceiver.yaw_deg = \"0:0.1:100\"",
      "the sweep up to receiver.yaw_deg (more than 1000000 points) use a larger step or fewer axes"},

@@ -101,6 +101,14 @@ sim::ExperimentResult grid() {
   return result;
 }
 
+sim::ExperimentResult sweep_of_texts() {
+  sim::ExperimentResult result = grid();
+  result.axes = {{"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "Gerät 2"}},
+                 {"led.current_ma", "mA", "LED current", {20, 50, 100}}};
+  for (std::size_t i = 0; i < 6; ++i) result.points[i].coordinates[0] = i < 3 ? 0 : 1;
+  return result;
+}
+
 void expect_all_readers_agree(const fs::path& path, const sim::ExperimentResult& result) {
   auto expected = nlohmann::json::parse(sim::to_json(result));
   expected["scenario_toml"] = result.scenario_toml;
@@ -148,6 +156,11 @@ TEST_F(Store, UnfinishedSweepOpensEverywhere) {
 TEST_F(Store, GridOpensEverywhere) {
   sim::write_result(path(), grid(), program);
   expect_all_readers_agree(path(), grid());
+}
+
+TEST_F(Store, TextsAsCoordinatesOpenEverywhere) {
+  sim::write_result(path(), sweep_of_texts(), program);
+  expect_all_readers_agree(path(), sweep_of_texts());
 }
 
 TEST_F(Store, KeepsAScenarioOfAnyLength) {

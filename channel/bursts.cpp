@@ -1,0 +1,19 @@
+#include "channel/bursts.hpp"
+
+namespace channel {
+
+std::vector<Burst> bursts_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
+  std::vector<Burst> bursts;
+  bool lit = !drive.initial();
+  double since = 0;
+  for (const dsp::Seconds flip : drive.flips()) {
+    const double at = edge_at(dsp::cycles(flip, sample_rate));
+    if (lit) bursts.push_back({since, at});
+    lit = !lit;
+    since = at;
+  }
+  if (lit) bursts.push_back({since, edge_at(dsp::cycles(drive.end(), sample_rate))});
+  return bursts;
+}
+
+}  // namespace channel

@@ -1,0 +1,47 @@
+#include "channel/conditions.hpp"
+
+#include <cmath>
+
+namespace channel {
+namespace {
+
+constexpr double kelvin_at_zero_celsius = 273.15;
+constexpr double emitter_nm = 940;
+
+/// A curve's value relative to that at a reference; 1 without a curve.
+double relative(const Curve& curve, double at, double reference) {
+  return curve.empty() ? 1 : curve(at) / curve(reference);
+}
+
+/// Rise of Emin, in squares, that ripple makes.
+double ripple_squared(const Curve& curve, double mv_rms) {
+  if (curve.empty()) return 0;
+  const double rest = curve.y.front(), now = curve(mv_rms);
+  return now * now - rest * rest;
+}
+
+}  // namespace
+
+ModuleData under(const Conditions& c, ModuleData part) {
+  const Conditions typical;
+  const double still = part.emin_mw_per_m2 *
+                       relative(part.emin_against_temperature, c.celsius, typical.celsius) *
+                       relative(part.emin_against_supply, c.supply_v, typical.supply_v);
+  const double ripple = ripple_squared(part.emin_against_ripple, c.ripple_mv_rms);
+  part.emin_mw_per_m2 = std::sqrt(still * still + ripple);
+  part.temperature_k = c.celsius + kelvin_at_zero_celsius;
+  return part;
+}
+
+double spectral_response(const ModuleData& part, double wavelength_nm) {
+  return relative(part.spectral, wavelength_nm, emitter_nm);
+}
+
+ModuleData unit_of(ModuleData part, double centre_draw, double emin_draw) {
+  part.centre_hz *= 1 + part.centre_tolerance * (2 * centre_draw - 1);
+  const double most = part.emin_max_mw_per_m2 / part.emin_mw_per_m2;
+  if (most > 1) part.emin_mw_per_m2 *= std::pow(most, emin_draw);
+  return part;
+}
+
+}  // namespace channel

@@ -1,0 +1,27 @@
+#pragma once
+// Where the models end: each has a range in which a data sheet or a formula stands behind it
+// (channel/README.md). A point outside of one is computed all the same, and flagged.
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+/// One way to leave a model's range: bit i of a point's mask is row i of the table.
+struct ValidityLimit {
+  const char* name;     // "near", as the table and the result file call it
+  const char* meaning;  // one line: what is not known there
+  bool (*left)(const Scenario& scenario, double irradiance_mw_per_m2);
+};
+
+std::span<const ValidityLimit> validity_limits();
+
+/// The limits that a point leaves.
+std::uint64_t outside_validity(const Scenario& scenario, double irradiance_mw_per_m2);
+
+/// Their names, joined by commas: "near,emax"; empty if none.
+std::string validity_names(std::uint64_t mask);
+
+}  // namespace sim

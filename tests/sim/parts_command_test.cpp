@@ -1,0 +1,179 @@
+// `cosys-sim parts` from outside, and what it is made of: digitised curves and text plots.
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "sim/digitised_curve.hpp"
+#include "sim/entries.hpp"
+#include "sim/part_sheet.hpp"
+#include "sim/parts.hpp"
+#include "sim/text_file.hpp"
+#include "sim/text_plot.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
+
+class PartsCommand : public CommandLine {
+ protected:
+  /// A folder `mine` with an LED of two points, which claims a figure of three.
+  void write_own_led(const std::string& figures, const std::string& curve) const {
+    fs::create_directories(path("mine/leds"));
+    fs::create_directories(path("mine/curves"));
+    write("mine/leds/x.toml",
+          "# A lamp of my own.\nname = \"X\"\nhalf_angle_deg = { value = 20, source = \"me\" }\n"
+          "[intensity]\nma = [10, 100]\nmw_per_sr = [5, 50]\nsource = \"p. 2\"\n" +
+              figures);
+    write("mine/curves/c.csv", curve);
+  }
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(PartsCommand, ListsEveryPartInALine) {
+  const Outcome o = program({"parts"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.out.substr(0, 10), "kind      ");
+  EXPECT_EQ(o.out.find("(no such"), std::string::npos) << o.out;
+  for (const char* line : {"module      TSOP4856 ", "module      GP1UX51QS ",
+                           "LED         IR333-A ", "40 kHz, Emin 0.12 mW/m2, fixed gain\n",
+                           "AGC: bursts beyond 24 cycles need gaps of 25 ms\n",
+                           "72.3 mW/sr at 100 mA", "photodiode  BPW34 "})
+    EXPECT_TRUE(has(o.out, line)) << line << o.out;
+}
+
+TEST_F(PartsCommand, SearchLooksIntoTheFiles) {
+  const Outcome o = program({"parts", "--search", "agc5"});
+  EXPECT_TRUE(has(o.out, "TSOP39556")) << o.out;
+  EXPECT_FALSE(has(o.out, "TSOP4856")) << o.out;
+  expect_refused({"parts", "--search", "valve"}, 2,
+                 "--search valve (no part mentions it) leave it out to see all parts");
+}
+
+TEST_F(PartsCommand, UnknownNameNamesTheNearest) {
+  expect_refused({"parts", "TSOP4857"}, 2,
+                 "TSOP4857 (no part of this name) did you mean tsop4856?");
+}
+
+TEST_F(PartsCommand, ShowsNumbersWithSourcesAndTheModelBesideItsCurves) {
+  write_own_led("[figures]\nintensity = \"c\"\n",
+                "# Maker 1 Fig. 2, typical\nma,mw_per_sr\n10,5\n20,8\n100,50\n");
+  const Outcome o = program({"parts", "x", "--parts", "mine"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  for (const char* line :
+       {"LED X: 940 nm, 50 mW/sr at 100 mA, half of it at 20 degrees\n", "  A lamp of my own.\n",
+        "  half_angle_deg           20 degree      me\n",
+        "  wavelength_nm            940 nm         (default: the file does not",
+        "  intensity                2 points       p. 2\n", "  Maker 1 Fig. 2, typical\n",
+        "            20            8           10        +25.0\n",
+        "  rms deviation 14.4 %, median 0 %, over 3 of 3 points\n",
+        "intensity [mW/sr], logarithmic; o data sheet, x model, * both\n"})
+    EXPECT_TRUE(has(o.out, line)) << line << o.out;
+}
+
+TEST_F(PartsCommand, JsonHasTheSame) {
+  write_own_led("[figures]\nintensity = \"c\"\n", "# Maker\nma,mw_per_sr\n10,5\n20,8\n100,50\n");
+  const auto json = nlohmann::json::parse(program({"parts", "X", "--parts", "mine", "--json"}).out);
+  EXPECT_EQ(json["numbers"]["half_angle_deg"]["source"], "me");
+  EXPECT_TRUE(json["numbers"]["wavelength_nm"]["source"].is_null());
+  EXPECT_NEAR(json["figures"][0]["model"][1], 10, 1e-9);
+  EXPECT_NEAR(json["figures"][0]["rms_deviation"], 0.25 / std::sqrt(3), 1e-9);
+  const auto list = nlohmann::json::parse(program({"parts", "--parts", "mine", "--json"}).out);
+  EXPECT_GT(list.size(), 20u);
+}
+
+TEST_F(PartsCommand, RefusesFiguresThatAreNot) {
+  write_own_led("[figures]\nspectral = \"c\"\n", "");
+  expect_refused({"parts", "X", "--parts", "mine"}, 2,
+                 "figures.spectral in mine/leds/x.toml:9 (no such key in a part file) did you mean "
+                 "figures.pattern?");
+  write_own_led("[figures]\nintensity = \"d\"\n", "");
+  EXPECT_EQ(program({"parts", "X", "--parts", "mine"}).code, 2);
+  write_own_led("[figures]\nintensity = \"../leds/x\"\n", "");
+  expect_refused({"parts", "X", "--parts", "mine"}, 2,
+                 "figures.intensity in mine/leds/x.toml:9 (not the bare name of a curve) name a "
+                 "file in curves/ without its .csv");
+  write_own_led("[figures]\nintensity = \"c\"\n", "# Maker\nma,mw_per_sr\n10,5\n20;8\n");
+  expect_refused({"parts", "X", "--parts", "mine"}, 2,
+                 "\"20;8\" in mine/curves/c.csv:4 (not two numbers) write X,Y");
+}
+
+TEST_F(PartsCommand, ABrokenPartDoesNotHideTheOthers) {
+  fs::create_directories(path("mine/modules"));
+  write("mine/modules/y.toml", "name = \"Y\"\nqq = 5\n");
+  const Outcome o = program({"parts", "--parts", "mine"});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_TRUE(has(o.out, "qq in mine/modules/y.toml:2 (no such key in a part file)")) << o.out;
+  EXPECT_TRUE(has(o.out, "TSOP4856")) << o.out;
+}
+
+TEST(DigitisedCurves, EveryOneOfTheProjectIsReadAndNamesItsDocument) {
+  int read = 0;
+  for (const auto& file : fs::directory_iterator(scenarios / "curves")) {
+    const auto curve = sim::read_digitised_curve(file.path());
+    EXPECT_TRUE(has(curve.source, "Vishay 8") && has(curve.source, "Fig.")) << file.path();
+    EXPECT_EQ(curve.x.size(), curve.y.size());
+    ++read;
+  }
+  EXPECT_GE(read, 25);
+}
+
+// A curve that a file names but that is not there would be found only when that part is shown.
+TEST(DigitisedCurves, EveryOneThatAPartNamesIsThere) {
+  int named = 0;
+  for (const auto& part : sim::list_parts({scenarios}))
+    for (const auto& entry : sim::read_entries(sim::read_text_file(part.path, "part"), part.path)) {
+      if (!entry.key.starts_with("figures.")) continue;
+      const fs::path curve = std::get<std::string>(entry.value) + ".csv";
+      EXPECT_TRUE(fs::exists(scenarios / "curves" / curve)) << entry.key << " " << entry.place;
+      ++named;
+    }
+  EXPECT_GE(named, 25);
+}
+
+/// Root mean square deviation of a shipped part's model from its sheet, by figure.
+std::map<std::string, double> deviations(const std::string& name) {
+  std::map<std::string, double> all;
+  for (const auto& part : sim::list_parts({scenarios}))
+    if (part.name == name)
+      for (const auto& comparison : sim::read_part_sheet(part, sim::Compare::yes).comparisons)
+        all[comparison.figure.name] = comparison.rms_deviation();
+  return all;
+}
+
+// Vishay 82459 rev 1.8 Fig. 2, 4 to 7, 9 to 12: cycles, ms, and shares of the sheet's value.
+TEST(ModelAgainstSheet, Tsop4456IsNearEveryCurveOfItsSheet) {
+  const auto rms = deviations("tsop4456");
+  const std::map<std::string, double> most{
+      {"pulse_width", 0.9},  {"on_time", 0.06}, {"off_time", 0.06},    {"frequency_response", 0.01},
+      {"ambient", 0.1},      {"ripple", 0.05},  {"temperature", 0.02}, {"spectral", 0.01},
+      {"directivity", 0.01}, {"supply", 0.05}};
+  ASSERT_EQ(rms.size(), most.size());
+  for (const auto& [figure, limit] : most) EXPECT_LT(rms.at(figure), limit) << figure;
+}
+
+// Vishay 81010 rev 2.4 Fig. 5, 7, 9.
+TEST(ModelAgainstSheet, Tsal6200IsNearEveryCurveOfItsSheet) {
+  const auto rms = deviations("tsal6200");
+  ASSERT_EQ(rms.size(), 3u);
+  for (const auto& [figure, deviation] : rms) EXPECT_LT(deviation, 0.01) << figure;
+}
+
+TEST(TextPlot, MarksBothCurvesAndLeavesOutWhatIsNotKnown) {
+  const double unknown = std::nan("");
+  const std::string plot =
+      sim::text_plot({"x", "m"}, {"y", "1"}, {{0, 1, 2}, {0, 5, 10}, {0, unknown, 20}});
+  EXPECT_EQ(std::ranges::count(plot, '\n'), 18);
+  EXPECT_TRUE(has(plot, "        20 |" + std::string(63, ' ') + "x\n")) << plot;
+  EXPECT_TRUE(has(plot, "         0 |*\n")) << plot;
+  EXPECT_TRUE(has(plot, "|" + std::string(63, ' ') + "o\n")) << plot;
+  EXPECT_TRUE(has(plot, "|" + std::string(32, ' ') + "o\n")) << plot;
+  EXPECT_TRUE(has(plot, "+" + std::string(64, '-') + "\n")) << plot;
+}
+
+}  // namespace

@@ -1,0 +1,145 @@
+// Where the frame loss passes 1 %, row by row, and which row is best.
+#include "sim/ranking.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using Kind = sim::Crossing::Kind;
+using Losses = std::vector<std::vector<std::uint64_t>>;  // of 1000 frames: one list a row
+
+const sim::Axis range{"receiver.range_m", "m", "distance", {1, 2, 3, 4}};
+const sim::Axis height{"receiver.height_mm", "mm", "height", {10, 50}};
+
+sim::Axis modules(std::vector<std::string> names) {
+  sim::Axis axis{"receiver.module", "", "receiver module", {}, std::move(names)};
+  for (std::size_t i = 0; i < axis.labels.size(); ++i)
+    axis.values.push_back(static_cast<double>(i));
+  return axis;
+}
+
+sim::PointResult point(std::vector<double> coordinates, std::uint64_t lost) {
+  sim::PointResult p;
+  p.coordinates = std::move(coordinates);
+  p.tally.n_frames = 1000;
+  p.tally.n_frames_lost = lost;
+  return p;
+}
+
+/// Rows by columns; the columns are the abscissa.
+sim::ExperimentResult grid(const sim::Axis& rows, const sim::Axis& columns, const Losses& lost) {
+  sim::ExperimentResult result;
+  result.axes = {rows, columns};
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    for (std::size_t j = 0; j < lost[i].size(); ++j)
+      result.points.push_back(point({rows.values[i], columns.values[j]}, lost[i][j]));
+  return result;
+}
+
+/// The same with its axes exchanged; points need no order here.
+sim::ExperimentResult turned(const sim::ExperimentResult& result) {
+  sim::ExperimentResult other = result;
+  std::swap(other.axes[0], other.axes[1]);
+  for (sim::PointResult& p : other.points) std::swap(p.coordinates[0], p.coordinates[1]);
+  return other;
+}
+
+std::string lines(const sim::ExperimentResult& result) {
+  return sim::ranking_lines(result, sim::rank(result));
+}
+
+const Losses losses{{0, 0, 1000, 1000},        // between 2 and 3 m
+                    {1000, 1000, 1000, 1000},  // nowhere
+                    {0, 0, 0, 0},              // beyond
+                    {0, 900, 0, 900},          // up and down
+                    {0, 1000, 1000, 1000},     // between 1 and 2 m
+                    {0, 10, 150, 700}};        // fitted
+const std::vector<std::string> names{"jump", "dead", "far", "odd", "short", "fitted-part"};
+
+TEST(Ranking, SortsTextsBestFirst) {
+  const auto result = grid(modules(names), range, losses);
+  std::vector<std::string> order;
+  for (const auto& row : sim::rank(result).rows) order.push_back(names[row.row]);
+  EXPECT_EQ(order,
+            (std::vector<std::string>{"far", "jump", "fitted-part", "short", "odd", "dead"}));
+}
+
+TEST(Ranking, EachRowIsTheCrossingOfItsOwnSweep) {
+  const auto result = grid(modules(names), range, losses);
+  for (const auto& row : sim::rank(result).rows) {
+    sim::ExperimentResult alone;
+    alone.axes = {range};
+    for (std::size_t j = 0; j < 4; ++j)
+      alone.points.push_back(point({range.values[j]}, losses[row.row][j]));
+    const sim::Crossing expected = sim::frame_loss_crossing(alone);
+    EXPECT_EQ(row.crossing.kind, expected.kind) << names[row.row];
+    EXPECT_EQ(row.crossing.at, expected.at) << names[row.row];
+    EXPECT_EQ(row.crossing.high, expected.high) << names[row.row];
+  }
+}
+
+TEST(Ranking, TextsMayBeTheLastAxis) {
+  const auto result = grid(modules(names), range, losses);
+  EXPECT_EQ(lines(turned(result)), lines(result));
+}
+
+TEST(Ranking, LeastIsBestWhereMoreHelps) {
+  const sim::Axis current{"led.current_ma", "mA", "current", {10, 20, 50, 100}};
+  const auto result =
+      grid(modules({"thirsty", "frugal", "never", "always"}), current,
+           {{1000, 1000, 1000, 0}, {1000, 0, 0, 0}, {900, 900, 900, 900}, {0, 0, 0, 0}});
+  std::vector<std::size_t> order;
+  for (const auto& row : sim::rank(result).rows) order.push_back(row.row);
+  EXPECT_EQ(order, (std::vector<std::size_t>{3, 1, 0, 2}));
+}
+
+TEST(Ranking, SaysWhatToBuy) {
+  auto result = grid(modules({"TSOP4856", "GP1", "TSSP4056"}), range,
+                     {{0, 0, 1000, 1000}, {1000, 1000, 1000, 1000}, {0, 0, 0, 0}});
+  result.points[11].outside = 1;
+  const std::string text = lines(result);
+  const std::string head =
+      "receiver.module, best first, by the receiver.range_m at which frame loss passes 1 %\n"
+      "   1  TSSP4056  beyond the sweep: at most 1 % lost anywhere in 1 .. 4 m  ! ";
+  EXPECT_TRUE(text.starts_with(head)) << text;
+  EXPECT_TRUE(text.ends_with(
+      "   2  TSOP4856  between 2 and 3 m (a jump: refine the sweep there)\n"
+      "   3  GP1       not in the sweep: more than 1 % lost everywhere in 1 .. 4 m\n"))
+      << text;
+}
+
+TEST(Ranking, OfTwoAxesOfNumbersTheLastIsTheAbscissa) {
+  const auto result = grid(height, range, {{0, 1000, 1000, 1000}, {0, 0, 0, 1000}});
+  EXPECT_EQ(
+      lines(result),
+      "receiver.height_mm = 10 mm: frame loss crosses 1 % between receiver.range_m = 1 .. 2 m "
+      "(a jump: refine the sweep there)\n"
+      "receiver.height_mm = 50 mm: frame loss crosses 1 % between receiver.range_m = 3 .. 4 m "
+      "(a jump: refine the sweep there)\n");
+}
+
+TEST(Ranking, OfOneAxisIsOneSentence) {
+  sim::ExperimentResult result;
+  result.axes = {range};
+  for (const double x : range.values) result.points.push_back(point({x}, x < 3 ? 0 : 1000));
+  EXPECT_EQ(lines(result),
+            "frame loss crosses 1 % between receiver.range_m = 2 .. 3 m (a jump: refine the sweep "
+            "there)\n");
+}
+
+TEST(Ranking, IsEmptyForOtherSweeps) {
+  sim::ExperimentResult result;
+  result.points = {point({}, 0)};
+  EXPECT_EQ(lines(result), "");
+  result.axes = {modules({"a"})};
+  result.points = {point({0}, 0)};
+  EXPECT_EQ(lines(result), "");
+  EXPECT_EQ(lines(grid(modules({"a", "b"}), modules({"c"}), {{0}, {0}})), "");
+  result.axes = {height, height, range};
+  EXPECT_EQ(lines(result), "");
+}
+
+}  // namespace
