@@ -2,6 +2,7 @@
 #include "sim/validity.hpp"
 
 #include "scenarios.hpp"
+#include "sim/parts.hpp"
 #include "sim/report_table.hpp"
 
 namespace sim {
@@ -25,6 +26,14 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
   EXPECT_EQ(names_at({"receiver.supply_v=3.3"}), "");
   EXPECT_EQ(names_at({"receiver.supply_ripple_mv=600"}), "ripple");
   EXPECT_EQ(names_at({"led.current_ma=250"}), "current");
+}
+
+TEST(Validity, NoShippedModuleIsOutsideUnderTypicalConditions) {
+  for (const PartFile& part : list_parts({COSYS_SOURCE_DIR "/scenarios"})) {
+    if (part.kind != "module") continue;
+    const std::string names = names_at({"receiver.module=" + part.name});
+    EXPECT_TRUE(names.empty() || names == "carrier") << part.name << ": " << names;
+  }
 }
 
 TEST(Validity, EveryLimitHasANameOfItsOwn) {
