@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "sim/validity.hpp"
@@ -12,32 +13,45 @@ namespace sim {
 namespace {
 
 using Kind = Crossing::Kind;
-constexpr std::size_t none = Ranking::none;
-
-bool is_grid_with_abscissa(const std::vector<Axis>& axes) {
-  if (axes.size() == 1) return !axes[0].is_text();
-  return axes.size() == 2 && !(axes[0].is_text() && axes[1].is_text());
-}
 
 /// The axes of a ranking, without its rows.
 Ranking axes_of(const std::vector<Axis>& axes) {
-  if (!is_grid_with_abscissa(axes)) return {};
-  if (axes.size() == 1) return {.abscissa = 0, .other = none, .rows = {}};
-  const std::size_t abscissa = axes[1].is_text() ? 0 : 1;
-  return {.abscissa = abscissa, .other = 1 - abscissa, .rows = {}};
+  Ranking ranking;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (!axes[i].is_text()) ranking.abscissa = i;
+  if (ranking.abscissa == Ranking::none) return ranking;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (i != ranking.abscissa) ranking.others.push_back(i);
+  ranking.best_first = !ranking.others.empty() && std::ranges::all_of(ranking.others, [&](auto i) {
+    return axes[i].is_text();
+  });
+  return ranking;
 }
 
-/// One line of the grid as an experiment of its own.
-ExperimentResult row_of(const ExperimentResult& result, const Ranking& at, std::size_t row) {
+/// One line of the grid, as an experiment of its own.
+struct Row {
+  std::vector<double> others;
   ExperimentResult line;
-  line.ci_level = result.ci_level;
-  line.axes = {result.axes[at.abscissa]};
+};
+
+/// The lines in the order in which the grid comes to them.
+std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
+  std::vector<Row> rows;
+  std::map<std::vector<double>, std::size_t> known;
   for (const PointResult& p : result.points) {
-    if (at.other != none && p.coordinates[at.other] != result.axes[at.other].values[row]) continue;
-    line.points.push_back(p);
-    line.points.back().coordinates = {p.coordinates[at.abscissa]};
+    std::vector<double> others;
+    for (const std::size_t axis : at.others) others.push_back(p.coordinates[axis]);
+    const auto [row, is_new] = known.try_emplace(others, rows.size());
+    if (is_new) {
+      rows.push_back({std::move(others), {}});
+      rows.back().line.ci_level = result.ci_level;
+      rows.back().line.axes = {result.axes[at.abscissa]};
+    }
+    auto& points = rows[row->second].line.points;
+    points.push_back(p);
+    points.back().coordinates = {p.coordinates[at.abscissa]};
   }
-  return line;
+  return rows;
 }
 
 std::uint64_t outside_of(const ExperimentResult& line) {
@@ -88,38 +102,66 @@ void sort_best_first(Ranking& ranking, bool more_better) {
   });
 }
 
-/// "TSOP4856 " padded to the longest of them.
-std::string padded(const std::string& label, const std::vector<std::string>& labels) {
-  std::size_t widest = 0;
-  for (const std::string& other : labels) widest = std::max(widest, other.size());
-  return fmt::format("{:<{}}", label, widest);
-}
-
 /// What the table marks at points of the row.
 std::string mark(const RowCrossing& row) {
   return row.outside == 0 ? "" : "  ! " + validity_names(row.outside);
 }
 
-std::string list_of_texts(const ExperimentResult& result, const Ranking& ranking, double level) {
-  const Axis &texts = result.axes[ranking.other], &abscissa = result.axes[ranking.abscissa];
-  std::string text = fmt::format("{}, best first, by the {} at which frame loss passes {:g} %\n",
-                                 texts.key, abscissa.key, level * 100);
-  int place = 0;
-  for (const RowCrossing& row : ranking.rows)
-    text += fmt::format("{:>4}  {}  {}{}\n", ++place, padded(texts.labels[row.row], texts.labels),
-                        crossing_words(abscissa, row.crossing, level), mark(row));
-  return text;
+/// A column of the list: the name of an axis above its values.
+struct Column {
+  std::string name;
+  std::vector<std::string> texts;  // one a row
+  bool to_the_left;
+  std::size_t width;
+
+  std::string cell(const std::string& text) const {
+    return to_the_left ? fmt::format("  {:<{}}", text, width)
+                       : fmt::format("  {:>{}}", text, width);
+  }
+};
+
+std::string coordinate_text(const Axis& axis, double coordinate) {
+  return axis.is_text() ? axis.labels.at(static_cast<std::size_t>(coordinate))
+                        : fmt::format("{:g}", coordinate);
 }
 
-std::string sentences(const ExperimentResult& result, const Ranking& ranking, double level) {
-  const Axis& abscissa = result.axes[ranking.abscissa];
-  std::string text;
-  for (const RowCrossing& row : ranking.rows) {
-    if (ranking.other != none) {
-      const Axis& other = result.axes[ranking.other];
-      text += quantity(other, fmt::format("{:g}", other.values[row.row])) + ": ";
+std::vector<Column> columns_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
+    const Axis& axis = result.axes[ranking.others[i]];
+    const bool plain = axis.unit.empty() || axis.unit == "1";
+    Column column{plain ? axis.key : axis.key + " [" + axis.unit + "]", {}, axis.is_text(), 0};
+    column.width = column.name.size();
+    for (const RowCrossing& row : ranking.rows) {
+      column.texts.push_back(coordinate_text(axis, row.others[i]));
+      column.width = std::max(column.width, column.texts.back().size());
     }
-    text += crossing_sentence(abscissa, row.crossing, level) + mark(row) + "\n";
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+std::string without_end_blanks(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string list(const ExperimentResult& result, const Ranking& ranking, double level) {
+  const Axis& abscissa = result.axes[ranking.abscissa];
+  const std::vector<Column> columns = columns_of(result, ranking);
+  const auto place = [&](const std::string& text) {
+    return ranking.best_first ? fmt::format("{:>4}", text) : std::string();
+  };
+  std::string text = fmt::format("{} at which frame loss passes {:g} %{}:\n", abscissa.key,
+                                 level * 100, ranking.best_first ? ", best first" : "");
+  std::string head = place("");
+  for (const Column& column : columns) head += column.cell(column.name);
+  text += without_end_blanks(std::move(head));
+  for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
+    const RowCrossing& row = ranking.rows[i];
+    text += place(std::to_string(i + 1));
+    for (const Column& column : columns) text += column.cell(column.texts[i]);
+    text += "  " + crossing_words(abscissa, row.crossing, level) + mark(row) + "\n";
   }
   return text;
 }
@@ -128,21 +170,19 @@ std::string sentences(const ExperimentResult& result, const Ranking& ranking, do
 
 Ranking rank(const ExperimentResult& result, double level) {
   Ranking ranking = axes_of(result.axes);
-  if (ranking.abscissa == none) return ranking;
-  const std::size_t n = ranking.other == none ? 1 : result.axes[ranking.other].values.size();
-  for (std::size_t row = 0; row < n; ++row) {
-    const ExperimentResult line = row_of(result, ranking, row);
-    ranking.rows.push_back({row, frame_loss_crossing(line, level), outside_of(line)});
-  }
-  if (ranking.other != none && result.axes[ranking.other].is_text())
-    sort_best_first(ranking, more_is_better(result, ranking.abscissa));
+  if (ranking.abscissa == Ranking::none) return ranking;
+  for (Row& row : rows_of(result, ranking))
+    ranking.rows.push_back(
+        {std::move(row.others), frame_loss_crossing(row.line, level), outside_of(row.line)});
+  if (ranking.best_first) sort_best_first(ranking, more_is_better(result, ranking.abscissa));
   return ranking;
 }
 
 std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking, double level) {
   if (ranking.rows.empty()) return "";
-  const bool texts = ranking.other != none && result.axes[ranking.other].is_text();
-  return texts ? list_of_texts(result, ranking, level) : sentences(result, ranking, level);
+  if (!ranking.others.empty()) return list(result, ranking, level);
+  const RowCrossing& row = ranking.rows.front();
+  return crossing_sentence(result.axes[ranking.abscissa], row.crossing, level) + mark(row) + "\n";
 }
 
 }  // namespace sim

@@ -1,6 +1,6 @@
 #pragma once
-// Ranking: where the frame loss passes a level along one axis, for each value of the other. With
-// texts as the other axis ("which module do I buy?") it is sorted, best first.
+// Ranking: where the frame loss passes a level along one axis, for each combination of values of
+// the others. With texts alone as the others ("which module do I buy?") it is sorted, best first.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace sim {
 
-/// One line across the grid: the other axis' value stands still.
+/// One line across the grid: the other axes stand still.
 struct RowCrossing {
-  std::size_t row;  // index of that value; 0 where there is one axis only
+  std::vector<double> others;  // their coordinates, in the order of Ranking::others
   Crossing crossing;
   std::uint64_t outside;  // limits of validity that any of its points leaves
 };
 
 struct Ranking {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t abscissa = none;  // index of the axis along which the loss passes the level
-  std::size_t other = none;     // index of the other axis; `none` where there is one only
+  std::size_t abscissa = none;      // index of the axis along which the loss passes the level
+  std::vector<std::size_t> others;  // indices of the other axes
+  bool best_first = false;          // in the order of the grid otherwise
   std::vector<RowCrossing> rows;
 };
 
-/// For one axis of numbers, or two, of which one may be texts; for any other sweep empty. Of two
-/// axes of numbers the last is the abscissa. Rows of texts are sorted: first those that never pass
-/// the level, then by the crossing (its middle, where only a bracket is known), the one that is
-/// reached last first; then those of which no crossing can be told, and last those beyond the level
-/// at all points.
+/// The abscissa is the last axis of numbers; of a sweep without one the ranking is empty. Sorted
+/// rows: first those that never pass the level, then by the crossing (its middle, where only a
+/// bracket is known), the one that is reached last first; then those of which no crossing can be
+/// told, and last those beyond the level at all points.
 Ranking rank(const ExperimentResult& result, double level = 0.01);
 
 /// The ranking in words, one line a row; empty where there is nothing to say.

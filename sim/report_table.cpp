@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "sim/ranking.hpp"
 #include "sim/statistics.hpp"
 #include "sim/validity.hpp"
 
@@ -18,9 +15,6 @@ struct Cell {
   std::string names[3];  // the header, from top to bottom
   int width;             // negative: to the left, as in printf
 };
-
-using Kind = Crossing::Kind;
-constexpr double crossing_level = 0.01;
 
 constexpr int number_width = 10;    // "-1.234e-09"
 constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
@@ -119,79 +113,6 @@ std::string real_time_factor(const PointResult& p) {
   return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
 }
 
-nlohmann::ordered_json json_value(const Column& column, const PointResult& p, double ci_level) {
-  using Json = nlohmann::ordered_json;
-  struct Read {
-    const PointResult& p;
-    double level;
-    Json operator()(std::uint64_t Tally::*count) const { return p.tally.*count; }
-    Json operator()(std::uint64_t PointResult::*count) const { return p.*count; }
-    Json operator()(Column::Real real) const { return real(p, level); }
-    Json operator()(StopReason PointResult::*flag) const {
-      return measured(p) ? Json(stop_reason_name(p.*flag)) : Json(nullptr);
-    }
-  };
-  return std::visit(Read{p, ci_level}, column.value);
-}
-
-nlohmann::ordered_json json_coordinate(const Axis& axis, double coordinate) {
-  if (axis.is_text()) return axis.labels.at(static_cast<std::size_t>(coordinate));
-  return coordinate;
-}
-
-const char* crossing_name(Crossing::Kind kind) {
-  static constexpr std::array names{"fitted",    "jump",    "unfitted",    "all_below",
-                                    "all_above", "unclear", "not_monotone"};
-  return names.at(static_cast<std::size_t>(kind));
-}
-
-nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranking& ranking,
-                                     const RowCrossing& row) {
-  nlohmann::ordered_json json;
-  if (ranking.other != Ranking::none) {
-    const Axis& other = result.axes[ranking.other];
-    json[other.key] = json_coordinate(other, other.values[row.row]);
-  }
-  const Crossing& c = row.crossing;
-  const bool at_one_place =
-      c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::unfitted;
-  json["along"] = result.axes[ranking.abscissa].key;
-  json["flr"] = crossing_level;
-  json["kind"] = crossing_name(c.kind);
-  json["at"] = c.kind == Kind::fitted ? nlohmann::ordered_json(c.at) : nullptr;
-  json["low"] = at_one_place ? nlohmann::ordered_json(c.low) : nullptr;
-  json["high"] = at_one_place ? nlohmann::ordered_json(c.high) : nullptr;
-  return json;
-}
-
-/// In the order of the ranking.
-nlohmann::ordered_json json_crossings(const ExperimentResult& result) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  const Ranking ranking = rank(result, crossing_level);
-  for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
-  return json;
-}
-
-nlohmann::ordered_json json_axis(const Axis& a) {
-  nlohmann::ordered_json json{{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}};
-  if (a.is_text())
-    json["values"] = a.labels;
-  else
-    json["values"] = a.values;
-  return json;
-}
-
-nlohmann::ordered_json json_point(const ExperimentResult& result, const PointResult& p) {
-  nlohmann::ordered_json point;
-  for (std::size_t i = 0; i < result.axes.size(); ++i) {
-    point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
-  }
-  for (const Column& column : columns()) {
-    point[column.name] = json_value(column, p, result.ci_level);
-  }
-  return point;
-}
-
 }  // namespace
 
 std::string table_header(const std::vector<Axis>& axes, bool theory) {
@@ -231,19 +152,6 @@ std::string validity_notes(const ExperimentResult& result) {
     if ((all >> i & 1U) != 0)
       notes += fmt::format("! {}: {}\n", validity_limits()[i].name, validity_limits()[i].meaning);
   return notes;
-}
-
-std::string to_json(const ExperimentResult& result) {
-  nlohmann::ordered_json json{
-      {"title", result.title},      {"command", result.command},
-      {"seed", result.seed},        {"ci_level", result.ci_level},
-      {"eb_convention", "average"}, {"result_digest", result_digest(result)}};
-  json["axes"] = nlohmann::ordered_json::array();
-  for (const Axis& a : result.axes) json["axes"].push_back(json_axis(a));
-  json["points"] = nlohmann::ordered_json::array();
-  for (const PointResult& p : result.points) json["points"].push_back(json_point(result, p));
-  json["crossings"] = json_crossings(result);
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace sim

@@ -1,6 +1,6 @@
 #pragma once
-// What an experiment says on stdout: a table whose rows can be printed one by one as points finish,
-// or one JSON object. Numbers carry the digits that their interval supports; "-" is not known.
+// What an experiment says on stdout: a table whose rows can be printed one by one as points finish.
+// Numbers carry the digits that their interval supports; "-" is not known.
 #include <string>
 #include <vector>
 
@@ -18,9 +18,5 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
 
 /// A line for each kind of mark in the table: what "! near" means; empty if there is none.
 std::string validity_notes(const ExperimentResult& result);
-
-/// All counts and rates of all points by the names of the result file; what is NaN is null.
-/// "crossings" is the ranking (sim/ranking) in its order: of each row where 1 % of frames is lost.
-std::string to_json(const ExperimentResult& result);
 
 }  // namespace sim

@@ -10,6 +10,7 @@
 #include "sim/failure.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/ranking.hpp"
+#include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"

@@ -9,27 +9,12 @@
 
 #include "sim/failure.hpp"
 #include "sim/key_check.hpp"
+#include "sim/list_text.hpp"
 
 namespace sim {
 namespace {
 
 constexpr const char* how_to_write = "write a:step:b, such as 1:0.5:20, or a list, such as 1,2,5";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
 
 double number_of(std::string_view text, const std::string& problem) {
   const auto value = parse_number(text);

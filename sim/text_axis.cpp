@@ -9,17 +9,12 @@
 #include "sim/disturbance_keys.hpp"
 #include "sim/failure.hpp"
 #include "sim/key_check.hpp"
+#include "sim/list_text.hpp"
 
 namespace sim {
 namespace {
 
 constexpr const char* how_to_list = "write a list, such as [\"A\", \"B\"] or A,B, or \"*\" for all";
-
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
 
 void check_label(const Key& key, const std::string& label, const std::string& place) {
   const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), label, place);
@@ -51,11 +46,8 @@ bool is_text_list(std::string_view text) {
 
 std::vector<std::string> parse_texts(std::string_view text) {
   std::vector<std::string> texts;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    texts.push_back(trimmed(text.substr(at, end - at)));
-    at = end + 1;
-  }
+  for (const std::string_view item : split(text, ',')) texts.emplace_back(trimmed(item));
+  if (texts.back().empty()) texts.pop_back();  // "A," is a list of one
   return texts;
 }
 

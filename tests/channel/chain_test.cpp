@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "burst_bench.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "channel/noise.hpp"
 #include "gtest/gtest.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "burst_bench.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "channel/ambient.hpp"
 #include "channel/chain.hpp"
 #include "gtest/gtest.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "burst_bench.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 
 namespace channel {

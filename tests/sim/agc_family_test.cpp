@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../channel/burst_bench.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 #include "sim/parts.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "../channel/burst_bench.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/parts.hpp"

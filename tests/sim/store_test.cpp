@@ -13,7 +13,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/netcdf.hpp"
-#include "sim/report_table.hpp"
+#include "sim/report_json.hpp"
 
 namespace {
 

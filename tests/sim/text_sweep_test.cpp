@@ -146,6 +146,8 @@ TEST(TextSweep, IsRefusedInOneLineWithItsPlace) {
             "uart.receiver = \"mid-bit\" in --set (twice in the same sweep) remove one of the two");
   EXPECT_EQ(refusal("[sweep]\nled.part = ['TSAL6200', 'a,b']"),
             "led.part = \"a,b\" in x.toml:2 (a name with a comma cannot be swept) rename it");
+  EXPECT_EQ(refusal("[receiver]\nmodule = '*'"),
+            "receiver.module = \"*\" in x.toml:2 (all are a sweep) write it in [sweep]");
   const std::string unknown = refusal("[sweep]\nreceiver.module = ['TSOP4856', 'TSOP4857']");
   EXPECT_TRUE(
       unknown.starts_with("receiver.module = \"TSOP4857\" in x.toml:2 (no module of this "

@@ -1,0 +1,24 @@
+#pragma once
+// A point as a run leaves it, for the tests of what is reported of it.
+#include "sim/result.hpp"
+
+namespace sim {
+
+inline PointResult measured_point() {
+  PointResult p;
+  p.coordinates = {7.5};
+  p.operating = {0.312, 0.6, 14.25, 5000, 21.3};
+  p.tally.n_frames = 1000;
+  p.tally.n_frames_lost = 100;
+  p.tally.n_bits = 170000;
+  p.tally.n_bit_errors = 340;
+  p.tally.sum_bits_squared = 1000 * 170 * 170;
+  p.tally.sum_bit_errors_squared = 1200;
+  p.tally.sum_bit_errors_times_bits = 340 * 170;
+  p.stop = StopReason::max_frame_errors;
+  p.elapsed_s = 2;
+  p.simulated_s = 620;
+  return p;
+}
+
+}  // namespace sim

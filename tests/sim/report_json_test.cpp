@@ -1,0 +1,140 @@
+#include "sim/report_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "measured_point.hpp"
+#include "sim/statistics.hpp"
+
+namespace {
+
+using sim::measured_point;
+
+const std::vector<sim::Axis> text_axes{
+    {"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "a-longer-name"}},
+    {"receiver.range_m", "m", "distance", {1, 2, 3}}};
+
+TEST(Json, HoldsAllCountsAndRates) {
+  sim::ExperimentResult result;
+  result.title = "a \"quoted\" title";
+  result.seed = 18446744073709551615U;
+  result.axes = {{"receiver.range_m", "m", "distance", {7.5, 8}}};
+  result.points = {measured_point(), {}};
+  result.points[1].coordinates = {8};
+  const auto json = nlohmann::json::parse(sim::to_json(result));
+  EXPECT_EQ(json["title"], result.title);
+  EXPECT_EQ(json["seed"], result.seed);
+  EXPECT_EQ(json["result_digest"], sim::result_digest(result));
+  EXPECT_EQ(json["axes"][0]["values"], (std::vector<double>{7.5, 8}));
+  const auto& point = json["points"][0];
+  EXPECT_EQ(point["receiver.range_m"], 7.5);
+  EXPECT_EQ(point["n_frames_lost"], 100);
+  EXPECT_EQ(point["flr"], 0.1);
+  EXPECT_EQ(point["stop_reason"], "max_frame_errors");
+  for (const sim::Column& column : sim::columns()) EXPECT_TRUE(point.contains(column.name));
+}
+
+sim::ExperimentResult two_modules() {
+  sim::ExperimentResult result;
+  result.axes = text_axes;
+  const std::vector<std::uint64_t> lost{0, 1000, 1000, 0, 0, 0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    result.points.push_back(measured_point());
+    result.points[i].coordinates = {i < 3 ? 0.0 : 1.0, 1.0 + static_cast<double>(i % 3)};
+    result.points[i].tally.n_frames_lost = lost[i];
+  }
+  return result;
+}
+
+TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
+  const auto json = nlohmann::json::parse(sim::to_json(two_modules()));
+  EXPECT_EQ(json["axes"][0]["values"], text_axes[0].labels);
+  EXPECT_EQ(json["points"][4]["receiver.module"], "a-longer-name");
+  EXPECT_EQ(json["points"][4]["receiver.range_m"], 2);
+  const auto expected = nlohmann::json::parse(R"([
+    {"receiver.module": "a-longer-name", "along": "receiver.range_m", "flr": 0.01,
+     "kind": "all_below", "at": null, "low": null, "high": null},
+    {"receiver.module": "TSOP4856", "along": "receiver.range_m", "flr": 0.01,
+     "kind": "jump", "at": null, "low": 1.0, "high": 2.0}])");
+  EXPECT_EQ(json["crossings"], expected);
+}
+
+TEST(Json, TextsCountInTheDigest) {
+  sim::ExperimentResult result = two_modules();
+  const std::string before = sim::result_digest(result);
+  result.axes[0].labels[1] = "another";
+  EXPECT_NE(sim::result_digest(result), before);
+}
+
+TEST(Json, NamesEachRateForWhatItIs) {
+  sim::ExperimentResult result;
+  result.points = {measured_point()};
+  result.points[0].tally.n_frames_undetected = 3;
+  const auto json = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const sim::Tally& tally = result.points[0].tally;
+  const auto expect = [&](const std::string& name, const sim::Estimate& e) {
+    EXPECT_EQ(json[name], e.value);
+    EXPECT_EQ(json[name + "_ci_low"], e.low);
+    EXPECT_EQ(json[name + "_ci_high"], e.high);
+  };
+  expect("ber", sim::bit_error_ratio(tally, 0.95));
+  expect("flr", sim::frame_loss_ratio(tally, 0.95));
+  expect("uer", sim::undetected_error_ratio(tally, 0.95));
+  EXPECT_EQ(json["irradiance_mw_per_m2"], 0.312);
+  EXPECT_EQ(json["ambient_w_per_m2"], 0.6);
+  EXPECT_EQ(json["snr_db"], 14.25);
+  EXPECT_EQ(json["snr_bandwidth_hz"], 5000);
+  EXPECT_EQ(json["ebn0_db"], 21.3);
+  EXPECT_EQ(json["elapsed_s"], 2);
+  EXPECT_EQ(json["simulated_s"], 620);
+}
+
+// Every counter under its own name: words of the tally are numbered.
+TEST(Json, NamesEachCounterForWhatItIs) {
+  std::array<std::uint64_t, sizeof(sim::Tally) / sizeof(std::uint64_t)> words{};
+  std::iota(words.begin(), words.end(), 1);
+  words[0] = words[5] = 1000;  // n_bits and n_frames, no fewer than what went wrong with them
+  sim::ExperimentResult result;
+  result.points.resize(1);
+  result.points[0].tally = std::bit_cast<sim::Tally>(words);
+  const auto json = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const std::vector<std::string> names{"n_bits",
+                                       "n_bit_errors",
+                                       "n_bytes",
+                                       "n_byte_errors",
+                                       "n_framing_errors",
+                                       "n_frames",
+                                       "n_frames_ok",
+                                       "n_frames_lost",
+                                       "n_frames_undetected",
+                                       "n_frames_false",
+                                       "n_frames_unheard",
+                                       "n_frames_unended",
+                                       "n_rejected_unprintable",
+                                       "n_rejected_short",
+                                       "n_rejected_not_hex",
+                                       "n_rejected_checksum",
+                                       "n_rejected_overlong",
+                                       "sum_bit_errors_squared",
+                                       "sum_bits_squared",
+                                       "sum_bit_errors_times_bits"};
+  ASSERT_EQ(names.size(), words.size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(json[names[i]], words[i]) << names[i];
+}
+
+TEST(Json, IsNullWhereNothingIsKnown) {
+  sim::ExperimentResult result;
+  result.title = "not \xff UTF-8";
+  result.points = {{}};
+  const auto point = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  EXPECT_EQ(point["n_frames"], 0);
+  for (const char* name : {"ber", "flr_ci_low", "uer", "snr_db", "stop_reason"}) {
+    EXPECT_TRUE(point[name].is_null()) << name;
+  }
+}
+
+}  // namespace
