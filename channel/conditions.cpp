@@ -1,5 +1,6 @@
 #include "channel/conditions.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace channel {
@@ -20,14 +21,24 @@ double ripple_squared(const Curve& curve, double mv_rms) {
   return now * now - rest * rest;
 }
 
+constexpr RippleFrequency frequencies[] = {{"f0", &ModuleData::emin_against_ripple},
+                                           {"10 kHz", &ModuleData::emin_against_ripple_10_khz},
+                                           {"100 kHz", &ModuleData::emin_against_ripple_100_khz}};
+
 }  // namespace
+
+std::span<const RippleFrequency> ripple_frequencies() { return frequencies; }
+
+const RippleFrequency& ripple_frequency(std::string_view name) {
+  return *std::ranges::find(frequencies, name, &RippleFrequency::name);
+}
 
 ModuleData under(const Conditions& c, ModuleData part) {
   const Conditions typical;
   const double still = part.emin_mw_per_m2 *
                        relative(part.emin_against_temperature, c.celsius, typical.celsius) *
                        relative(part.emin_against_supply, c.supply_v, typical.supply_v);
-  const double ripple = ripple_squared(part.emin_against_ripple, c.ripple_mv_rms);
+  const double ripple = ripple_squared(part.*c.ripple_at.emin, c.ripple_mv_rms);
   part.emin_mw_per_m2 = std::sqrt(still * still + ripple);
   part.temperature_k = c.celsius + kelvin_at_zero_celsius;
   return part;

@@ -1,15 +1,30 @@
 #pragma once
 // What a receiver module's surroundings make of it: temperature, supply voltage and its ripple,
 // the colour of the light; and what manufacture makes of a single unit.
+#include <span>
+#include <string_view>
+
 #include "channel/receiver_module.hpp"
 
 namespace channel {
+
+/// A frequency of the supply's ripple for which data sheets plot Emin (Vishay 82459 Fig. 7).
+struct RippleFrequency {
+  std::string_view name;  // "10 kHz"
+  Curve ModuleData::*emin;
+};
+
+/// The first is the module's own f0, the worst.
+std::span<const RippleFrequency> ripple_frequencies();
+/// The one of that name, which must be one of them.
+const RippleFrequency& ripple_frequency(std::string_view name);
 
 /// Data sheets state typical values at these.
 struct Conditions {
   double celsius = 25;
   double supply_v = 5;
-  double ripple_mv_rms = 0;  // on the supply, at the module's own f0: the worst frequency
+  double ripple_mv_rms = 0;  // on the supply
+  RippleFrequency ripple_at = ripple_frequencies().front();
 };
 
 /// The part as it is under these conditions: Emin moves as its curves say. Temperature and voltage

@@ -7,82 +7,36 @@
 #include <limits>
 #include <numbers>
 
+#include "channel/bump.hpp"
+
 namespace channel {
 namespace {
 
 using std::numbers::pi;
-using Point = Eigen::Vector3d;
-using Foot = Eigen::Vector2d;
 
 struct Placed {  // a pose as vectors
   Point position;
-  Point axis;  // unit length
+  Point axis, up;  // unit length, at right angles
 
-  Foot foot() const { return position.head<2>(); }
+  Foot foot() const { return foot_of(position); }
   double height() const { return position.z(); }
 };
 
 Placed placed(const Pose& pose) {
-  const double along = std::cos(pose.elevation.value);
-  return {{pose.x, pose.y, pose.z},
-          {along * std::cos(pose.yaw.value), along * std::sin(pose.yaw.value),
-           std::sin(pose.elevation.value)}};
+  const double along = std::cos(pose.elevation.value), up = std::sin(pose.elevation.value);
+  const Point level(std::cos(pose.yaw.value), std::sin(pose.yaw.value), 0);
+  return {.position = {pose.x, pose.y, pose.z},
+          .axis = along * level + up * Point::UnitZ(),
+          .up = along * Point::UnitZ() - up * level};
 }
 
 Placed mirrored(Placed end) {
-  end.position.z() *= -1;
-  end.axis.z() *= -1;
+  for (Point* each : {&end.position, &end.axis, &end.up}) each->z() *= -1;
   return end;
 }
 
 dsp::Radians angle_between(const Point& axis, const Point& ray, double length) {
   return dsp::Radians(std::acos(std::clamp(axis.dot(ray) / length, -1.0, 1.0)));
-}
-
-struct Interval {
-  double begin, end;
-};
-
-struct Bump {  // across the line between the feet, at right angles to it
-  Foot place = Foot::Zero();
-  Foot ahead = Foot::Zero();  // unit vector from the LED's foot to the receiver's
-  double height = 0;          // 0: none
-  double behind = 0;          // how far its shadow of the LED reaches along `ahead`
-  double before = 0;          // how far back the floor is hidden from the receiver
-
-  /// Whether the ray meets it. A mirror image is as far below the floor as its object is above.
-  bool hides(const Point& from, const Point& to) const {
-    if (height <= 0) return false;
-    const double t_from = ahead.dot(from.head<2>() - place);
-    const double t_to = ahead.dot(to.head<2>() - place);
-    if ((t_from < 0) == (t_to < 0)) return false;
-    return std::abs(std::lerp(from.z(), to.z(), t_from / (t_from - t_to))) <= height;
-  }
-
-  /// The part of a line over the floor, from 0 to `reach`, that LED or receiver does not see.
-  Interval shadow(const Foot& start, const Foot& direction, double reach) const {
-    if (height <= 0) return {reach, reach};
-    const double t = ahead.dot(start - place), slope = ahead.dot(direction);
-    const auto [begin, end] = std::minmax({(-before - t) / slope, (behind - t) / slope});
-    return {std::clamp(begin, 0.0, reach), std::clamp(end, 0.0, reach)};
-  }
-};
-
-double shadow_length(double bump, double eye, double distance) {
-  return eye > bump ? bump * distance / (eye - bump) : std::numeric_limits<double>::infinity();
-}
-
-/// A receiver right above or below the LED has no bump between the two.
-Bump bump_of(const Floor& floor, const Placed& led, const Placed& receiver) {
-  const Foot gap = receiver.foot() - led.foot();
-  const double distance = gap.norm(), height = floor.bump_height_mm * 1e-3;
-  if (distance == 0 || height <= 0) return {};
-  const double share = floor.bump_position;
-  return {.place = led.foot() + share * gap,
-          .ahead = gap / distance,
-          .height = height,
-          .behind = shadow_length(height, led.height(), share * distance),
-          .before = shadow_length(height, receiver.height(), (1 - share) * distance)};
 }
 
 struct Link {
@@ -96,7 +50,9 @@ struct Link {
     return relative_intensity(emitter, angle_between(from.axis, ray, length));
   }
   double accepted(const Point& ray, double length) const {
-    return directivity(angle_between(receiver.axis, -ray, length));
+    const dsp::Radians off_axis = angle_between(receiver.axis, -ray, length);
+    const double aside = length * std::sin(off_axis.value);
+    return directivity(off_axis, aside > 0 ? -ray.dot(receiver.up) / aside : 0);
   }
 };
 
@@ -210,10 +166,14 @@ Pose receiver_pose(dsp::Metres range, dsp::Radians bearing, dsp::Metres height, 
           .elevation = tilt};
 }
 
-double Directivity::operator()(dsp::Radians off_axis) const {
+double Directivity::operator()(dsp::Radians off_axis, double upward) const {
   if (off_axis.value > pi / 2) return 0;
   if (relative_distance.empty()) return std::pow(std::cos(off_axis.value), cosine_power);
-  const double distance = relative_distance(off_axis.value * 180 / pi);
+  const double degrees = off_axis.value * 180 / pi;
+  const double level = relative_distance(degrees);
+  if (vertical.empty()) return level * level;
+  const double steep = vertical(std::copysign(degrees, upward)) / vertical(0);
+  const double distance = std::lerp(level, steep, std::min(upward * upward, 1.0));
   return distance * distance;
 }
 
@@ -222,8 +182,12 @@ ReceivedLight received_light(const EmitterData& emitter, dsp::WattsPerSteradian 
                              const Floor& floor, double led_celsius) {
   assert(led.z >= 0 && receiver.z >= 0);
   const Placed from = placed(led), to = placed(receiver);
-  const Link link{
-      emitter, directivity, from, to, wavelength(emitter, led_celsius), bump_of(floor, from, to)};
+  const Link link{emitter,
+                  directivity,
+                  from,
+                  to,
+                  wavelength(emitter, led_celsius),
+                  bump_between(floor, from.position, to.position)};
   const auto irradiance = [&](double gain) { return dsp::WattsPerSquareMetre(axial.value * gain); };
   return {.direct = irradiance(ray_gain(link, link.led)),
           .specular = irradiance(specular_gain(link, floor)),

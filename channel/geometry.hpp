@@ -23,9 +23,12 @@ Pose receiver_pose(dsp::Metres range, dsp::Radians bearing, dsp::Metres height, 
 /// Includes the cosine. Vishay plots it as relative *distance* (82459 rev 1.8 Fig. 11); the
 /// response to irradiance is its square. An empty table means cos^n.
 struct Directivity {
-  Curve relative_distance;    // against degrees off axis, 0..90
-  double cosine_power = 1.0;  // n, used where the table is empty
-  double operator()(dsp::Radians off_axis) const;
+  Curve relative_distance{};  // against degrees off axis, 0..90, in the plane of the floor
+  Curve vertical{};           // the same from below, -90, to above, 90; empty: as in that plane
+  double cosine_power = 1.0;  // n, used where the first table is empty
+  /// `upward`: sine of the angle around the axis, from the plane of the floor (0) to straight above
+  /// (1) or below (-1). Between the planes distances are weighted with its square.
+  double operator()(dsp::Radians off_axis, double upward = 0) const;
 };
 
 /// Effective irradiance at the receiver (peak of the on/off waveform), by path.

@@ -43,6 +43,7 @@ struct ModuleData {
   double agc_free_cycles = 0;
   double agc_min_gap_cycles = 29;
   double agc_hold_ms = 0;
+  double agc_pinned_cycles = 0;  // longest burst that a figure shows; 0: the rule has no end
   double agc_margin_db = 3;
   double agc_range_db = 120;
   // Front end and noise.
@@ -54,13 +55,15 @@ struct ModuleData {
   // Threshold in ambient light: Emin^2 grows by k*E*(1 + E/Es), E in W/m2, Emin in mW/m2.
   double ambient_k = 0.047;
   double ambient_es_w_per_m2 = 18;
-  // Response off axis, as relative distance against degrees; empty: cos^1.
-  Curve directivity;
+  // Response off axis, as relative distance against degrees; empty: cos^1. Vertical: from -90 below
+  // to 90 above the axis; empty: as in the plane of the floor.
+  Curve directivity, directivity_vertical;
   // Response against the wavelength in nm, in any unit; empty: the same at all.
   Curve spectral;
-  // Emin in mW/m2 against degrees Celsius, supply in V and its ripple at f0 in mV rms; empty: the
-  // sheet does not say.
-  Curve emin_against_temperature, emin_against_supply, emin_against_ripple;
+  // Emin in mW/m2 against degrees Celsius, supply in V and its ripple in mV rms, at f0 and at two
+  // other frequencies; empty: the sheet does not say.
+  Curve emin_against_temperature, emin_against_supply;
+  Curve emin_against_ripple, emin_against_ripple_10_khz, emin_against_ripple_100_khz;
 };
 
 inline bool is_matched(const ModuleData& data) { return data.detector != "module"; }

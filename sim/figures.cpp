@@ -89,6 +89,12 @@ double relative_distance(const ModuleData& module, double degrees) {
   return std::sqrt(response(dsp::degrees(std::abs(degrees))));
 }
 
+/// As plotted, relative to the largest, which need not be on axis.
+double relative_distance_above(const ModuleData& module, double degrees) {
+  const channel::Curve& vertical = module.directivity_vertical;
+  return vertical.empty() ? relative_distance(module, degrees) : vertical(degrees);
+}
+
 double intensity_mw_per_sr(const EmitterData& led, double ma) {
   return 1e3 * channel::axial_intensity(led, dsp::Amperes(ma * 1e-3)).value;
 }
@@ -109,6 +115,13 @@ Figure<ModuleData> emin_against(std::string name, FigureAxis x,
   return {{std::move(name), title, std::move(x), threshold}, std::move(model)};
 }
 
+Figure<ModuleData> emin_against_ripple(std::string name, channel::RippleFrequency at) {
+  return emin_against(std::move(name), {"supply ripple at " + std::string(at.name), "mV", true},
+                      [=](const ModuleData& m, double mv) {
+                        return emin_under(m, {.ripple_mv_rms = mv, .ripple_at = at});
+                      });
+}
+
 }  // namespace
 
 const std::vector<Figure<ModuleData>>& module_figures() {
@@ -125,9 +138,9 @@ const std::vector<Figure<ModuleData>>& module_figures() {
       {{"frequency_response", "response to a steady carrier", {"f/f0", "1"}, {"response", "1"}},
        gain},
       emin_against("ambient", {"ambient light", "W/m2", true}, emin_in_light),
-      emin_against(
-          "ripple", {"supply ripple at f0", "mV", true},
-          [](const ModuleData& m, double mv) { return emin_under(m, {.ripple_mv_rms = mv}); }),
+      emin_against_ripple("ripple", channel::ripple_frequencies()[0]),
+      emin_against_ripple("ripple_10_khz", channel::ripple_frequencies()[1]),
+      emin_against_ripple("ripple_100_khz", channel::ripple_frequencies()[2]),
       {{"max_duty", "largest envelope duty that the AGC lets pass", burst_length, {"duty", "1"}},
        max_duty},
       {{"min_repetition",
@@ -144,6 +157,11 @@ const std::vector<Figure<ModuleData>>& module_figures() {
         {"angle", "degree"},
         {"distance", "1"}},
        relative_distance},
+      {{"directivity_vertical",
+        "relative distance of detection below and above the axis",
+        {"angle", "degree"},
+        {"distance", "1"}},
+       relative_distance_above},
       emin_against("supply", {"supply voltage", "V"},
                    [](const ModuleData& m, double v) { return emin_under(m, {.supply_v = v}); }),
   };

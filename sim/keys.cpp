@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "channel/conditions.hpp"
 #include "protocol/uart.hpp"
 #include "sim/disturbance_keys.hpp"
 
@@ -94,6 +95,13 @@ std::vector<Key> led_settings_keys() {
   };
 }
 
+template <class Row>
+std::vector<std::string> names_of(std::span<const Row> table) {
+  std::vector<std::string> names;
+  for (const Row& row : table) names.emplace_back(row.name);
+  return names;
+}
+
 std::vector<Key> receiver_keys() {
   constexpr auto at = &Scenario::receiver;
   using R = ReceiverSettings;
@@ -119,8 +127,10 @@ std::vector<Key> receiver_keys() {
       number("receiver.supply_v", "V", from(1.5, 30), at, &R::supply_v,
              "supply voltage of the module", "where its sheet shows Emin against it"),
       number("receiver.supply_ripple_mv", "mV", from(0, 1e4), at, &R::supply_ripple_mv,
-             "rms ripple of the supply at the module's centre",
-             "where its sheet shows Emin against it"),
+             "rms ripple of the supply", "where the module's sheet shows Emin against it"),
+      text(KeyType::choice, "receiver.supply_ripple_at", at, &R::supply_ripple_at,
+           "frequency of that ripple", "`f0` is the module's centre, the worst",
+           names_of(channel::ripple_frequencies())),
       flag("receiver.population", at, &R::population, "another unit of the part in each trial",
            "centre within its tolerance, threshold between typical and maximum"),
   };
@@ -153,17 +163,11 @@ std::vector<Key> bump_keys() {
   };
 }
 
-std::vector<std::string> uart_names() {
-  std::vector<std::string> names;
-  for (const auto& receiver : protocol::uart_receivers()) names.emplace_back(receiver.name);
-  return names;
-}
-
 std::vector<Key> surroundings_keys() {
   return {
       text(KeyType::choice, "uart.receiver", &Scenario::uart, &UartSettings::receiver,
            "listening UART", "16 samples a bit, majority of three; or one sample in mid-bit",
-           uart_names()),
+           names_of(protocol::uart_receivers())),
       number("uart.clock_error_ppm", "1e-6", from(-1e5, 1e5), &Scenario::uart,
              &UartSettings::clock_error_ppm, "clock error of the listening UART", "positive: fast"),
       number("ambient.irradiance_w_per_m2", "W/m2", from(0, 1000), &Scenario::ambient,

@@ -32,7 +32,8 @@ double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
 channel::ModuleData module_of(const Scenario& s) {
   return channel::under({.celsius = s.receiver.temperature_c,
                          .supply_v = s.receiver.supply_v,
-                         .ripple_mv_rms = s.receiver.supply_ripple_mv},
+                         .ripple_mv_rms = s.receiver.supply_ripple_mv,
+                         .ripple_at = channel::ripple_frequency(s.receiver.supply_ripple_at)},
                         s.module);
 }
 
@@ -94,7 +95,8 @@ channel::ReceivedLight light_of(const Scenario& s) {
                              dsp::degrees(s.receiver.yaw_deg), dsp::degrees(s.receiver.tilt_deg));
   const auto axial = channel::axial_intensity(s.emitter, dsp::Amperes(s.led.current_ma * 1e-3),
                                               s.led.temperature_c);
-  const channel::Directivity directivity{.relative_distance = s.module.directivity};
+  const channel::Directivity directivity{.relative_distance = s.module.directivity,
+                                         .vertical = s.module.directivity_vertical};
   return channel::received_light(s.emitter, axial, led, directivity, receiver, s.floor,
                                  s.led.temperature_c);
 }

@@ -67,6 +67,9 @@ std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
               "shortest gap after a short burst"),
       module_number("agc_hold_ms", "ms", from(0, 1e3), &M::agc_hold_ms,
                     "dark time before the gain recovers", "AGC5, AGC6: one gap for all bursts"),
+      module_number("agc_pinned_cycles", "cycle", from(0, 1e5), &M::agc_pinned_cycles,
+                    "longest burst for which a figure shows the rule",
+                    "longer ones are flagged; 0: the rule has no end"),
       module_number("agc_margin_db", "dB", from(0, 40), &M::agc_margin_db,
                     "signal over threshold that the AGC aims at"),
       module_number("agc_range_db", "dB", from(0, 200), &M::agc_range_db,
@@ -107,6 +110,13 @@ PartCurve<channel::ModuleData> emin_against(const std::string& what, KeyFacts x,
           false};
 }
 
+PartCurve<channel::ModuleData> emin_against_ripple(const std::string& suffix,
+                                                   const std::string& frequency,
+                                                   channel::Curve channel::ModuleData::*member) {
+  return emin_against("ripple" + suffix,
+                      {"mv_rms", "mV", from(0, 1e4), "supply ripple at " + frequency, ""}, member);
+}
+
 std::vector<PartCurve<channel::ModuleData>> module_curves() {
   using M = channel::ModuleData;
   return {
@@ -115,6 +125,12 @@ std::vector<PartCurve<channel::ModuleData>> module_curves() {
        {"degrees", "degree", from(0, 90), "angle off axis", ""},
        {"relative_distance", "1", from(0, 1.5), "relative distance", ""},
        &M::directivity,
+       false},
+      {"directivity_vertical",
+       "the same from below the axis to above it",
+       {"degrees", "degree", from(-90, 90), "angle above the axis", ""},
+       {"relative_distance", "1", from(0, 1.5), "relative distance", ""},
+       &M::directivity_vertical,
        false},
       {"spectral",
        "response against the wavelength",
@@ -126,8 +142,9 @@ std::vector<PartCurve<channel::ModuleData>> module_curves() {
                    &M::emin_against_temperature),
       emin_against("supply", {"volt", "V", from(0, 30), "supply voltage", ""},
                    &M::emin_against_supply),
-      emin_against("ripple", {"mv_rms", "mV", from(0, 1e4), "supply ripple at f0", ""},
-                   &M::emin_against_ripple),
+      emin_against_ripple("", "f0", &M::emin_against_ripple),
+      emin_against_ripple("_10_khz", "10 kHz", &M::emin_against_ripple_10_khz),
+      emin_against_ripple("_100_khz", "100 kHz", &M::emin_against_ripple_100_khz),
   };
 }
 

@@ -48,7 +48,8 @@ struct ReceiverSettings {
   double temperature_c = 25;
   double supply_v = 5;
   double supply_ripple_mv = 0;
-  double population = 0;  // 1: each trial has a unit of its own
+  std::string supply_ripple_at = "f0";  // of channel::ripple_frequencies()
+  double population = 0;                // 1: each trial has a unit of its own
 };
 
 struct UartSettings {

@@ -1,8 +1,14 @@
 #include "sim/validity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "channel/conditions.hpp"
+#include "protocol/cosys.hpp"
+#include "protocol/uart.hpp"
+#include "sim/disturbance.hpp"
 
 namespace sim {
 namespace {
@@ -18,7 +24,7 @@ bool above_emax(const Scenario& s, double irradiance) {
   return irradiance > s.module.emax_w_per_m2 * 1e3;
 }
 
-bool too_bright(const Scenario& s, double) { return s.ambient.irradiance_w_per_m2 > 100; }
+bool too_bright(const Scenario& s, double) { return ambient_of(s).value > 100; }
 
 bool far_from_f0(const Scenario& s, double) {
   const double carrier = s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6);
@@ -34,7 +40,24 @@ bool beyond_supply(const Scenario& s, double) {
 }
 
 bool beyond_ripple(const Scenario& s, double) {
-  return beyond(s.module.emin_against_ripple, s.receiver.supply_ripple_mv, 0);
+  const auto& at = channel::ripple_frequency(s.receiver.supply_ripple_at);
+  return beyond(s.module.*at.emin, s.receiver.supply_ripple_mv, 0);
+}
+
+/// The longest light of a message, in cycles: bits that are 0 in a row.
+double longest_burst_cycles(const Scenario& s) {
+  int longest = 0, run = 0;
+  for (const std::uint8_t byte : protocol::cosys_encode(s.device.message))
+    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
+      run = protocol::line_bit(byte, slot) ? 0 : run + 1;
+      longest = std::max(longest, run);
+    }
+  return longest * s.device.carrier_hz / s.device.baud;
+}
+
+bool beyond_agc_figure(const Scenario& s, double) {
+  const double pinned = s.module.agc_pinned_cycles;
+  return s.module.agc_attack_db_per_ms > 0 && pinned > 0 && longest_burst_cycles(s) > pinned;
 }
 
 bool continuous_current(const Scenario& s, double) { return s.led.current_ma > 200; }
@@ -48,6 +71,8 @@ constexpr std::array limits{
     ValidityLimit{"temperature", "the module's sheet does not show Emin there", beyond_temperature},
     ValidityLimit{"supply", "the module's sheet does not show Emin there", beyond_supply},
     ValidityLimit{"ripple", "the module's sheet does not show Emin there", beyond_ripple},
+    ValidityLimit{"agc", "bursts longer than the module's sheet shows its gain control for",
+                  beyond_agc_figure},
     ValidityLimit{"current", "more than an LED bears in bursts of a message (200 mA)",
                   continuous_current},
 };

@@ -15,7 +15,7 @@ protocol/.*          (protocol|sim)/.*
 sim/.*               sim/.*
 immintrin[.]h        dsp/.*
 fftw3[.]h            dsp/spectrum[.]cpp
-Eigen/.*             channel/.*[.]cpp
+Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)
 armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/netcdf[.]cpp
 toml[+][+]/.*        sim/entries[.]cpp

@@ -61,6 +61,22 @@ TEST(Direct, YawFollowsTheSquaredDistanceCurve) {  // R17
   }
 }
 
+// A receiver that sees 1 ahead, .8 of the distance 30 degrees above and .4 as far below.
+TEST(Direct, TiltFollowsTheVerticalCurve) {
+  const Directivity lopsided{{{0, 30, 90}, {1, .6, 0}}, {{-90, -30, 0, 30, 90}, {0, .4, 1, .8, 0}}};
+  const auto response = [&](double yaw, double tilt) {
+    const Pose receiver = receiver_pose(dsp::Metres(1), dsp::Radians(0), dsp::Metres(.01),
+                                        dsp::degrees(yaw), dsp::degrees(tilt));
+    return received_light(cosine_led(15.5), one_watt, at(0, 0, .01), lopsided, receiver, no_floor)
+        .direct.value;
+  };
+  EXPECT_NEAR(response(0, 0), 1, 1e-6);
+  EXPECT_NEAR(response(30, 0), .36, 1e-6);
+  EXPECT_NEAR(response(-30, 0), .36, 1e-6);
+  EXPECT_NEAR(response(0, 30), .16, 1e-6);  // looks up: the LED is below its axis
+  EXPECT_NEAR(response(0, -30), .64, 1e-6);
+}
+
 TEST(Direct, NothingBehindLedOrReceiver) {
   const EmitterData isotropic{"", {{1}, {1}}, {{0}, {1}}};
   const auto light = [&](double led_yaw, double receiver_yaw) {

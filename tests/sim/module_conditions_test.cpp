@@ -33,6 +33,14 @@ TEST(ModuleConditions, R15_SupplyRippleRaisesEmin) {
   EXPECT_NEAR(emin_under({.ripple_mv_rms = 366}), 0.658, 0.25 * 0.658);
 }
 
+// Ripple elsewhere than at f0 hardly matters: Fig. 7, 10 kHz (450 and 1000 mV) and 100 kHz.
+TEST(ModuleConditions, R15_RippleAwayFromF0MattersLess) {
+  const auto frequencies = channel::ripple_frequencies();
+  EXPECT_NEAR(emin_under({.ripple_mv_rms = 450, .ripple_at = frequencies[1]}), 0.133, 0.1 * 0.133);
+  EXPECT_NEAR(emin_under({.ripple_mv_rms = 1000, .ripple_at = frequencies[1]}), 0.54, 0.1 * 0.54);
+  EXPECT_NEAR(emin_under({.ripple_mv_rms = 1000, .ripple_at = frequencies[2]}), 0.134, 0.1 * 0.134);
+}
+
 // R16: -30, 25, 90 degrees C: .157 .119 .172 mW/m2 +- 10 %. Fig. 9.
 TEST(ModuleConditions, R16_TemperatureRaisesEminAtBothEnds) {
   EXPECT_NEAR(emin_under({.celsius = -30}), 0.157, 0.0157);

@@ -30,7 +30,7 @@ std::string other_text(const Key& key) {
   if (key.name() == "led.part") return "tsal6200";
   if (key.name() == "receiver.module") return "tsop4856";
   if (key.name() == "floor.part") return "INDOOR";
-  return key.facts.type == KeyType::choice ? "mid-bit" : "RFID \"S:\\U";
+  return key.facts.type == KeyType::choice ? key.choices.back() : "RFID \"S:\\U";
 }
 
 std::string in_toml(const Key& key, const std::string& value) {
