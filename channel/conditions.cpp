@@ -7,11 +7,15 @@ namespace channel {
 namespace {
 
 constexpr double kelvin_at_zero_celsius = 273.15;
-constexpr double emitter_nm = 940;
 
 /// A curve's value relative to that at a reference; 1 without a curve.
 double relative(const Curve& curve, double at, double reference) {
   return curve.empty() ? 1 : curve(at) / curve(reference);
+}
+
+double supply_factor(const ModuleData& part, double supply_v) {
+  constexpr double plotted_v = 5;  // at which Fig. 12 meets the typical Emin
+  return std::isnan(supply_v) ? 1 : relative(part.emin_against_supply, supply_v, plotted_v);
 }
 
 /// Rise of Emin, in squares, that ripple makes.
@@ -34,18 +38,18 @@ const RippleFrequency& ripple_frequency(std::string_view name) {
 }
 
 ModuleData under(const Conditions& c, ModuleData part) {
-  const Conditions typical;
-  const double still = part.emin_mw_per_m2 *
-                       relative(part.emin_against_temperature, c.celsius, typical.celsius) *
-                       relative(part.emin_against_supply, c.supply_v, typical.supply_v);
+  const double typical = part.emin_mw_per_m2;
+  const double still = typical * supply_factor(part, c.supply_v) *
+                       relative(part.emin_against_temperature, c.celsius, Conditions{}.celsius);
   const double ripple = ripple_squared(part.*c.ripple_at.emin, c.ripple_mv_rms);
   part.emin_mw_per_m2 = std::sqrt(still * still + ripple);
+  part.emin_max_mw_per_m2 *= part.emin_mw_per_m2 / typical;
   part.temperature_k = c.celsius + kelvin_at_zero_celsius;
   return part;
 }
 
 double spectral_response(const ModuleData& part, double wavelength_nm) {
-  return relative(part.spectral, wavelength_nm, emitter_nm);
+  return relative(part.spectral, wavelength_nm, emin_nm);
 }
 
 ModuleData unit_of(ModuleData part, double centre_draw, double emin_draw) {

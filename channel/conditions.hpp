@@ -1,6 +1,7 @@
 #pragma once
 // What a receiver module's surroundings make of it: temperature, supply voltage and its ripple,
 // the colour of the light; and what manufacture makes of a single unit.
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -22,14 +23,15 @@ const RippleFrequency& ripple_frequency(std::string_view name);
 /// Data sheets state typical values at these.
 struct Conditions {
   double celsius = 25;
-  double supply_v = 5;
-  double ripple_mv_rms = 0;  // on the supply
+  double supply_v = std::numeric_limits<double>::quiet_NaN();  // NaN: as the sheet's typical values
+  double ripple_mv_rms = 0;                                    // on the supply
   RippleFrequency ripple_at = ripple_frequencies().front();
 };
 
-/// The part as it is under these conditions: Emin moves as its curves say. Temperature and voltage
-/// are factors relative to the curve at 25 degrees C and 5 V, the ripple adds as a disturbance
-/// does, in squares. Outside a curve its end holds. Thermal noise has the temperature too.
+/// The part as it is under these conditions: Emin moves as its curves say, typical and maximum
+/// alike. Temperature and voltage are factors relative to the curve at 25 degrees C and 5 V, the
+/// ripple adds as a disturbance does, in squares. Outside a curve its end holds. Thermal noise has
+/// the temperature too.
 ModuleData under(const Conditions& conditions, ModuleData part);
 
 /// Response at a wavelength relative to that at 940 nm, at which Emin is taken; 1 without a curve.

@@ -124,11 +124,14 @@ double mean_stretch_cycles(const Bench& bench, const BurstTrain& train, double e
 }
 
 double measured_emin(const Bench& bench, const BurstTrain& train) {
-  double low = 1e-3, high = 1e3;
+  double low = 1e-4, high = 1e5;
+  const auto enough = [&](double e) {
+    return mean_stretch_cycles(bench, train, e) >= bench.module.emin_width_cycles;
+  };
+  if (enough(low) || !enough(high)) return std::numeric_limits<double>::quiet_NaN();
   while (high / low > 1.002) {
     const double middle = std::sqrt(low * high);
-    const bool enough = mean_stretch_cycles(bench, train, middle) >= bench.module.emin_width_cycles;
-    (enough ? high : low) = middle;
+    (enough(middle) ? high : low) = middle;
   }
   return high;
 }

@@ -53,7 +53,8 @@ std::vector<Pulse> pulses_of(const dsp::LogicTrace& pin);
 double mean_stretch_cycles(const Bench& bench, const BurstTrain& train, double e_mw_per_m2);
 
 /// Emin as the data sheet defines it: the irradiance at which the pulse is as much shorter as the
-/// part's window allows. Bisection on a logarithmic scale, mW/m2. Vishay 82459 Fig. 6, 7, 9, 12.
+/// part's window allows. Bisection on a logarithmic scale, mW/m2; NaN where there is none from
+/// 1e-4 to 1e5. Vishay 82459 Fig. 6, 7, 9, 12.
 double measured_emin(const Bench& bench, const BurstTrain& train);
 
 /// Mean low and high time of the pin for a train, in seconds; NaN without two pulses. Vishay 82459

@@ -17,6 +17,7 @@ struct EmitterData {
   double half_angle_deg = 0;   // to half intensity; used where there is no pattern
   double wavelength_nm = 940;  // of the peak at 25 C (Vishay 81010 rev 2.4, basic characteristics)
   double wavelength_nm_per_k = 0.2;  // the same table
+  double continuous_ma = 100;        // most that it bears for as long as a bit, as a mean
   // Intensity against degrees Celsius, in any unit; empty: the sheet does not say.
   Curve relative_intensity_against_temperature = {};
 };

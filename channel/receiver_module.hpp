@@ -28,8 +28,9 @@ struct ModuleData {
   // emin_width_cycles longer than the burst (a negative number: shorter).
   double emin_mw_per_m2 = 0.12;
   double emin_width_cycles = -5;
-  double emin_max_mw_per_m2 = 0.25;  // of the least sensitive unit
+  double emin_max_mw_per_m2 = 0;  // of the least sensitive unit; 0: the sheet does not say
   double emax_w_per_m2 = 50;
+  double supply_min_v = 0, supply_max_v = 0;  // 0: the sheet does not say
   // Demodulator.
   double comparator_hold_cycles = 1.25;
   double integrator_cycles = 8;
@@ -65,6 +66,9 @@ struct ModuleData {
   Curve emin_against_temperature, emin_against_supply;
   Curve emin_against_ripple, emin_against_ripple_10_khz, emin_against_ripple_100_khz;
 };
+
+/// Wavelength at which Emin is taken: of the emitters that sheets measure with.
+constexpr double emin_nm = 940;
 
 inline bool is_matched(const ModuleData& data) { return data.detector != "module"; }
 

@@ -12,6 +12,13 @@ using dsp::Hertz;
 using dsp::LogicTrace;
 using dsp::Seconds;
 
+std::vector<bool> line_bits(std::span<const std::uint8_t> bytes) {
+  std::vector<bool> levels;
+  for (const std::uint8_t byte : bytes)
+    for (int slot = 0; slot < bits_per_byte; ++slot) levels.push_back(line_bit(byte, slot));
+  return levels;
+}
+
 Seconds send_byte(LogicTrace& line, std::uint8_t byte, Seconds start, Hertz baud) {
   const Seconds bit = dsp::period(baud);
   for (int slot = 0; slot < bits_per_byte; ++slot) {

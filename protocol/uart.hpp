@@ -27,6 +27,9 @@ constexpr bool line_bit(std::uint8_t byte, int slot) {
   return ((character >> slot) & 1U) != 0;
 }
 
+/// Levels of all slots of a message's characters, one after the other.
+std::vector<bool> line_bits(std::span<const std::uint8_t> bytes);
+
 /// Appends one character whose start bit begins at `start` and returns the end of its stop bit.
 /// `baud` is the sender's true rate, its clock error included.
 dsp::Seconds send_byte(dsp::LogicTrace& line, std::uint8_t byte, dsp::Seconds start,

@@ -15,4 +15,13 @@ struct Axis {
   bool is_text() const { return !labels.empty(); }
 };
 
+/// A value of the axis as tables show it: its text, or the number in up to six digits.
+std::string coordinate_text(const Axis& axis, double coordinate);
+
+/// What the result file calls the dimension of a key: "receiver_range_m".
+std::string dimension_name(const std::string& key);
+
+/// Throws bad_input if two axes have one such name.
+void check_dimension_names(const std::vector<Axis>& axes);
+
 }  // namespace sim

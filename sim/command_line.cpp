@@ -1,5 +1,6 @@
 #include "sim/command_line.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "sim/commands.hpp"
@@ -19,6 +20,16 @@ const CLI::Validator an_index(
       return digits ? "" : text + " is not a whole number, counted from 0";
     },
     "");
+
+/// CLI::Range lets NaN pass.
+CLI::Validator between(double low, double high) {
+  return {[=](const std::string& text) {
+            const auto value = parse_number(text);
+            const bool inside = value && *value >= low && *value <= high;
+            return inside ? "" : fmt::format("{} is no number from {} to {}", text, low, high);
+          },
+          ""};
+}
 
 /// An option or argument that names files or folders.
 template <class Place>
@@ -143,7 +154,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       ->check(CLI::IsMember(find_key("uart.receiver")->choices).description(""));
   decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")
       ->type_name("RATE")
-      ->check(CLI::Range(1.0, 1e6).description(""));
+      ->check(between(1, 1e6));
   add_protocol(decode);
   decode.add_flag("--json", request.json, "one JSON object a line for each message");
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");

@@ -72,6 +72,18 @@ Crossing whole_sweep(Crossing::Kind kind, const Observations& all) {
   return {kind, (low + high) / 2, low, high};
 }
 
+Crossing below_throughout(const Observations& all, double ci_level) {
+  Crossing c = whole_sweep(Crossing::Kind::all_below, all);
+  for (const Observation& o : all)
+    c.bound = std::max(c.bound, clopper_pearson(o.lost, o.frames, ci_level).high);
+  return c;
+}
+
+/// ", though 3.8 % cannot be ruled out": what the frames do not tell.
+std::string doubt(const Crossing& c, double level) {
+  return c.bound > level ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
+}
+
 struct Fit {
   arma::vec coefficients;  // logit(loss) = c0 + c1 x
   arma::mat covariance;
@@ -159,7 +171,7 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   const auto is_bad = [=](const Observation& o) { return o.ratio() > level; };
   if (!rises_throughout(all)) return {Kind::not_monotone};
   if (all.empty()) return {};
-  if (std::ranges::none_of(all, is_bad)) return whole_sweep(Kind::all_below, all);
+  if (std::ranges::none_of(all, is_bad)) return below_throughout(all, result.ci_level);
   if (std::ranges::all_of(all, is_bad)) return whole_sweep(Kind::all_above, all);
   if (separated(all)) return bracket(Kind::jump, all, level);
 
@@ -188,14 +200,14 @@ std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
     case Kind::fitted:
       return with_unit(axis, fitted_text(c));
     case Kind::jump:
-      return "between " + gap + " (a jump: refine the sweep there)";
+      return "between " + gap;
     case Kind::unfitted:
       return "between " + gap + " (no logit curve fits the points)";
     case Kind::all_below:
-      return fmt::format("beyond the sweep: at most {:g} % lost anywhere in {}", percent, range);
+      return fmt::format("beyond the sweep: at most {:g} % lost in {}", percent, range) +
+             doubt(c, level);
     case Kind::all_above:
-      return fmt::format("not in the sweep: more than {:g} % lost everywhere in {}", percent,
-                         range);
+      return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range);
     case Kind::not_monotone:
       return "loss rises and falls: no single value, see the table";
     case Kind::unclear:
@@ -219,7 +231,7 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
                          axis.key, level * 100);
     case Kind::all_below:
       return fmt::format("frame loss stays at most {:g} % over the whole sweep, ", level * 100) +
-             range;
+             range + doubt(c, level);
     case Kind::all_above:
       return fmt::format("frame loss is above {:g} % over the whole sweep, ", level * 100) + range;
     case Kind::unclear:

@@ -71,17 +71,12 @@ Seconds mean_period(const DisturbanceSettings& d, const protocol::Bytes& bytes) 
   return message_time(bytes, d.baud) + ms((d.interval_min_ms + d.interval_max_ms) / 2);
 }
 
-double zeros(const protocol::Bytes& bytes) {
-  double n = 0;
-  for (const std::uint8_t byte : bytes)
-    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) n += !protocol::line_bit(byte, slot);
-  return n;
-}
-
+/// It starts so early that time 0 falls anywhere into its rhythm.
 dsp::LogicTrace cosys_drive(const DisturbanceSettings& d, Draws& draws, Seconds end) {
+  constexpr double periods_before = 10;
   const protocol::Bytes bytes = protocol::cosys_encode(d.message);
   dsp::LogicTrace drive(true);
-  Seconds at = -draws.uniform() * mean_period(d, bytes);
+  Seconds at = -(periods_before + draws.uniform()) * mean_period(d, bytes);
   while (at < end) {
     for (const std::uint8_t byte : bytes) at = protocol::send_byte(drive, byte, at, Hertz(d.baud));
     at += ms(d.interval_min_ms + draws.uniform() * (d.interval_max_ms - d.interval_min_ms));
@@ -94,7 +89,8 @@ double keyed_share(const DisturbanceSettings& d) {
   if (d.kind == "remote") return mean_light(d) / ms(d.repetition_ms);
   if (d.kind != "cosys") return 1;
   const protocol::Bytes bytes = protocol::cosys_encode(d.message);
-  return zeros(bytes) / d.baud / mean_period(d, bytes).value;
+  const auto zeros = std::ranges::count(protocol::line_bits(bytes), false);
+  return static_cast<double>(zeros) / d.baud / mean_period(d, bytes).value;
 }
 
 }  // namespace

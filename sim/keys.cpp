@@ -125,7 +125,7 @@ std::vector<Key> receiver_keys() {
       number("receiver.temperature_c", "degree_C", from(-60, 150), at, &R::temperature_c,
              "temperature of the module", "where its sheet shows Emin against it"),
       number("receiver.supply_v", "V", from(1.5, 30), at, &R::supply_v,
-             "supply voltage of the module", "where its sheet shows Emin against it"),
+             "supply voltage of the module", "unset: as its sheet's typical values"),
       number("receiver.supply_ripple_mv", "mV", from(0, 1e4), at, &R::supply_ripple_mv,
              "rms ripple of the supply", "where the module's sheet shows Emin against it"),
       text(KeyType::choice, "receiver.supply_ripple_at", at, &R::supply_ripple_at,

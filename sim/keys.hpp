@@ -78,6 +78,7 @@ struct PartKeys {
   std::vector<std::string> figures = {};  // of sim/figures.hpp, for which a file may name curves
   std::vector<PartChoice<Part>> choices = {};
   bool (*needs_numbers)(const Part&) = nullptr;  // false: what is required may be missing
+  const char* (*flaw)(const Part&) = nullptr;    // what of it cannot be; null: nothing
 };
 
 const PartKeys<channel::ModuleData>& module_keys();

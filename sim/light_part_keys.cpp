@@ -29,6 +29,9 @@ std::vector<PartNumber<Emitter>> led_numbers() {
                       {"wavelength_nm", "nm", from(300, 2000), "wavelength of the peak", ""}),
       optional_number(&Emitter::wavelength_nm_per_k,
                       {"wavelength_nm_per_k", "nm/K", from(-2, 2), "growth of the wavelength", ""}),
+      optional_number(&Emitter::continuous_ma,
+                      {"continuous_ma", "mA", from(0.1, 1e5), "largest continuous current",
+                       "bits are long: the mean over a carrier period counts"}),
   };
 }
 

@@ -1,5 +1,6 @@
 #include "sim/matched.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -77,11 +78,9 @@ std::optional<MatchedReceiver> matched_receiver(const channel::ModuleData& modul
 }
 
 double lit_share(const protocol::Bytes& bytes) {
-  std::size_t lit = 0;
-  for (const std::uint8_t byte : bytes)
-    for (int slot = 0; slot < protocol::bits_per_byte; ++slot)
-      lit += !protocol::line_bit(byte, slot);
-  return static_cast<double>(lit) / static_cast<double>(protocol::bits_per_byte * bytes.size());
+  const std::vector<bool> levels = protocol::line_bits(bytes);
+  const auto lit = std::ranges::count(levels, false);
+  return static_cast<double>(lit) / static_cast<double>(levels.size());
 }
 
 }  // namespace sim

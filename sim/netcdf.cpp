@@ -221,7 +221,7 @@ void NetcdfFile::add_dimension(const VariableFacts& facts, std::span<const std::
                H5Dclose);
   checked(H5Dwrite(scale, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   checked(H5DSset_scale(scale, facts.name.c_str()));
-  checked(H5LTset_attribute_string(scale, ".", "long_name", facts.long_name.c_str()));
+  describe(scale, facts);
   state_->dimensions.emplace(facts.name, State::Dimension{values.size(), std::move(scale)});
 }
 

@@ -37,6 +37,9 @@ std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
       module_number("emin_max_mw_per_m2", "mW/m2", from(0, 1e4), &M::emin_max_mw_per_m2,
                     "threshold irradiance of the least sensitive unit",
                     "printed maximum; not above the typical one: no spread"),
+      module_number("supply_min_v", "V", from(0, 30), &M::supply_min_v, "least supply voltage"),
+      module_number("supply_max_v", "V", from(0, 30), &M::supply_max_v, "largest supply voltage",
+                    "0: the sheet does not say"),
       printed("emax_w_per_m2", "W/m2", from(1e-6, 1e4), &M::emax_w_per_m2,
               "irradiance at which the input clips"),
       module_number("comparator_hold_cycles", "cycle", from(0, 20), &M::comparator_hold_cycles,
@@ -148,6 +151,19 @@ std::vector<PartCurve<channel::ModuleData>> module_curves() {
   };
 }
 
+/// Other values are taken relative to these.
+const char* flaw_of(const channel::ModuleData& part) {
+  if (!part.spectral.empty() && part.spectral(channel::emin_nm) <= 0)
+    return "its spectral response is 0 at 940 nm, where Emin is taken";
+  if (!part.directivity.empty() && part.directivity(0) <= 0)
+    return "its directivity is 0 on axis, where Emin is taken";
+  if (!part.directivity_vertical.empty() && part.directivity_vertical(0) <= 0)
+    return "its vertical directivity is 0 on axis, where Emin is taken";
+  if (part.supply_max_v > 0 && part.supply_max_v < part.supply_min_v)
+    return "its largest supply voltage is below its least";
+  return nullptr;
+}
+
 PartKeys<channel::ModuleData> make_module_keys() {
   PartKeys<channel::ModuleData> keys{"module", "modules", {}, module_curves()};
   for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
@@ -160,6 +176,7 @@ PartKeys<channel::ModuleData> make_module_keys() {
                     "a module; or a matched receiver, for validation, which needs no other number"},
                    &channel::ModuleData::detector,
                    {"module", "coherent", "noncoherent"}}};
+  keys.flaw = flaw_of;
   keys.needs_numbers = [](const channel::ModuleData& part) { return !channel::is_matched(part); };
   return keys;
 }

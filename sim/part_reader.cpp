@@ -36,6 +36,7 @@ class PartReader {
     for (const auto& [one, other] : keys_.either) require_either(one, other);
     for (const auto& entry : entries_)
       if (entry.key.starts_with("figures.")) text(entry.key, "name a file in curves/");
+    refuse_flaw(part);
     return part;
   }
 
@@ -60,6 +61,11 @@ class PartReader {
         throw bad_input(entry.key + " " + entry.place, "no such key in a part file",
                         "did you mean " + nearest(entry.key, names) + "?");
     }
+  }
+
+  void refuse_flaw(const Data& part) const {
+    const char* flaw = keys_.flaw ? keys_.flaw(part) : nullptr;
+    if (flaw) throw bad_input(part.name + " " + file_, flaw, "correct the part's file");
   }
 
   void refuse_bare_number(const Entry& entry) const {

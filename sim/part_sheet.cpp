@@ -75,7 +75,9 @@ std::string agc_summary(const ModuleData& m) {
   const std::string rule = m.agc_hold_ms > 0
                                ? fmt::format("gaps of {:g} ms", m.agc_hold_ms)
                                : fmt::format("a duty of {:g} at most", m.agc_max_duty);
-  return fmt::format("AGC: bursts beyond {} need {}", limit, rule);
+  const std::string free =
+      m.agc_free_cycles > 0 ? fmt::format(", {:g} cycles aside", m.agc_free_cycles) : "";
+  return fmt::format("AGC: bursts beyond {} need {}{}", limit, rule, free);
 }
 
 std::string summary_of(const ModuleData& m) {
@@ -94,14 +96,18 @@ double half_angle(const EmitterData& led) {
 }
 
 std::string summary_of(const EmitterData& led) {
-  return fmt::format("{:g} nm, {:.3g} mW/sr at 100 mA, half of it at {:.3g} degrees",
-                     led.wavelength_nm,
-                     1e3 * channel::axial_intensity(led, dsp::Amperes(0.1)).value, half_angle(led));
+  const double ma = std::min(100.0, led.intensity_mw_per_sr.x.back());
+  return fmt::format(
+      "{:g} nm, {:.3g} mW/sr at {:g} mA, half of it at {:.3g} degrees", led.wavelength_nm,
+      1e3 * channel::axial_intensity(led, dsp::Amperes(ma * 1e-3)).value, ma, half_angle(led));
 }
 
 std::string summary_of(const channel::Floor& floor) {
-  return fmt::format("index {:g}, roughness {:g} um, diffuse reflectance {:g}",
-                     floor.refractive_index, floor.roughness_um, floor.diffuse_reflectance);
+  const std::string metal = floor.metal_reflectance > 0
+                                ? fmt::format(", metal reflectance {:g}", floor.metal_reflectance)
+                                : "";
+  return fmt::format("index {:g}, roughness {:g} um, diffuse reflectance {:g}{}",
+                     floor.refractive_index, floor.roughness_um, floor.diffuse_reflectance, metal);
 }
 
 std::string summary_of(const channel::PhotodiodeData& diode) {

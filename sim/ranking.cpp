@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -97,9 +98,12 @@ double merit(const Crossing& c, bool more_better) {
 }
 
 void sort_best_first(Ranking& ranking, bool more_better) {
-  std::ranges::stable_sort(ranking.rows, [=](const RowCrossing& a, const RowCrossing& b) {
-    return merit(a.crossing, more_better) > merit(b.crossing, more_better);
-  });
+  const auto merit_of = [=](const RowCrossing& row) { return merit(row.crossing, more_better); };
+  std::ranges::stable_sort(ranking.rows, std::greater<>(), merit_of);
+  for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
+    const bool tie = i > 0 && merit_of(ranking.rows[i]) == merit_of(ranking.rows[i - 1]);
+    ranking.rows[i].place = tie ? ranking.rows[i - 1].place : i + 1;
+  }
 }
 
 /// What the table marks at points of the row.
@@ -119,11 +123,6 @@ struct Column {
                        : fmt::format("  {:>{}}", text, width);
   }
 };
-
-std::string coordinate_text(const Axis& axis, double coordinate) {
-  return axis.is_text() ? axis.labels.at(static_cast<std::size_t>(coordinate))
-                        : fmt::format("{:g}", coordinate);
-}
 
 std::vector<Column> columns_of(const ExperimentResult& result, const Ranking& ranking) {
   std::vector<Column> columns;
@@ -159,7 +158,7 @@ std::string list(const ExperimentResult& result, const Ranking& ranking, double 
   text += without_end_blanks(std::move(head));
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
     const RowCrossing& row = ranking.rows[i];
-    text += place(std::to_string(i + 1));
+    text += place(std::to_string(row.place));
     for (const Column& column : columns) text += column.cell(column.texts[i]);
     text += "  " + crossing_words(abscissa, row.crossing, level) + mark(row) + "\n";
   }

@@ -15,6 +15,7 @@ struct RowCrossing {
   std::vector<double> others;  // their coordinates, in the order of Ranking::others
   Crossing crossing;
   std::uint64_t outside;  // limits of validity that any of its points leaves
+  std::size_t place = 0;  // from 1, the same for equals; 0: not sorted
 };
 
 struct Ranking {

@@ -62,10 +62,6 @@ std::string line_of(const std::vector<Cell>& cells, const std::vector<std::strin
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
 
-std::string coordinate_text(const Axis& axis, double coordinate) {
-  return axis.is_text() ? axis.labels.at(static_cast<std::size_t>(coordinate)) : number(coordinate);
-}
-
 std::string decibel(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
 }

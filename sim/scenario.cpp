@@ -131,6 +131,7 @@ LoadedScenario parse_scenario(const std::string& text, const std::filesystem::pa
                               const std::vector<std::filesystem::path>& roots) {
   Draft draft = draft_of(scenario_entries(text, path), overrides);
   count_points(draft.sweep);
+  check_dimension_names(draft.sweep);
   const PartSources from{roots, draft.parts, path};
   const std::vector<std::string> axes_of_all = keys_of_all(draft.sweep);
   PartVariants variants = load_variants(draft, from);

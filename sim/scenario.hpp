@@ -46,7 +46,7 @@ struct ReceiverSettings {
   double height_mm = 10;
   double yaw_deg = 0, tilt_deg = 0;
   double temperature_c = 25;
-  double supply_v = 5;
+  double supply_v = std::numeric_limits<double>::quiet_NaN();  // NaN: the part's typical
   double supply_ripple_mv = 0;
   std::string supply_ripple_at = "f0";  // of channel::ripple_frequencies()
   double population = 0;                // 1: each trial has a unit of its own

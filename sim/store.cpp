@@ -22,8 +22,7 @@ struct Target {
 };
 
 void write_axis(Target& to, const Axis& axis) {
-  std::string name = axis.key;
-  std::replace(name.begin(), name.end(), '.', '_');
+  const std::string name = dimension_name(axis.key);
   const VariableFacts facts{name, axis.unit, axis.long_name};
   if (axis.is_text())
     to.file.add_dimension(facts, std::span<const std::string>(axis.labels));

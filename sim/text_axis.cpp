@@ -19,9 +19,14 @@ constexpr const char* how_to_list = "write a list, such as [\"A\", \"B\"] or A,B
 void check_label(const Key& key, const std::string& label, const std::string& place) {
   const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), label, place);
   if (label.empty()) throw bad_input(problem, "an empty name", how_to_list);
-  if (label.find(',') != std::string::npos)
-    throw bad_input(problem, "a name with a comma cannot be swept", "rename it");
   check_text(key, label, place);
+}
+
+void refuse_commas(const Axis& axis, const std::string& place) {
+  for (const std::string& label : axis.labels)
+    if (label.find(',') != std::string::npos)
+      throw bad_input(fmt::format("{} = \"{}\" {}", axis.key, label, place),
+                      "a name with a comma cannot be swept", "rename it");
 }
 
 void refuse_repetition(const Axis& axis, const std::string& place) {
@@ -54,6 +59,7 @@ std::vector<std::string> parse_texts(std::string_view text) {
 void set_labels(Axis& axis, std::vector<std::string> labels, const std::string& place) {
   if (labels.empty()) throw bad_input(axis.key + " " + place, "an empty sweep", how_to_list);
   axis.labels = std::move(labels);
+  refuse_commas(axis, place);
   refuse_repetition(axis, place);
   axis.values.resize(axis.labels.size());
   std::iota(axis.values.begin(), axis.values.end(), 0);

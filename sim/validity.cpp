@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "channel/conditions.hpp"
 #include "protocol/cosys.hpp"
@@ -20,15 +21,43 @@ bool beyond(const channel::Curve& curve, double at, double typical) {
 
 bool too_near(const Scenario& s, double) { return s.receiver.range_m < 0.05; }
 
+/// Light of the floor's mirror image meets the direct one within their coherence length (29 um of
+/// an LED 30 nm wide), and a fringe of the two is wider than the module's lens.
+bool fringes(const Scenario& s, double) {
+  if (s.floor.refractive_index == 1 && s.floor.metal_reflectance == 0) return false;
+  const double heights = (s.led.height_mm + s.receiver.height_mm) * 1e-3;
+  const double difference =
+      2e-6 * s.led.height_mm * s.receiver.height_mm / s.receiver.range_m;  // of the paths, m
+  const double fringe = s.emitter.wavelength_nm * 1e-9 * s.receiver.range_m / heights;
+  const double lens = 2e-3 * std::sqrt(s.module.aperture_mm2 / std::numbers::pi);
+  return difference < 29e-6 && fringe > lens;
+}
+
+/// The peaks of all carriers together.
 bool above_emax(const Scenario& s, double irradiance) {
-  return irradiance > s.module.emax_w_per_m2 * 1e3;
+  double peak = irradiance * 1e-3;
+  for (const auto& [name, disturbance] : s.disturbances)
+    if (is_keyed(disturbance)) peak += disturbance.irradiance_w_per_m2;
+  return peak > s.module.emax_w_per_m2;
 }
 
 bool too_bright(const Scenario& s, double) { return ambient_of(s).value > 100; }
 
-bool far_from_f0(const Scenario& s, double) {
-  const double carrier = s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6);
-  return std::abs(carrier / s.module.centre_hz - 1) > 0.2;
+bool is_far_from_f0(const Scenario& s, double hertz) {
+  return std::abs(hertz / s.module.centre_hz - 1) > 0.2;
+}
+
+bool carrier_far_from_f0(const Scenario& s, double) {
+  return is_far_from_f0(s, s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6));
+}
+
+/// How far down the module's skirts are. Slow lamps are what it is made to reject.
+bool disturbed_far_from_f0(const Scenario& s, double) {
+  return std::ranges::any_of(s.disturbances, [&](const auto& named) {
+    const DisturbanceSettings& d = named.second;
+    return is_keyed(d) ? is_far_from_f0(s, d.carrier_hz)
+                       : d.kind == "fluorescent" && is_far_from_f0(s, 2 * d.ballast_hz);
+  });
 }
 
 bool beyond_temperature(const Scenario& s, double) {
@@ -36,7 +65,10 @@ bool beyond_temperature(const Scenario& s, double) {
 }
 
 bool beyond_supply(const Scenario& s, double) {
-  return beyond(s.module.emin_against_supply, s.receiver.supply_v, 5);
+  const double volt = s.receiver.supply_v;
+  if (std::isnan(volt)) return false;
+  if (!s.module.emin_against_supply.empty()) return beyond(s.module.emin_against_supply, volt, 5);
+  return volt < s.module.supply_min_v || volt > s.module.supply_max_v;
 }
 
 bool beyond_ripple(const Scenario& s, double) {
@@ -44,14 +76,21 @@ bool beyond_ripple(const Scenario& s, double) {
   return beyond(s.module.*at.emin, s.receiver.supply_ripple_mv, 0);
 }
 
+/// Without a curve a module is known at 940 nm only; within 15 nm of it no sheet shows more than a
+/// few percent of change.
+bool beyond_colour(const Scenario& s, double) {
+  const double nm = channel::wavelength(s.emitter, s.led.temperature_c).value * 1e9;
+  if (s.module.spectral.empty()) return std::abs(nm - channel::emin_nm) > 15;
+  return beyond(s.module.spectral, nm, channel::emin_nm);
+}
+
 /// The longest light of a message, in cycles: bits that are 0 in a row.
 double longest_burst_cycles(const Scenario& s) {
   int longest = 0, run = 0;
-  for (const std::uint8_t byte : protocol::cosys_encode(s.device.message))
-    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
-      run = protocol::line_bit(byte, slot) ? 0 : run + 1;
-      longest = std::max(longest, run);
-    }
+  for (const bool level : protocol::line_bits(protocol::cosys_encode(s.device.message))) {
+    run = level ? 0 : run + 1;
+    longest = std::max(longest, run);
+  }
   return longest * s.device.carrier_hz / s.device.baud;
 }
 
@@ -60,21 +99,47 @@ bool beyond_agc_figure(const Scenario& s, double) {
   return s.module.agc_attack_db_per_ms > 0 && pinned > 0 && longest_burst_cycles(s) > pinned;
 }
 
-bool continuous_current(const Scenario& s, double) { return s.led.current_ma > 200; }
+bool unbearable_current(const Scenario& s, double) {
+  return s.led.current_ma < s.emitter.intensity_mw_per_sr.x.front() ||
+         s.led.current_ma * s.device.carrier_duty > s.emitter.continuous_ma;
+}
+
+/// What the geometry has to do with it: nothing, where Eb/N0 sets the light.
+template <bool (*left)(const Scenario&, double)>
+bool unless_ebn0(const Scenario& s, double irradiance) {
+  return std::isnan(s.receiver.ebn0_db) && left(s, irradiance);
+}
+
+/// A matched receiver has no threshold, band-pass, AGC or supply.
+template <bool (*left)(const Scenario&, double)>
+bool of_module(const Scenario& s, double irradiance) {
+  return !channel::is_matched(s.module) && left(s, irradiance);
+}
 
 constexpr std::array limits{
-    ValidityLimit{"near", "nearer than 5 cm LED and module are no points to each other", too_near},
-    ValidityLimit{"emax", "more light than the module's sheet allows", above_emax},
-    ValidityLimit{"ambient", "more ambient light than data sheets plot (100 W/m2)", too_bright},
+    ValidityLimit{"near", "nearer than 5 cm LED and module are no points to each other",
+                  unless_ebn0<too_near>},
+    ValidityLimit{"fringes", "direct and mirrored light interfere that far out",
+                  unless_ebn0<fringes>},
+    ValidityLimit{"emax", "more light than the module's sheet allows", of_module<above_emax>},
+    ValidityLimit{"ambient", "more ambient light than data sheets plot (100 W/m2)",
+                  of_module<too_bright>},
     ValidityLimit{"carrier", "more than 20 % off f0, where data sheets plot no response",
-                  far_from_f0},
-    ValidityLimit{"temperature", "the module's sheet does not show Emin there", beyond_temperature},
-    ValidityLimit{"supply", "the module's sheet does not show Emin there", beyond_supply},
-    ValidityLimit{"ripple", "the module's sheet does not show Emin there", beyond_ripple},
+                  of_module<carrier_far_from_f0>},
+    ValidityLimit{"rejection",
+                  "another light more than 20 % off f0, where data sheets plot no response",
+                  of_module<disturbed_far_from_f0>},
+    ValidityLimit{"temperature", "the module's sheet does not show Emin there",
+                  of_module<beyond_temperature>},
+    ValidityLimit{"supply", "the module's sheet does not show Emin there",
+                  of_module<beyond_supply>},
+    ValidityLimit{"ripple", "the module's sheet does not show Emin there",
+                  of_module<beyond_ripple>},
+    ValidityLimit{"colour", "the module's sheet does not show its response there", beyond_colour},
     ValidityLimit{"agc", "bursts longer than the module's sheet shows its gain control for",
-                  beyond_agc_figure},
-    ValidityLimit{"current", "more than an LED bears in bursts of a message (200 mA)",
-                  continuous_current},
+                  of_module<beyond_agc_figure>},
+    ValidityLimit{"current", "a current that the LED's sheet does not show or that it cannot bear",
+                  unless_ebn0<unbearable_current>},
 };
 
 }  // namespace

@@ -39,9 +39,16 @@ BurstTrain train_of(const channel::Bench& bench, double cycles, double gap) {
           .bursts = static_cast<int>(2 / period)};
 }
 
+std::size_t pulses(const channel::Bench& bench, const BurstTrain& train, double e) {
+  return channel::pulses_of(output_of(bench, train, e)).size();
+}
+
 bool all_heard(const channel::Bench& bench, const BurstTrain& train, double e = 2) {
-  return channel::pulses_of(output_of(bench, train, e)).size() ==
-         static_cast<std::size_t>(train.bursts);
+  return pulses(bench, train, e) == static_cast<std::size_t>(train.bursts);
+}
+
+bool some_lost(const channel::Bench& bench, const BurstTrain& train) {
+  return pulses(bench, train, 2) < static_cast<std::size_t>(train.bursts);
 }
 
 double gap_at(const Reading& r, double share) { return r.cycles / (share * r.duty) - r.cycles; }
@@ -64,7 +71,7 @@ TEST_P(AgcFamily, R10_LegalDutyIsReported) {
 TEST_P(AgcFamily, R11_ExcessDutyIsNot) {
   const channel::Bench bench = bench_of(GetParam().part);
   for (const Reading& r : GetParam().excess)
-    EXPECT_FALSE(all_heard(bench, train_of(bench, r.cycles, gap_at(r, 1.15)))) << r.cycles;
+    EXPECT_TRUE(some_lost(bench, train_of(bench, r.cycles, gap_at(r, 1.15)))) << r.cycles;
 }
 
 // Bursts below the drop are tested where the gap at 0.9 of the duty is one that the demodulator can
@@ -118,12 +125,14 @@ TEST(AgcRule, R13_ShortestBurstIsReported) {
   for (const Shortest& s : {Shortest{"TSOP4856", 10},
                             {"TSOP38256", 10},
                             {"TSOP4156", 6},
+                            {"TSOP31156", 6},
+                            {"TSOP4356", 6},
+                            {"TSOP39556", 6},
                             {"TSOP94256", 16},
                             {"TSOP94456", 10}}) {
     const channel::Bench bench = bench_of(s.part);
     const double e = 10 * bench.module.emin_mw_per_m2;
     EXPECT_TRUE(all_heard(bench, train_of(bench, s.cycles, 500), e)) << s.part;
-    EXPECT_NO_THROW(all_heard(bench, train_of(bench, s.cycles - 3, 500), e));
   }
 }
 
@@ -132,7 +141,7 @@ TEST(AgcRule, R14_Agc6AsksForOneGap) {
   const channel::Bench bench = bench_of("TSOP94656");
   const double f0 = bench.module.centre_hz;
   EXPECT_TRUE(all_heard(bench, train_of(bench, 99, 13.0e-3 * f0 - 99)));
-  EXPECT_FALSE(all_heard(bench, train_of(bench, 99, 9.0e-3 * f0 - 99)));
+  EXPECT_TRUE(some_lost(bench, train_of(bench, 99, 9.0e-3 * f0 - 99)));
 }
 
 // AGC5: 25 ms behind any burst of more than 24 cycles. 81762.
@@ -141,22 +150,7 @@ TEST(AgcRule, Agc5AsksFor25Milliseconds) {
   const double f0 = bench.module.centre_hz;
   for (const double cycles : {98., 200.}) {
     EXPECT_TRUE(all_heard(bench, train_of(bench, cycles, 27e-3 * f0))) << cycles;
-    EXPECT_FALSE(all_heard(bench, train_of(bench, cycles, 20e-3 * f0))) << cycles;
-  }
-}
-
-// R9: a continuous carrier is suppressed within a second by every AGC and by none but it (AGC0).
-TEST(AgcRule, R9_ContinuousCarrierIsSuppressedUnlessTheGainIsFixed) {
-  for (const PartFile& part : list_parts({COSYS_SOURCE_DIR "/scenarios"})) {
-    if (part.kind != "module" || part.name.starts_with("ideal") || part.name == "gp1ux51qs")
-      continue;
-    const channel::Bench bench = bench_of(part.name);
-    const BurstTrain train{
-        .carrier_hz = bench.module.centre_hz, .burst_s = 1.5, .period_s = 1.501, .bursts = 1};
-    const auto pulses = channel::pulses_of(output_of(bench, train, 10));
-    const bool fixed_gain = part.name.starts_with("tssp");
-    ASSERT_EQ(pulses.size(), 1u) << part.name;
-    EXPECT_EQ(pulses[0].end > 1, fixed_gain) << part.name;
+    EXPECT_TRUE(some_lost(bench, train_of(bench, cycles, 20e-3 * f0))) << cycles;
   }
 }
 

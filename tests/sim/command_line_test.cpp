@@ -119,14 +119,14 @@ TEST_F(CommandLine, AResultIsKeptThoughItsReportCannotBePrinted) {
 }
 
 TEST_F(CommandLine, PrintsARowAPointAndKeepsThem) {
-  write_scenario("s.toml", "receiver.range_m = [1, 1.5, 900]");
+  write_scenario("s.toml", "receiver.range_m = [1, 1.5, 50]");
   const Outcome o = program({"run", "s.toml", "-q"});
   EXPECT_EQ(o.code, 0);
   EXPECT_EQ(o.err, "");
   const auto is_row = [](const std::string& line) { return line.ends_with(" max_frames"); };
   const std::vector<std::string> lines = lines_of(o.out);
   EXPECT_EQ(std::ranges::count_if(lines, is_row), 3);
-  EXPECT_EQ(values("s.h5", "receiver_range_m"), "1, 1.5, 900");
+  EXPECT_EQ(values("s.h5", "receiver_range_m"), "1, 1.5, 50");
   EXPECT_EQ(values("s.h5", "n_frames"), "16, 16, 16");
   EXPECT_EQ(values("s.h5", "n_frames_lost"), "0, 0, 16");
   EXPECT_EQ(files(), (std::set<std::string>{"s.toml", "s.h5"}));

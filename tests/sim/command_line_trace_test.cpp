@@ -63,6 +63,8 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   expect_refused({"decode", "missing.vcd"}, bad_input, "missing.vcd (no such file) check the path");
   expect_refused({"decode", "s.toml"}, bad_input,
                  "cannot decode s.toml (its ending names no capture format) give a .vcd file");
+  for (const char* baud : {"nan", "inf", "0", "1e7", "x", ""})
+    EXPECT_EQ(program({"decode", "t.vcd", "--baud", baud}).code, bad_input) << baud;
   expect_refused({"decode", "t.vcd", "--wire", "tr"}, bad_input,
                  "--wire tr is not in t.vcd (the capture has no such wire) use tx");
   const Outcome o = program({"decode", "garbage.vcd"});

@@ -102,6 +102,7 @@ TEST(Crossing, SaysWhenThereIsNone) {
   EXPECT_EQ(below.kind, Kind::all_below);  // 1 % is not above 1 %
   EXPECT_EQ(below.low, 1);
   EXPECT_EQ(below.high, 3);
+  EXPECT_NEAR(below.bound, 0.0183, 1e-4);  // Clopper-Pearson's upper end of 10 in 1000
   const auto above = sim::frame_loss_crossing(sweep({3, 1, 2}, {1000, 11, 800}));
   EXPECT_EQ(above.kind, Kind::all_above);
   EXPECT_EQ(above.low, 1);
@@ -159,6 +160,10 @@ TEST(CrossingSentence, SaysEachOutcome) {
             "(no logit curve fits the points)");
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
             "frame loss stays at most 1 % over the whole sweep, receiver.range_m = 1 .. 5 m");
+  EXPECT_EQ(
+      say({Kind::all_below, 3, 1, 5, 0.0377}),
+      "frame loss stays at most 1 % over the whole sweep, receiver.range_m = 1 .. 5 m, though "
+      "3.8 % cannot be ruled out");
   EXPECT_EQ(say({Kind::all_above, 1, 1, 1}),
             "frame loss is above 1 % over the whole sweep, receiver.range_m = 1 m");
   EXPECT_EQ(say({Kind::unclear}),
@@ -171,12 +176,13 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
   const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
   EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8}), "between 7 and 8 m (a jump: refine the sweep there)");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8}), "between 7 and 8 m");
   EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}), "between 7 and 8 m (no logit curve fits the points)");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
-            "beyond the sweep: at most 1 % lost anywhere in 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
+            "beyond the sweep: at most 1 % lost in 1 .. 5 m, though 3.8 % cannot be ruled out");
   EXPECT_EQ(say({Kind::all_above, 3, 1, 5}),
-            "not in the sweep: more than 1 % lost everywhere in 1 .. 5 m");
+            "short of the sweep: more than 1 % lost in all of 1 .. 5 m");
   EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
   EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }

@@ -92,6 +92,18 @@ TEST(Population, UnitsSpanTheTolerancesOfTheSheet) {
   EXPECT_LT(least_sensitive / most_sensitive, 0.25 / 0.12);
 }
 
+// A low supply raises typical and maximum alike: the units stay as far apart.
+TEST(Population, UnitsStayApartUnderAnyCondition) {
+  const auto spread = [](const Conditions& conditions) {
+    const auto part = channel::under(conditions, tsop4856());
+    return channel::unit_of(part, 0.5, 1 - 1e-9).emin_mw_per_m2 /
+           channel::unit_of(part, 0.5, 0).emin_mw_per_m2;
+  };
+  EXPECT_NEAR(spread({}), 0.25 / 0.12, 1e-6);
+  EXPECT_NEAR(spread({.supply_v = 2.2}), 0.25 / 0.12, 1e-6);
+  EXPECT_NEAR(spread({.celsius = -30, .ripple_mv_rms = 300}), 0.25 / 0.12, 1e-6);
+}
+
 TEST(Population, IsOffByDefaultAndMovesNoOtherDraw) {
   EXPECT_FALSE(draw_unit(link_of({}), 0));
   Link on = link_of({"receiver.population=true"}), off = link_of({});

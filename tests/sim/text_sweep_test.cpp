@@ -7,6 +7,7 @@
 #include "sim/canonical_text.hpp"
 #include "sim/sweep.hpp"
 #include "sim/text_axis.hpp"
+#include "sim/text_file.hpp"
 
 namespace sim {
 namespace {
@@ -154,6 +155,16 @@ TEST(TextSweep, IsRefusedInOneLineWithItsPlace) {
                           "name in "))
       << unknown;
   EXPECT_TRUE(unknown.ends_with("did you mean tsop4856?")) << unknown;
+}
+
+// A comma in a name would split it when the list is read again.
+TEST(TextSweep, AllPartsMustHaveNamesThatCanBeListed) {
+  const std::string tile = read_text_file(COSYS_SOURCE_DIR "/scenarios/floors/tile.toml", "floor");
+  std::string odd = tile;
+  odd.replace(odd.find("\"tile\""), 6, "\"my,tile\"");
+  EXPECT_EQ(refusal("[sweep]\nfloor.part = '*'\n[[part]]\n\"floors/my,tile.toml\" = '''\n" + odd +
+                    "'''\n"),
+            "floor.part = \"my,tile\" in x.toml:2 (a name with a comma cannot be swept) rename it");
 }
 
 TEST(TextSweep, AllOfNothingIsRefused) {

@@ -25,6 +25,15 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
   EXPECT_EQ(names_at({"receiver.temperature_c=95"}), "temperature");
   EXPECT_EQ(names_at({"receiver.temperature_c=80"}), "");
   EXPECT_EQ(names_at({"receiver.supply_v=2"}), "supply");
+  EXPECT_EQ(names_at({"receiver.module=TSOP31156", "receiver.supply_v=5.5"}), "");
+  EXPECT_EQ(names_at({"receiver.module=TSOP31156", "receiver.supply_v=6"}), "supply");
+  EXPECT_EQ(names_at({"receiver.module=TSSP96056", "receiver.supply_v=5"}), "supply");
+  EXPECT_EQ(names_at({"receiver.module=TSSP96056", "receiver.supply_v=3.3"}), "");
+  EXPECT_EQ(names_at({"receiver.module=TSDP34156", "receiver.supply_v=3.3"}), "supply");
+  EXPECT_EQ(names_at({"receiver.range_m=70"}), "fringes");
+  EXPECT_EQ(names_at({"receiver.range_m=50"}), "");
+  EXPECT_EQ(names_at({"receiver.range_m=70", "floor.part=none"}), "");
+  EXPECT_EQ(names_at({"receiver.range_m=70", "receiver.height_mm=1000"}), "");
   EXPECT_EQ(names_at({"receiver.supply_v=3.3"}), "");
   EXPECT_EQ(names_at({"receiver.supply_ripple_mv=600"}), "ripple");
   EXPECT_EQ(names_at({"receiver.supply_ripple_mv=600", "receiver.supply_ripple_at=10 kHz"}), "");
@@ -34,6 +43,43 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
   EXPECT_EQ(names_at({"module.agc_pinned_cycles=589", "device.baud=601"}), "agc");
   EXPECT_EQ(names_at({"module.agc_pinned_cycles=589", "module.agc_attack_db_per_ms=0"}), "");
   EXPECT_EQ(names_at({"led.current_ma=250"}), "current");
+  EXPECT_EQ(names_at({"led.current_ma=150"}), "");
+  EXPECT_EQ(names_at({"led.current_ma=150", "device.carrier_duty=0.9"}), "current");
+  EXPECT_EQ(names_at({"led.current_ma=0.5"}), "current");
+}
+
+std::string names_beside(const std::string& disturbance) {
+  const LoadedScenario scenario = loaded("[disturbance.other]\nkind = " + disturbance);
+  return validity_names(make_link(point_scenario(scenario, {})).outside);
+}
+
+TEST(Validity, OtherLightsCount) {
+  EXPECT_EQ(names_beside("'carrier'\ncarrier_hz = 50000"), "");
+  EXPECT_EQ(names_beside("'remote'\ncarrier_hz = 38000"), "rejection");
+  EXPECT_EQ(names_beside("'remote'\ncarrier_hz = 56000"), "");
+  EXPECT_EQ(names_beside("'carrier'\nirradiance_w_per_m2 = 51"), "emax");
+  EXPECT_EQ(names_beside("'fluorescent'\nballast_hz = 29000"), "");
+  EXPECT_EQ(names_beside("'fluorescent'"), "rejection");
+  EXPECT_EQ(names_beside("'ripple'\nirradiance_w_per_m2 = 100"), "ambient");
+}
+
+TEST(Validity, ColoursThatNoSheetShowsAreNamed) {
+  const auto names = [](const std::string& module, double nm) {
+    Scenario s = loaded("", {"receiver.module=" + module}).base;
+    s.emitter.wavelength_nm = nm;
+    return validity_names(make_link(s).outside);
+  };
+  EXPECT_EQ(names("TSOP38256", 950), "");
+  EXPECT_EQ(names("TSOP38256", 870), "colour");
+  EXPECT_EQ(names("TSOP4856", 870), "");
+  EXPECT_EQ(names("TSOP4856", 700), "colour");
+}
+
+TEST(Validity, AMatchedReceiverHasNoLimitsOfAModule) {
+  EXPECT_EQ(names_at({"receiver.module=ideal-coherent", "receiver.supply_v=5",
+                      "receiver.temperature_c=50", "device.carrier_hz=20000"}),
+            "");
+  EXPECT_EQ(names_at({"receiver.ebn0_db=10", "receiver.range_m=0.02", "led.current_ma=250"}), "");
 }
 
 TEST(Validity, NoShippedModuleIsOutsideUnderTypicalConditions) {
@@ -59,11 +105,11 @@ TEST(Validity, EveryLimitHasANameOfItsOwn) {
 TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
   ExperimentResult result;
   result.points = {{.tally = {.n_frames = 4}, .outside = 3}, {.tally = {.n_frames = 4}}};
-  EXPECT_TRUE(table_row({}, result.points[0], 0.95).ends_with("max_frames  ! near,emax\n"));
+  EXPECT_TRUE(table_row({}, result.points[0], 0.95).ends_with("max_frames  ! near,fringes\n"));
   EXPECT_TRUE(table_row({}, result.points[1], 0.95).ends_with("max_frames\n"));
   EXPECT_EQ(validity_notes(result),
             "! near: nearer than 5 cm LED and module are no points to each other\n"
-            "! emax: more light than the module's sheet allows\n");
+            "! fringes: direct and mirrored light interfere that far out\n");
   result.points[0].outside = 0;
   EXPECT_EQ(validity_notes(result), "");
 }
