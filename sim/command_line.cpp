@@ -106,6 +106,9 @@ void add_run(CLI::App& app, RunRequest& request) {
                  "frames after which a point is finished");
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
+  run.add_flag("--resume", request.resume,
+               "go on with what an interrupted run of the same command left in its result file; "
+               "the counts are those of a run without interrupt");
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table");
   run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");

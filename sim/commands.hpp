@@ -29,6 +29,7 @@ struct RunRequest {
   std::optional<std::filesystem::path> output;  // a file, or a folder for several scenarios
   int threads = 0;                              // 0: one per processor
   bool quiet = false, json = false;
+  bool resume = false;  // go on with what the result files have
   std::string command;  // as the user typed it
   ProgramInfo program;
 };

@@ -29,8 +29,13 @@ constexpr std::uint64_t group_size = channel::lanes_per_group;
 /// What the workers of one point share.
 class Pool {
  public:
-  Pool(const Link& link, const StopRule& stop, int threads)
-      : link_(link), rule_(stop), ahead_(4 * static_cast<std::uint64_t>(threads)) {}
+  Pool(const Link& link, const StopRule& stop, int threads, const PointResult& before)
+      : link_(link),
+        rule_(stop),
+        ahead_(4 * static_cast<std::uint64_t>(threads)),
+        next_(before.tally.n_frames / group_size),
+        merged_(next_),
+        sum_{before.tally, before.simulated_s, before.n_samples} {}
 
   void work() {
     while (const auto group = take()) {
@@ -120,8 +125,8 @@ class Pool {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t next_ = 0;    // group to be taken next
-  std::uint64_t merged_ = 0;  // groups in the sum
+  std::uint64_t next_;    // group to be taken next
+  std::uint64_t merged_;  // groups in the sum
   std::map<std::uint64_t, GroupResult> waiting_;
   GroupResult sum_;
   std::atomic<bool> over_ = false;  // written under the mutex; groups under way look at it
@@ -151,12 +156,11 @@ class Workers {
   std::vector<std::jthread> threads_;
 };
 
-PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link,
-                      Clock::time_point began) {
+PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s) {
   return {.operating = link.operating,
           .tally = sum.tally,
           .stop = stop,
-          .elapsed_s = std::chrono::duration<double>(Clock::now() - began).count(),
+          .elapsed_s = elapsed_s,
           .simulated_s = sum.simulated_s,
           .n_samples = sum.n_samples,
           .outside = link.outside};
@@ -164,20 +168,26 @@ PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link,
 
 }  // namespace
 
-PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options) {
+PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
+                      const PointResult& before) {
   const auto began = Clock::now();
-  Pool pool(link, stop, options.threads);
+  const auto elapsed_s = [&] {
+    return before.elapsed_s + std::chrono::duration<double>(Clock::now() - began).count();
+  };
+  Pool pool(link, stop, options.threads, before);
   {
     const Workers workers(pool, options.threads);
     while (!pool.wait_a_moment()) {
       if (options.interrupt != nullptr && *options.interrupt) pool.interrupt();
       if (options.on_progress)
-        options.on_progress(result_of(pool.sum(), StopReason::interrupted, link, began));
+        options.on_progress(result_of(pool.sum(), StopReason::interrupted, link, elapsed_s()));
     }
   }
   const StopReason reason = pool.result();
-  return result_of(pool.sum(), reason, link, began);
+  return result_of(pool.sum(), reason, link, elapsed_s());
 }
+
+bool is_resumable(const PointResult& point) { return point.tally.n_frames % group_size == 0; }
 
 int default_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 

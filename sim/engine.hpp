@@ -25,7 +25,13 @@ struct EngineOptions {
 
 /// Runs one point to its stop. Coordinates are left to the caller. Throws Failure(environment) if
 /// the machine does not give as many threads.
-PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options);
+/// `before`: what an interrupt left of the same point, which is gone on with; trials are counted in
+/// the order of their numbers, so it ends as if there had been no interrupt.
+PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
+                      const PointResult& before = {});
+
+/// Whether a point can be gone on with: only whole groups of trials can.
+bool is_resumable(const PointResult& point);
 
 /// Threads to use when the user names none: one per processor this process may run on.
 int default_threads();

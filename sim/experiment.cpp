@@ -8,6 +8,35 @@
 namespace sim {
 namespace {
 
+bool is_finished(const PointResult& point) {
+  return measured(point) && point.stop != StopReason::interrupted;
+}
+
+void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
+             const ExperimentOptions& options) {
+  const StopRule stop{
+      .max_frames = static_cast<std::uint64_t>(scenario.stop.max_frames),
+      .max_frame_errors = static_cast<std::uint64_t>(scenario.stop.max_frame_errors)};
+  const PointResult before = result.points[i];
+  const auto set = [&](const PointResult& counted) {
+    result.points[i] = counted;
+    result.points[i].coordinates = before.coordinates;
+  };
+  EngineOptions engine{.threads = options.threads, .interrupt = options.interrupt};
+  if (options.on_progress) {
+    engine.on_progress = [&](const PointResult& so_far) {
+      set(so_far);
+      options.on_progress({result, i, scenario.stop.max_frames});
+    };
+  }
+  const Link link = make_link(scenario);
+  if (!is_finished(before)) return set(run_point(link, stop, engine, before));
+  result.points[i].operating = link.operating;
+  result.points[i].outside = link.outside;
+}
+
+}  // namespace
+
 ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& command) {
   ExperimentResult result;
   result.title = scenario.base.title;
@@ -21,31 +50,8 @@ ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& c
   return result;
 }
 
-void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
-             const ExperimentOptions& options) {
-  const StopRule stop{
-      .max_frames = static_cast<std::uint64_t>(scenario.stop.max_frames),
-      .max_frame_errors = static_cast<std::uint64_t>(scenario.stop.max_frame_errors)};
-  const std::vector<double> coordinates = result.points[i].coordinates;
-  const auto set = [&](const PointResult& counted) {
-    result.points[i] = counted;
-    result.points[i].coordinates = coordinates;
-  };
-  EngineOptions engine{.threads = options.threads, .interrupt = options.interrupt};
-  if (options.on_progress) {
-    engine.on_progress = [&](const PointResult& so_far) {
-      set(so_far);
-      options.on_progress({result, i, scenario.stop.max_frames});
-    };
-  }
-  set(run_point(make_link(scenario), stop, engine));
-}
-
-}  // namespace
-
-ExperimentResult run_experiment(const LoadedScenario& scenario, const std::string& command,
+ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
                                 const ExperimentOptions& options) {
-  ExperimentResult result = unfinished(scenario, command);
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     if (options.interrupt != nullptr && *options.interrupt) break;
     run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);

@@ -25,8 +25,12 @@ struct ExperimentOptions {
   std::function<void(const ExperimentResult&, std::size_t point)> on_point{};
 };
 
-/// Runs all points; stops early, with the rest unfinished, when interrupted.
-ExperimentResult run_experiment(const LoadedScenario& scenario, const std::string& command,
+/// The experiment before its first trial: axes, and points with nothing counted.
+ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& command);
+
+/// Runs all points that are not finished in `result`, each from where it is; stops early, with the
+/// rest unfinished, when interrupted.
+ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
                                 const ExperimentOptions& options);
 
 }  // namespace sim

@@ -1,7 +1,6 @@
 #include "sim/netcdf.hpp"
 
 #include <fmt/chrono.h>
-#include <hdf5.h>
 #include <hdf5_hl.h>
 
 #include <cassert>
@@ -11,50 +10,10 @@
 #include <optional>
 #include <utility>
 
-#include "sim/failure.hpp"
+#include "sim/hdf5_handle.hpp"
 
 namespace sim {
 namespace {
-
-// The file is built in memory first, where only a lack of it can fail; then it is plain bytes.
-template <class Status>
-Status checked(Status status) {
-  if (status >= 0) return status;
-  throw Failure(ExitCode::environment,
-                "cannot build the HDF5 file (the library gave up: out of memory?) free some memory "
-                "or ask for less");
-}
-
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id)), close_(close) {}
-  Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, H5I_INVALID_HID)), close_(o.close_) {}
-  Handle& operator=(Handle&&) = delete;
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-// HDF5 prints what fails, of itself; here that is thrown.
-class SilentErrors {
- public:
-  SilentErrors() {
-    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  SilentErrors(const SilentErrors&) = delete;
-  SilentErrors& operator=(const SilentErrors&) = delete;
-  ~SilentErrors() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-
- private:
-  H5E_auto2_t print_ = nullptr;
-  void* data_ = nullptr;
-};
 
 hid_t type_of(double) { return H5T_NATIVE_DOUBLE; }
 hid_t type_of(float) { return H5T_NATIVE_FLOAT; }
@@ -136,29 +95,7 @@ void describe(hid_t data, const VariableFacts& facts) {
   checked(H5LTset_attribute_string(data, ".", "long_name", facts.long_name.c_str()));
 }
 
-/// A text attribute of fixed length, as set_text writes it.
-std::string text_attribute(hid_t file, const char* name) {
-  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING || checked(H5Tis_variable_str(type)) > 0) return "";
-  std::string text(static_cast<std::size_t>(checked(H5Aget_storage_size(attribute))), '\0');
-  checked(H5Aread(attribute, type, text.data()));
-  return text.substr(0, text.find('\0'));
-}
-
 }  // namespace
-
-std::string filetype_of(const std::filesystem::path& path) {
-  const SilentErrors silent;
-  try {
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    checked(H5Pset_file_locking(access, false, true));  // some network file systems have no locks
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-    return text_attribute(file, "filetype");
-  } catch (const Failure&) {
-    return "";  // another kind of file
-  }
-}
 
 struct NetcdfFile::State {
   struct Dimension {
@@ -179,7 +116,7 @@ NetcdfFile::NetcdfFile(const std::string& filetype, const ProgramInfo& program)
     : state_(std::make_unique<State>()) {
   set_text(root, "Conventions", "CF-1.10");
   set_text(root, "filetype", filetype);
-  set_text(root, "format_version", "1.1");
+  set_text(root, "format_version", format_version);
   set_text(root, "program", program.name);
   set_text(root, "version", program.version);
   set_text(root, "commit", program.commit);

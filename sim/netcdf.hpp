@@ -3,7 +3,6 @@
 // only), so that xarray, ncdump and MATLAB open it. It is built in memory and becomes plain bytes.
 // HDF5 is not safe for threads: one thread at a time.
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,9 +26,6 @@ using Values = std::variant<std::span<const double>, std::span<const float>,
 /// netCDF's own default fill value (netcdf.h).
 constexpr std::int16_t missing_int16 = -32767;
 
-/// What a file of this kind says it is ("cosys-sim result"); empty for any other.
-std::string filetype_of(const std::filesystem::path& path);
-
 class NetcdfFile {
  public:
   /// An empty file that says what it is ("cosys-sim result"), when and by whom it was written.
@@ -49,6 +45,7 @@ class NetcdfFile {
   /// Attributes of a variable, or of the file where the variable is `root`. A text of ours is
   /// ASCII; what a user wrote may be UTF-8 of any length.
   static constexpr const char* root = "/";
+  static constexpr const char* format_version = "1.1";
   void set_text(const std::string& variable, const char* name, const std::string& text);
   void set_user_text(const std::string& variable, const char* name, const std::string& text);
   void set_numbers(const std::string& variable, const char* name, Values values);

@@ -12,6 +12,7 @@
 #include "sim/ranking.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
+#include "sim/resume.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"
 #include "sim/stop_signals.hpp"
@@ -61,8 +62,8 @@ std::string closing_lines(const ExperimentResult& result, const fs::path& output
          fmt::format("{}: digest {}\n", output.string(), result_digest(result));
 }
 
-/// Writes the file while a run goes on, points under way included: at most once a second, and a
-/// twentieth of the time.
+/// Writes the file while a run goes on, points under way included: at most once a second and a
+/// twentieth of the time, but every ten seconds in any case.
 class Keeper {
  public:
   Keeper(fs::path output, ProgramInfo program)
@@ -72,8 +73,9 @@ class Keeper {
     if (!now && Clock::now() < next_) return;
     const auto began = Clock::now();
     write_result(output_, result, program_);
-    next_ = Clock::now() +
-            std::max<Clock::duration>(std::chrono::seconds(1), 20 * (Clock::now() - began));
+    next_ = Clock::now() + std::clamp<Clock::duration>(20 * (Clock::now() - began),
+                                                       std::chrono::seconds(1),
+                                                       std::chrono::seconds(10));
   }
 
  private:
@@ -103,6 +105,16 @@ bool has_theory(const LoadedScenario& scenario) {
   return matched;
 }
 
+/// Nothing counted yet; or what the result file has, where there is one to go on with.
+ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenario,
+                        const fs::path& output) {
+  ExperimentResult result = unfinished(scenario, request.command);
+  std::error_code error;
+  if (request.resume && fs::exists(output, error) && fs::file_size(output, error) > 0)
+    read_counts(output, request.program, result);
+  return result;
+}
+
 void run_scenario(const RunRequest& request, const LoadedScenario& scenario, const fs::path& output,
                   const std::atomic<bool>& interrupt) {
   Keeper keeper(output, request.program);
@@ -120,7 +132,8 @@ void run_scenario(const RunRequest& request, const LoadedScenario& scenario, con
     keeper.keep(result, false);
     if (!request.json) print_row(result, point, theory, keeper);
   };
-  const ExperimentResult result = run_experiment(scenario, request.command, options);
+  const ExperimentResult result =
+      run_experiment(scenario, so_far(request, scenario, output), options);
   keeper.keep(result, true);
   print(request.json ? to_json(result) + "\n" : closing_lines(result, output));
 }
@@ -145,7 +158,7 @@ ExitCode run_command(const RunRequest& request) {
     run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]), interrupt);
   if (!interrupt) return ExitCode::done;
   say("cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
-      "command starts anew and gives the same counts\n");
+      "command with --resume goes on\n");
   return ExitCode::interrupted;
 }
 

@@ -6,6 +6,7 @@
 
 #include "sim/existing_file.hpp"
 #include "sim/netcdf.hpp"
+#include "sim/netcdf_reader.hpp"
 #include "sim/new_file.hpp"
 #include "sim/validity.hpp"
 

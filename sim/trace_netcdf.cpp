@@ -2,6 +2,7 @@
 
 #include "dsp/spectrum.hpp"
 #include "sim/netcdf.hpp"
+#include "sim/netcdf_reader.hpp"
 
 namespace sim {
 namespace {

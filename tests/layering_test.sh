@@ -17,7 +17,7 @@ immintrin[.]h        dsp/.*
 fftw3[.]h            dsp/spectrum[.]cpp
 Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)
 armadillo            sim/.*[.]cpp
-hdf5.*[.]h|H5.*[.]h  sim/netcdf[.]cpp
+hdf5.*[.]h|H5.*[.]h  sim/(netcdf[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/entries[.]cpp
 CLI/.*               sim/command_line[.]cpp
 (fmt|nlohmann)/.*    sim/.*[.]cpp

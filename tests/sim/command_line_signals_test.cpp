@@ -10,7 +10,7 @@ constexpr int rows_begin = 3;  // lines of the table's head
 
 const std::string farewell =
     "cosys-sim: interrupted (by a signal) what was counted is in the result file; the same command "
-    "starts anew and gives the same counts\n";
+    "with --resume goes on\n";
 
 const std::string promise =
     "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n";

@@ -130,7 +130,8 @@ TEST(Engine, ThreadsThatDoNotStartEndThePoint) {
 #endif
 
 ExperimentResult experiment(const std::string& text) {
-  return run_experiment(loaded(text), "test",
+  const LoadedScenario scenario = loaded(text);
+  return run_experiment(scenario, unfinished(scenario, "test"),
                         {.threads = 2, .interrupt = nullptr, .on_progress = {}, .on_point = {}});
 }
 
@@ -160,14 +161,44 @@ TEST(Engine, ProgressIsWhatAnInterruptLeaves) {
     seen = progress.result.points[progress.point];
     interrupt = interrupt || seen.tally.n_frames > 0;
   };
+  const LoadedScenario scenario =
+      loaded(base + "stop.max_frames = [4e9, 16]\n", {"stop.max_frame_errors=0"});
   const auto result = run_experiment(
-      loaded(base + "stop.max_frames = [4e9, 16]\n", {"stop.max_frame_errors=0"}), "test",
+      scenario, unfinished(scenario, "test"),
       {.threads = 2, .interrupt = &interrupt, .on_progress = stop_when_counting, .on_point = {}});
   EXPECT_EQ(seen.coordinates, std::vector<double>{4e9});
   EXPECT_EQ(seen.stop, StopReason::interrupted);
   EXPECT_GT(seen.n_samples, 0u);
   EXPECT_GE(result.points[0].tally.n_frames, seen.tally.n_frames);
   EXPECT_FALSE(measured(result.points[1]));
+}
+
+// Interrupted anywhere and gone on with, by other numbers of threads, a point ends the same.
+TEST(EngineDeterminism, AnInterruptedPointEndsAsIfNothingHadBeen) {
+  const Link link = link_of(
+      {"receiver.range_m=2.2", "simulation.sample_rate_hz=250000", "simulation.warmup_messages=1"});
+  for (const StopRule& stop :
+       {StopRule{.max_frames = 45}, {.max_frames = 200, .max_frame_errors = 20}}) {
+    const PointResult whole = run(link, stop, 2);
+    PointResult part;
+    int interrupts = 0;
+    do {
+      std::atomic<bool> interrupt = false;
+      const auto at_once = [&](const PointResult& p) {
+        interrupt = p.tally.n_frames > part.tally.n_frames;
+      };
+      const PointResult before = part;
+      part = run_point(
+          link, stop,
+          {.threads = 1 + interrupts % 3, .interrupt = &interrupt, .on_progress = at_once}, before);
+      EXPECT_GE(part.elapsed_s, before.elapsed_s);
+      interrupts += part.stop == StopReason::interrupted;
+    } while (part.stop == StopReason::interrupted);
+    EXPECT_EQ(part.tally, whole.tally);
+    EXPECT_EQ(part.stop, whole.stop);
+    EXPECT_DOUBLE_EQ(part.simulated_s, whole.simulated_s);
+    EXPECT_EQ(part.n_samples, whole.n_samples);
+  }
 }
 
 TEST(Engine, GridIsRowMajor) {

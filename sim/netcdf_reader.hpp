@@ -1,0 +1,35 @@
+#pragma once
+// Reads what NetcdfFile wrote: numbers of a variable, attributes of the file. One thread at a time.
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+/// What a file of this kind says it is ("cosys-sim result"); empty for any other.
+std::string filetype_of(const std::filesystem::path& path);
+
+/// Throws Failure(bad_input), naming the file, of what is not there or cannot be read.
+class NetcdfReader {
+ public:
+  explicit NetcdfReader(const std::filesystem::path& path);
+  ~NetcdfReader();
+  NetcdfReader(const NetcdfReader&) = delete;
+  NetcdfReader& operator=(const NetcdfReader&) = delete;
+
+  /// All cells of a variable, row-major.
+  std::vector<std::int64_t> integers(const std::string& variable) const;
+  std::vector<double> reals(const std::string& variable) const;
+
+  /// An attribute of the file: ours, or a text of the user's.
+  std::string text(const char* name) const;
+  std::uint64_t whole_number(const char* name) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sim
