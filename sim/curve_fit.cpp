@@ -124,8 +124,9 @@ std::optional<Fit> fit_logit(const Observations& all, bool logarithmic) {
   return fit_logit(x, frames, lost);
 }
 
+/// Below it nothing more than an estimate is asked for: few sweeps have the frames for more.
 bool surely_crossed(const Observations& all, double level) {
-  return std::ranges::any_of(all, [=](const auto& o) { return o.loss.high < level; }) &&
+  return std::ranges::any_of(all, [=](const auto& o) { return o.ratio() <= level; }) &&
          std::ranges::any_of(all, [=](const auto& o) { return o.loss.low > level; });
 }
 

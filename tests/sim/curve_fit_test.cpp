@@ -124,6 +124,11 @@ TEST(Crossing, BracketsWhatNoLogitFits) {
   EXPECT_EQ(c.kind, Kind::unfitted);
   EXPECT_EQ(c.low, 1);
   EXPECT_EQ(c.high, 2);
+  // 24 frames a point: none lost is no proof of less than 1 %, but the step is plain to see.
+  const auto few = sim::frame_loss_crossing(sweep({1, 2, 3, 4, 5}, {0, 0, 23, 21, 24}, 24));
+  EXPECT_EQ(few.kind, Kind::unfitted);
+  EXPECT_EQ(few.low, 2);
+  EXPECT_EQ(few.high, 3);
 }
 
 // The fit, drawn by the steep end, would put the crossing at 7.8, behind points that surely lose
