@@ -79,9 +79,18 @@ Crossing below_throughout(const Observations& all, double ci_level) {
   return c;
 }
 
+Crossing above_throughout(const Observations& all, double ci_level) {
+  Crossing c = whole_sweep(Crossing::Kind::all_above, all);
+  c.bound = 1;
+  for (const Observation& o : all)
+    c.bound = std::min(c.bound, clopper_pearson(o.lost, o.frames, ci_level).low);
+  return c;
+}
+
 /// ", though 3.8 % cannot be ruled out": what the frames do not tell.
 std::string doubt(const Crossing& c, double level) {
-  return c.bound > level ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
+  const bool doubtful = c.kind == Kind::all_below ? c.bound > level : c.bound < level;
+  return doubtful ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
 }
 
 struct Fit {
@@ -173,11 +182,12 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   if (!rises_throughout(all)) return {Kind::not_monotone};
   if (all.empty()) return {};
   if (std::ranges::none_of(all, is_bad)) return below_throughout(all, result.ci_level);
-  if (std::ranges::all_of(all, is_bad)) return whole_sweep(Kind::all_above, all);
-  if (separated(all)) return bracket(Kind::jump, all, level);
+  if (std::ranges::all_of(all, is_bad)) return above_throughout(all, result.ci_level);
+  if (separated(all) && surely_crossed(all, level)) return bracket(Kind::jump, all, level);
 
   const Crossing unfitted =
       surely_crossed(all, level) ? bracket(Kind::unfitted, all, level) : Crossing{};
+  if (separated(all)) return unfitted;
   const bool logarithmic = std::ranges::all_of(all, [](const auto& o) { return o.x > 0; });
   const std::optional<Fit> fit = fit_logit(all, logarithmic);
   if (!fit) return unfitted;
@@ -208,7 +218,8 @@ std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
       return fmt::format("beyond the sweep: at most {:g} % lost in {}", percent, range) +
              doubt(c, level);
     case Kind::all_above:
-      return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range);
+      return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range) +
+             doubt(c, level);
     case Kind::not_monotone:
       return "loss rises and falls: no single value, see the table";
     case Kind::unclear:
@@ -234,7 +245,8 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
       return fmt::format("frame loss stays at most {:g} % over the whole sweep, ", level * 100) +
              range + doubt(c, level);
     case Kind::all_above:
-      return fmt::format("frame loss is above {:g} % over the whole sweep, ", level * 100) + range;
+      return fmt::format("frame loss is above {:g} % over the whole sweep, ", level * 100) + range +
+             doubt(c, level);
     case Kind::unclear:
       break;
   }

@@ -20,7 +20,8 @@ struct Crossing {
   };
   Kind kind = Kind::unclear;
   double at = 0, low = 0, high = 0;
-  double bound = 0;  // of all_below: the largest upper end of the points' intervals
+  /// Of all_below the largest upper end of the points' intervals, of all_above the least lower end.
+  double bound = 0;
 };
 
 /// For an experiment with exactly one axis; points never reached are left out.

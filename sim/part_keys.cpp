@@ -60,10 +60,10 @@ std::vector<PartNumber<channel::ModuleData>> agc_numbers() {
                     "rate at which the gain falls", "0: a part without AGC"),
       printed("agc_max_duty", "1", from(0.01, 1), &M::agc_max_duty,
               "largest lit fraction of long bursts that the AGC tolerates"),
-      printed("agc_long_burst_cycles", "cycle", from(1, 1e4), &M::agc_long_burst_cycles,
-              "length from which a burst is a long one"),
+      module_number("agc_long_burst_cycles", "cycle", from(1, 1e4), &M::agc_long_burst_cycles,
+                    "length from which a burst is a long one"),
       module_number("agc_long_burst_ms", "ms", from(0, 1e3), &M::agc_long_burst_ms,
-                    "the same as a time", "0: the limit in cycles holds"),
+                    "the same as a time", "instead of the limit in cycles; 0: that one holds"),
       module_number("agc_free_cycles", "cycle", from(0, 1e4), &M::agc_free_cycles,
                     "part of a long burst that is not charged"),
       printed("agc_min_gap_cycles", "cycle", from(0, 1e4), &M::agc_min_gap_cycles,
@@ -168,6 +168,7 @@ PartKeys<channel::ModuleData> make_module_keys() {
   PartKeys<channel::ModuleData> keys{"module", "modules", {}, module_curves()};
   for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
     keys.numbers.insert(keys.numbers.end(), group.begin(), group.end());
+  keys.either = {{"agc_long_burst_cycles", "agc_long_burst_ms"}};
   keys.figures = figure_names(module_figures());
   keys.choices = {{{"detector",
                     "",

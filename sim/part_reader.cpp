@@ -33,7 +33,8 @@ class PartReader {
     for (const auto& choice : keys_.choices) read_choice(choice, part);
     for (const auto& number : keys_.numbers) read_number(number, part);
     for (const auto& curve : keys_.curves) read_curve(curve, part);
-    for (const auto& [one, other] : keys_.either) require_either(one, other);
+    if (needs_numbers(part))
+      for (const auto& [one, other] : keys_.either) require_either(one, other);
     for (const auto& entry : entries_)
       if (entry.key.starts_with("figures.")) text(entry.key, "name a file in curves/");
     refuse_flaw(part);
@@ -141,14 +142,14 @@ class PartReader {
                       choice.facts.long_name + " is one of a list", remedy);
   }
 
-  bool is_required(const PartNumber<Data>& number, const Data& part) const {
-    return number.required && (keys_.needs_numbers == nullptr || keys_.needs_numbers(part));
+  bool needs_numbers(const Data& part) const {
+    return keys_.needs_numbers == nullptr || keys_.needs_numbers(part);
   }
 
   void read_number(const PartNumber<Data>& number, Data& part) const {
     const std::string& name = number.facts.name;
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
-    if (!present(name, sample, is_required(number, part))) return;
+    if (!present(name, sample, number.required && needs_numbers(part))) return;
     const double value = get<double>(name + ".value", "a number", "write " + sample);
     check_number(number.facts, value, find(name + ".value")->place);
     part.*number.member = value;

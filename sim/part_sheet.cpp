@@ -120,8 +120,9 @@ void add_keys(PartSheet& sheet, const PartKeys<Data>& keys, const Data& data,
   for (const auto& c : keys.choices)
     sheet.texts.push_back({c.facts.name, data.*c.member, c.facts.long_name});
   for (const auto& n : keys.numbers)
-    sheet.numbers.push_back({n.facts.name, n.facts.unit, n.facts.long_name,
-                             text_of(entries, n.facts.name + ".source"), data.*n.member});
+    if (n.facts.range.contains(data.*n.member))  // else it stands for none
+      sheet.numbers.push_back({n.facts.name, n.facts.unit, n.facts.long_name,
+                               text_of(entries, n.facts.name + ".source"), data.*n.member});
   for (const auto& c : keys.curves)
     if (!(data.*c.member).empty())
       sheet.curves.push_back({c.name, c.long_name, text_of(entries, c.name + ".source"), c.x.name,

@@ -20,7 +20,7 @@ std::vector<PartFile> parts_in(const fs::path& folder, const std::string& kind) 
   std::vector<PartFile> parts;
   std::error_code ignored;  // a root need not have the folder
   for (fs::directory_iterator file(folder, ignored), end; file != end; file.increment(ignored))
-    if (file->path().extension() == ".toml")
+    if (file->path().extension() == ".toml" && file->is_regular_file(ignored))
       parts.push_back({kind, file->path().stem().string(), file->path()});
   std::ranges::sort(parts, {}, &PartFile::path);
   return parts;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "sim/validity.hpp"
@@ -15,17 +16,25 @@ namespace {
 
 using Kind = Crossing::Kind;
 
+/// Distance where it is swept: it is what users ask for. Else the last axis of numbers.
+std::size_t abscissa_of(const std::vector<Axis>& axes) {
+  std::size_t abscissa = Ranking::none;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].key == "receiver.range_m") return i;
+    if (!axes[i].is_text()) abscissa = i;
+  }
+  return abscissa;
+}
+
 /// The axes of a ranking, without its rows.
 Ranking axes_of(const std::vector<Axis>& axes) {
-  Ranking ranking;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (!axes[i].is_text()) ranking.abscissa = i;
+  Ranking ranking{.abscissa = abscissa_of(axes), .others = {}, .rows = {}};
   if (ranking.abscissa == Ranking::none) return ranking;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (i != ranking.abscissa) ranking.others.push_back(i);
-  ranking.best_first = !ranking.others.empty() && std::ranges::all_of(ranking.others, [&](auto i) {
-    return axes[i].is_text();
-  });
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (i == ranking.abscissa) continue;
+    ranking.others.push_back(i);
+    ranking.best_first |= axes[i].is_text();
+  }
   return ranking;
 }
 
@@ -97,12 +106,43 @@ double merit(const Crossing& c, bool more_better) {
   return -almost;
 }
 
-void sort_best_first(Ranking& ranking, bool more_better) {
-  const auto merit_of = [=](const RowCrossing& row) { return merit(row.crossing, more_better); };
-  std::ranges::stable_sort(ranking.rows, std::greater<>(), merit_of);
+/// What a row is sorted by: values of the axes of numbers stand as in the grid, within each the
+/// best comes first, and of equals one that no limit flags.
+struct Standing {
+  std::vector<std::size_t> group;  // of each axis of numbers which value, in the grid's order
+  double merit;
+  bool flagged;
+
+  bool operator<(const Standing& o) const {
+    return std::tie(group, o.merit, flagged) < std::tie(o.group, merit, o.flagged);
+  }
+  bool equals(const Standing& o) const { return group == o.group && merit == o.merit; }
+};
+
+Standing standing_of(const ExperimentResult& result, const Ranking& ranking, const RowCrossing& row,
+                     bool more_better) {
+  Standing standing{{}, merit(row.crossing, more_better), row.outside != 0};
+  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
+    const Axis& axis = result.axes[ranking.others[i]];
+    if (axis.is_text()) continue;
+    const auto value = std::ranges::find(axis.values, row.others[i]);
+    standing.group.push_back(static_cast<std::size_t>(value - axis.values.begin()));
+  }
+  return standing;
+}
+
+void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
+  const bool more_better = more_is_better(result, ranking.abscissa);
+  const auto standing = [&](const RowCrossing& row) {
+    return standing_of(result, ranking, row, more_better);
+  };
+  std::ranges::stable_sort(ranking.rows, std::less<>(), standing);
+  std::size_t begin = 0;  // of the group
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
-    const bool tie = i > 0 && merit_of(ranking.rows[i]) == merit_of(ranking.rows[i - 1]);
-    ranking.rows[i].place = tie ? ranking.rows[i - 1].place : i + 1;
+    const Standing now = standing(ranking.rows[i]);
+    if (standing(ranking.rows[begin]).group != now.group) begin = i;
+    const bool tie = i > begin && standing(ranking.rows[i - 1]).equals(now);
+    ranking.rows[i].place = tie ? ranking.rows[i - 1].place : i - begin + 1;
   }
 }
 
@@ -173,7 +213,7 @@ Ranking rank(const ExperimentResult& result, double level) {
   for (Row& row : rows_of(result, ranking))
     ranking.rows.push_back(
         {std::move(row.others), frame_loss_crossing(row.line, level), outside_of(row.line)});
-  if (ranking.best_first) sort_best_first(ranking, more_is_better(result, ranking.abscissa));
+  if (ranking.best_first) sort_best_first(result, ranking);
   return ranking;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Ranking: where the frame loss passes a level along one axis, for each combination of values of
-// the others. With texts alone as the others ("which module do I buy?") it is sorted, best first.
+// the others. With texts among the others ("which module do I buy?") it is sorted, best first, for
+// each combination of their numbers.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,10 +27,11 @@ struct Ranking {
   std::vector<RowCrossing> rows;
 };
 
-/// The abscissa is the last axis of numbers; of a sweep without one the ranking is empty. Sorted
-/// rows: first those that never pass the level, then by the crossing (its middle, where only a
-/// bracket is known), the one that is reached last first; then those of which no crossing can be
-/// told, and last those beyond the level at all points.
+/// The abscissa is receiver.range_m, or else the last axis of numbers; of a sweep without one the
+/// ranking is empty. Sorted rows: first those that never pass the level, then by the crossing (its
+/// middle, where only a bracket is known), the one that is reached last first; then those of which
+/// no crossing can be told, and last those beyond the level at all points. Of equals the ones that
+/// no limit of validity flags come first.
 Ranking rank(const ExperimentResult& result, double level = 0.01);
 
 /// The ranking in words, one line a row; empty where there is nothing to say.

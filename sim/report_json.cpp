@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sim/ranking.hpp"
+#include "sim/validity.hpp"
 
 namespace sim {
 namespace {
@@ -79,6 +80,9 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
   for (std::size_t i = 0; i < result.axes.size(); ++i) {
     point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
   }
+  point["outside"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < validity_limits().size(); ++i)
+    if ((p.outside >> i & 1U) != 0) point["outside"].push_back(validity_limits()[i].name);
   for (const Column& column : columns()) {
     point[column.name] = json_value(column, p, result.ci_level);
   }

@@ -1,6 +1,7 @@
 #include "sim/report_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +149,34 @@ std::string validity_notes(const ExperimentResult& result) {
     if ((all >> i & 1U) != 0)
       notes += fmt::format("! {}: {}\n", validity_limits()[i].name, validity_limits()[i].meaning);
   return notes;
+}
+
+std::string loss_reasons(const ExperimentResult& result) {
+  Tally all;
+  for (const PointResult& p : result.points) all += p.tally;
+  if (all.n_frames_lost == 0) return "";
+  const std::pair<const char*, std::uint64_t> reasons[]{
+      {"nothing heard", all.n_frames_unheard},
+      {"no line ended", all.n_frames_unended},
+      {"wrong checksum", all.n_rejected_checksum},
+      {"unprintable characters", all.n_rejected_unprintable},
+      {"no hexadecimal checksum", all.n_rejected_not_hex},
+      {"too short", all.n_rejected_short},
+      {"too long", all.n_rejected_overlong}};
+  std::vector<std::string> known;
+  for (const auto& [reason, count] : reasons)
+    if (count > 0) known.push_back(fmt::format("{} {}", reason, count));
+  return fmt::format("{} frames lost: {}{}\n", all.n_frames_lost, fmt::join(known, ", "),
+                     known.size() > 1 ? " (a frame may have several reasons)" : "");
+}
+
+std::string unfinished_note(const ExperimentResult& result) {
+  const auto left = std::ranges::count_if(result.points, [](const PointResult& p) {
+    return !measured(p) || p.stop == StopReason::interrupted;
+  });
+  if (left == 0) return "";
+  return fmt::format("unfinished: {} of {} points; what follows is of what was counted\n", left,
+                     result.points.size());
 }
 
 }  // namespace sim

@@ -19,4 +19,11 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
 /// A line for each kind of mark in the table: what "! near" means; empty if there is none.
 std::string validity_notes(const ExperimentResult& result);
 
+/// What became of lost frames, all points together: "56 frames lost: nothing heard 12, ..."; empty
+/// where none was lost.
+std::string loss_reasons(const ExperimentResult& result);
+
+/// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
+std::string unfinished_note(const ExperimentResult& result);
+
 }  // namespace sim

@@ -58,7 +58,8 @@ void refuse_same_output(const RunRequest& request) {
 }
 
 std::string closing_lines(const ExperimentResult& result, const fs::path& output) {
-  return validity_notes(result) + ranking_lines(result, rank(result)) +
+  return unfinished_note(result) + validity_notes(result) + loss_reasons(result) +
+         ranking_lines(result, rank(result)) +
          fmt::format("{}: digest {}\n", output.string(), result_digest(result));
 }
 

@@ -9,6 +9,7 @@
 #include "sim/disturbance_keys.hpp"
 #include "sim/failure.hpp"
 #include "sim/key_check.hpp"
+#include "sim/list_text.hpp"
 #include "sim/sweep.hpp"
 #include "sim/text_axis.hpp"
 
@@ -69,6 +70,9 @@ const Key& known_key(const std::string& name, const std::string& place) {
   if (!disturbance.empty() && !is_disturbance_name(disturbance))
     throw bad_input(name + " " + place, "no name of a disturbance",
                     "use letters, digits, - and _ for it");
+  if (disturbance.empty() && name.starts_with("disturbance"))
+    throw bad_input(name + " " + place, "a disturbance has a name",
+                    "write [disturbance.NAME], such as [disturbance.lamp]");
   throw bad_input(name + " " + place, "no such key",
                   "did you mean " + nearest(name, names_like(name)) + "?");
 }
@@ -148,10 +152,26 @@ void take_sweep(Draft& draft, const Entry& entry) {
   draft.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
 }
 
+/// "true", "false", or both as a sweep.
+void override_flag(Draft& draft, const Key& key, const std::string& value,
+                   const std::string& place) {
+  std::vector<double> values;
+  for (const std::string_view item : split(value, ',')) {
+    const std::string_view word = trimmed(item);
+    const bool yes = word == "true" || word == "1", no = word == "false" || word == "0";
+    if (!yes && !no)
+      throw bad_input(fmt::format("{} = {} {}", key.name(), value, place), "not true or false",
+                      "use true or false");
+    values.push_back(yes ? 1 : 0);
+  }
+  if (values.size() > 1) return draft.set_axis(make_axis(key, values, place), place);
+  draft.set_number(key, values.front(), place);
+  draft.drop_axis(key);
+}
+
 void override_number(Draft& draft, const Key& key, const std::string& value,
                      const std::string& place) {
-  if (key.facts.type == KeyType::flag && (value == "true" || value == "false"))
-    return override_number(draft, key, value == "true" ? "1" : "0", place);
+  if (key.facts.type == KeyType::flag) return override_flag(draft, key, value, place);
   const auto values = parse_values(value, fmt::format("{} = {} {}", key.name(), value, place));
   if (is_range_or_list(value)) return draft.set_axis(make_axis(key, values, place), place);
   draft.set_number(key, values.front(), place);

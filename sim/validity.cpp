@@ -67,8 +67,13 @@ bool beyond_temperature(const Scenario& s, double) {
 bool beyond_supply(const Scenario& s, double) {
   const double volt = s.receiver.supply_v;
   if (std::isnan(volt)) return false;
-  if (!s.module.emin_against_supply.empty()) return beyond(s.module.emin_against_supply, volt, 5);
-  return volt < s.module.supply_min_v || volt > s.module.supply_max_v;
+  const channel::Curve& curve = s.module.emin_against_supply;
+  const double least = curve.empty() ? s.module.supply_min_v : curve.x.front();
+  return volt < least || volt > s.module.supply_max_v;
+}
+
+bool without_spread(const Scenario& s, double) {
+  return s.receiver.population != 0 && s.module.emin_max_mw_per_m2 <= s.module.emin_mw_per_m2;
 }
 
 bool beyond_ripple(const Scenario& s, double) {
@@ -129,13 +134,20 @@ constexpr std::array limits{
     ValidityLimit{"rejection",
                   "another light more than 20 % off f0, where data sheets plot no response",
                   of_module<disturbed_far_from_f0>},
-    ValidityLimit{"temperature", "the module's sheet does not show Emin there",
+    ValidityLimit{"temperature",
+                  "not in the module's sheet: taken as without influence, or as at its curve's end",
                   of_module<beyond_temperature>},
-    ValidityLimit{"supply", "the module's sheet does not show Emin there",
+    ValidityLimit{"supply", "a supply that the module's sheet does not allow for, taken as typical",
                   of_module<beyond_supply>},
-    ValidityLimit{"ripple", "the module's sheet does not show Emin there",
+    ValidityLimit{"spread", "no largest Emin is printed: all units have the typical one",
+                  of_module<without_spread>},
+    ValidityLimit{"ripple",
+                  "not in the module's sheet: taken as without influence, or as at its curve's end",
                   of_module<beyond_ripple>},
-    ValidityLimit{"colour", "the module's sheet does not show its response there", beyond_colour},
+    ValidityLimit{
+        "colour",
+        "not in the module's sheet: taken as the colour of Emin, or as at its curve's end",
+        beyond_colour},
     ValidityLimit{"agc", "bursts longer than the module's sheet shows its gain control for",
                   of_module<beyond_agc_figure>},
     ValidityLimit{"current", "a current that the LED's sheet does not show or that it cannot bear",

@@ -131,6 +131,15 @@ TEST(Crossing, BracketsWhatNoLogitFits) {
   EXPECT_EQ(few.high, 3);
 }
 
+// One of 40 frames is no crossing, on whichever side of the others it falls.
+TEST(Crossing, IsNotSeenInNoise) {
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {1, 0, 0}, 40)).kind, Kind::unclear);
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({1, 2, 3}, {0, 0, 1}, 40)).kind, Kind::unclear);
+  const auto above = sim::frame_loss_crossing(sweep({1, 2, 3}, {2, 1, 1}, 40));
+  EXPECT_EQ(above.kind, Kind::all_above);
+  EXPECT_NEAR(above.bound, 6.3e-4, 1e-5);  // Clopper-Pearson's lower end of 1 in 40
+}
+
 // The fit, drawn by the steep end, would put the crossing at 7.8, behind points that surely lose
 // more than that.
 TEST(Crossing, DoesNotContradictAPoint) {
@@ -169,7 +178,7 @@ TEST(CrossingSentence, SaysEachOutcome) {
       say({Kind::all_below, 3, 1, 5, 0.0377}),
       "frame loss stays at most 1 % over the whole sweep, receiver.range_m = 1 .. 5 m, though "
       "3.8 % cannot be ruled out");
-  EXPECT_EQ(say({Kind::all_above, 1, 1, 1}),
+  EXPECT_EQ(say({Kind::all_above, 1, 1, 1, 0.02}),
             "frame loss is above 1 % over the whole sweep, receiver.range_m = 1 m");
   EXPECT_EQ(say({Kind::unclear}),
             "frame loss does not clearly cross 1 % inside the sweep of receiver.range_m");
@@ -186,8 +195,12 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
             "beyond the sweep: at most 1 % lost in 1 .. 5 m, though 3.8 % cannot be ruled out");
-  EXPECT_EQ(say({Kind::all_above, 3, 1, 5}),
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}),
             "short of the sweep: more than 1 % lost in all of 1 .. 5 m");
+  EXPECT_EQ(
+      say({Kind::all_above, 3, 1, 5, 0.0013}),
+      "short of the sweep: more than 1 % lost in all of 1 .. 5 m, though 0.13 % cannot be ruled "
+      "out");
   EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
   EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }

@@ -90,6 +90,13 @@ TEST(DisturbanceKeys, AreRefusedInOneLine) {
             "0.99) use a value 0.01 to 0.99");
 }
 
+TEST(DisturbanceKeys, ADisturbanceHasAName) {
+  EXPECT_EQ(
+      refusal("[disturbance]\nkind = \"pwm\""),
+      "disturbance.kind in x.toml:2 (a disturbance has a name) write [disturbance.NAME], such "
+      "as [disturbance.lamp]");
+}
+
 TEST(DisturbanceKeys, ContradictionsAreRefused) {
   EXPECT_EQ(
       refusal("[disturbance]\na.kind = \"carrier\"\na_carrier.kind = \"pwm\"\n[sweep]\n"

@@ -104,6 +104,15 @@ TEST(Population, UnitsStayApartUnderAnyCondition) {
   EXPECT_NEAR(spread({.celsius = -30, .ripple_mv_rms = 300}), 0.25 / 0.12, 1e-6);
 }
 
+TEST(Population, IsSetAndSweptByWords) {
+  EXPECT_TRUE(link_of({"receiver.population=true"}).population);
+  EXPECT_FALSE(link_of({"receiver.population=false"}).population);
+  EXPECT_EQ(loaded("", {"receiver.population=true,false"}).sweep.at(0).values,
+            (std::vector<double>{1, 0}));
+  EXPECT_EQ(refusal("", {"receiver.population=yes"}),
+            "receiver.population = yes in --set (not true or false) use true or false");
+}
+
 TEST(Population, IsOffByDefaultAndMovesNoOtherDraw) {
   EXPECT_FALSE(draw_unit(link_of({}), 0));
   Link on = link_of({"receiver.population=true"}), off = link_of({});

@@ -127,6 +127,22 @@ TEST(Ranking, EqualsShareTheirPlace) {
   EXPECT_EQ(places, (std::vector<std::size_t>{1, 2, 2, 4}));
 }
 
+TEST(Ranking, OfEqualsTheOneThatNothingFlagsComesFirst) {
+  auto result = grid(modules({"odd", "sound"}), range, {{0, 0, 1000, 1000}, {0, 0, 1000, 1000}});
+  result.points[2].outside = 1;
+  EXPECT_EQ(sim::rank(result).rows[0].others, std::vector<double>{1});
+  EXPECT_EQ(sim::rank(result).rows[1].place, 1U);
+}
+
+// Whatever is swept beside it, by --set too.
+TEST(Ranking, DistanceIsTheAbscissaWhereItIsSwept) {
+  const auto result = turned(grid(height, range, {{0, 1000, 1000, 1000}, {0, 0, 0, 1000}}));
+  ASSERT_EQ(result.axes[0].key, "receiver.range_m");
+  const auto ranking = sim::rank(result);
+  EXPECT_EQ(ranking.abscissa, 0U);
+  EXPECT_EQ(ranking.others, std::vector<std::size_t>{1});
+}
+
 TEST(Ranking, OfTwoAxesOfNumbersTheLastIsTheAbscissa) {
   const auto result = grid(height, range, {{0, 1000, 1000, 1000}, {0, 0, 0, 1000}});
   EXPECT_EQ(lines(result),
@@ -146,12 +162,12 @@ TEST(Ranking, EachCombinationOfTheOtherAxesIsARow) {
         result.points.push_back(
             point({b, metres, module}, metres > 1 + module + (b < 500 ? 1 : 0) ? 1000 : 0));
   EXPECT_EQ(lines(result),
-            "receiver.range_m at which frame loss passes 1 %:\n"
-            "  device.baud [Bd]  receiver.module\n"
-            "               300  near             between 2 and 3 m\n"
-            "               300  far              between 3 and 4 m\n"
-            "              1200  near             between 1 and 2 m\n"
-            "              1200  far              between 2 and 3 m\n");
+            "receiver.range_m at which frame loss passes 1 %, best first:\n"
+            "      device.baud [Bd]  receiver.module\n"
+            "   1               300  far              between 3 and 4 m\n"
+            "   2               300  near             between 2 and 3 m\n"
+            "   1              1200  far              between 2 and 3 m\n"
+            "   2              1200  near             between 1 and 2 m\n");
 }
 
 TEST(Ranking, OfOneAxisIsOneSentence) {

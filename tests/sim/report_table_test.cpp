@@ -107,4 +107,28 @@ TEST(TableHeader, NamesTheAxesAndUnits) {
   EXPECT_EQ(lines_of(sim::table_header({})).size(), 2U);
 }
 
+TEST(LossReasons, AreThoseOfAllPointsTogether) {
+  sim::ExperimentResult result;
+  result.points = {measured_point(), measured_point()};
+  for (sim::PointResult& p : result.points) p.tally.n_frames_lost = 0;
+  EXPECT_EQ(sim::loss_reasons(result), "");
+  result.points[0].tally.n_frames_lost = 30;
+  result.points[0].tally.n_frames_unheard = 10;
+  result.points[1].tally.n_frames_lost = 5;
+  result.points[1].tally.n_rejected_unprintable = 25;
+  EXPECT_EQ(sim::loss_reasons(result),
+            "35 frames lost: nothing heard 10, unprintable characters 25 (a frame may have several "
+            "reasons)\n");
+}
+
+TEST(UnfinishedNote, CountsWhatAStopLeft) {
+  sim::ExperimentResult result;
+  result.points = {measured_point(), measured_point(), {}};
+  result.points[1].stop = sim::StopReason::interrupted;
+  EXPECT_EQ(sim::unfinished_note(result),
+            "unfinished: 2 of 3 points; what follows is of what was counted\n");
+  result.points = {measured_point()};
+  EXPECT_EQ(sim::unfinished_note(result), "");
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include "scenarios.hpp"
 #include "sim/parts.hpp"
 #include "sim/report_table.hpp"
+#include "sim/text_file.hpp"
 
 namespace sim {
 namespace {
@@ -30,6 +31,9 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
   EXPECT_EQ(names_at({"receiver.module=TSSP96056", "receiver.supply_v=5"}), "supply");
   EXPECT_EQ(names_at({"receiver.module=TSSP96056", "receiver.supply_v=3.3"}), "");
   EXPECT_EQ(names_at({"receiver.module=TSDP34156", "receiver.supply_v=3.3"}), "supply");
+  EXPECT_EQ(names_at({"receiver.supply_v=5.6"}), "supply");
+  EXPECT_EQ(names_at({"receiver.module=GP1UX51QS", "receiver.population=true"}), "carrier,spread");
+  EXPECT_EQ(names_at({"receiver.population=true"}), "");
   EXPECT_EQ(names_at({"receiver.range_m=70"}), "fringes");
   EXPECT_EQ(names_at({"receiver.range_m=50"}), "");
   EXPECT_EQ(names_at({"receiver.range_m=70", "floor.part=none"}), "");
@@ -100,6 +104,12 @@ TEST(Validity, EveryLimitHasANameOfItsOwn) {
     all.erase(at, std::string(limit.name).size());
   }
   EXPECT_EQ(all.find_first_not_of(','), std::string::npos) << all;
+}
+
+TEST(Validity, TheDocsListEveryLimit) {
+  const std::string docs = read_text_file(COSYS_SOURCE_DIR "/scenarios/README.md", "docs");
+  for (const ValidityLimit& limit : validity_limits())
+    EXPECT_NE(docs.find("`" + std::string(limit.name) + "`"), std::string::npos) << limit.name;
 }
 
 TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
