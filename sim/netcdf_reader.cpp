@@ -16,7 +16,7 @@ Handle open_file(const std::filesystem::path& path) {
 std::string text_of_any_length(hid_t attribute, hid_t type) {
   char* value = nullptr;
   checked(H5Aread(attribute, type, &value));
-  const std::string text = value == nullptr ? "" : value;
+  std::string text = value == nullptr ? "" : value;
   checked(H5free_memory(value));
   return text;
 }
