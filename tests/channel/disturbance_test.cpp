@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "channel/data_sheet_bench.hpp"
 #include "channel/ambient.hpp"
 #include "channel/chain.hpp"
+#include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 
 namespace channel {
