@@ -42,8 +42,11 @@ CLI::Option* add_place(CLI::App& app, const char* name, Place& place, const char
 void check_short_form(const std::string& name, const std::string& value, const std::string& place) {
   const Key& key = *find_key(name);
   const std::string problem = name + " = " + value + " " + place;
+  const bool whole = key.facts.type == KeyType::whole_number;
   if (!parse_number(value) && !is_range_or_list(value))
-    throw bad_input(problem, "not a number", "use a whole number " + in_words(key.facts.range));
+    throw bad_input(
+        problem, "not a number",
+        std::string("use a ") + (whole ? "whole " : "") + "number " + in_words(key.facts.range));
   make_axis(key, parse_values(value, problem), place);
 }
 
@@ -106,6 +109,11 @@ void add_run(CLI::App& app, RunRequest& request) {
                  "frames after which a point is finished");
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
+  add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
+                 "relative half width of the bit error ratio's interval at which a point is "
+                 "finished, such as 0.1; 0 for no such rule");
+  add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
+                 "frame loss ratio; a point is finished when its own is surely below or above");
   run.add_flag("--resume", request.resume,
                "go on with what an interrupted run of the same command left in its result file; "
                "the counts are those of a run without interrupt");

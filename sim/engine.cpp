@@ -90,20 +90,12 @@ class Pool {
       sum_.simulated_s += next.simulated_s;
       sum_.n_samples += next.n_samples;
       waiting_.erase(merged_++);
-      if (const auto reason = stop_reason()) {
+      if (const auto reason = stop_reason(rule_, sum_.tally)) {
         over_ = true;
         reason_ = *reason;
       }
     }
     changed_.notify_all();
-  }
-
-  std::optional<StopReason> stop_reason() const {
-    const bool enough =
-        rule_.max_frame_errors > 0 && sum_.tally.n_frames_lost >= rule_.max_frame_errors;
-    if (enough) return StopReason::max_frame_errors;
-    if (sum_.tally.n_frames >= rule_.max_frames) return StopReason::max_frames;
-    return std::nullopt;
   }
 
   void end(StopReason reason) {

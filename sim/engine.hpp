@@ -3,18 +3,13 @@
 // their numbers. The stop rule looks at that sum after each group, never at a clock, so the result
 // is the same for any number of threads; work done beyond the stop is thrown away.
 #include <atomic>
-#include <cstdint>
 #include <functional>
 
 #include "sim/link.hpp"
 #include "sim/result.hpp"
+#include "sim/stop_rule.hpp"
 
 namespace sim {
-
-struct StopRule {
-  std::uint64_t max_frames = 1000;
-  std::uint64_t max_frame_errors = 0;  // 0: no such limit
-};
 
 struct EngineOptions {
   int threads = 1;

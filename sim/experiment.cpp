@@ -16,7 +16,9 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
              const ExperimentOptions& options) {
   const StopRule stop{
       .max_frames = static_cast<std::uint64_t>(scenario.stop.max_frames),
-      .max_frame_errors = static_cast<std::uint64_t>(scenario.stop.max_frame_errors)};
+      .max_frame_errors = static_cast<std::uint64_t>(scenario.stop.max_frame_errors),
+      .rel_ci = scenario.stop.rel_ci,
+      .target_flr = scenario.stop.target_flr};
   const PointResult before = result.points[i];
   const auto set = [&](const PointResult& counted) {
     result.points[i] = counted;

@@ -199,6 +199,13 @@ std::vector<Key> run_keys() {
             "messages after which a point ends", "trial numbers are 32 bits"),
       whole("stop.max_frame_errors", "1", from(0, 1e12), stop, &StopSettings::max_frame_errors,
             "lost messages after which a point ends", "0: no such limit"),
+      number("stop.rel_ci", "1", from(0, 1), stop, &StopSettings::rel_ci,
+             "half width of the interval of the bit error ratio, over the ratio, at which a point "
+             "is finished",
+             "0: no such rule"),
+      number("stop.target_flr", "1", from(0, 1), stop, &StopSettings::target_flr,
+             "frame loss ratio; a point is finished when its own is surely below or above",
+             "by its 99.9 % interval; 0: no such rule"),
   };
 }
 

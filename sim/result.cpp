@@ -96,7 +96,8 @@ const std::array table{
     Column{"n_samples", "1", "waveform samples simulated", &PointResult::n_samples},
 };
 
-constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted"};
+constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted", "rel_ci",
+                                  "target_flr"};
 
 // Little-endian whatever the machine, so that digests compare between machines.
 void append(std::string& bytes, std::uint64_t word) {

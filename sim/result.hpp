@@ -24,7 +24,13 @@ struct OperatingPoint {
   double ber_theory = std::numeric_limits<double>::quiet_NaN();  // of a matched receiver
 };
 
-enum class StopReason : std::int16_t { max_frames = 0, max_frame_errors = 1, interrupted = 2 };
+enum class StopReason : std::int16_t {
+  max_frames = 0,
+  max_frame_errors = 1,
+  interrupted = 2,
+  rel_ci = 3,
+  target_flr = 4
+};
 
 struct PointResult {
   std::vector<double> coordinates{};  // one value an axis

@@ -91,8 +91,9 @@ struct SimulationSettings {
 };
 
 struct StopSettings {
-  double max_frames = 1000;       // whole number
-  double max_frame_errors = 100;  // whole number; 0: no such limit
+  double max_frames = 1000;           // whole number
+  double max_frame_errors = 100;      // whole number; 0: no such limit
+  double rel_ci = 0, target_flr = 0;  // 0: no such rule
 };
 
 struct Scenario {

@@ -14,6 +14,7 @@
 #include "scenarios.hpp"
 #include "sim/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/statistics.hpp"
 #include "sim/trial.hpp"
 
 namespace sim {
@@ -65,6 +66,39 @@ TEST(Engine, CountsExactlyAsManyFramesAsAsked) {
     EXPECT_EQ(result.tally.n_frames, frames);
     EXPECT_EQ(result.stop, StopReason::max_frames);
     EXPECT_GT(result.simulated_s, 0);
+  }
+}
+
+const std::vector<std::string> half_lost{"receiver.range_m=2.2", "simulation.sample_rate_hz=250000",
+                                         "simulation.warmup_messages=1"};
+
+// A point is finished as soon as its interval is as narrow as asked, and not a group before.
+TEST(EngineDeterminism, StopsWhereTheIntervalIsNarrow) {
+  const Link link = link_of(half_lost);
+  const StopRule stop{.max_frames = 100000, .rel_ci = 0.2};
+  const PointResult result = run(link, stop, 2);
+  const auto relative = [](const Tally& tally) {
+    const Estimate e = bit_error_ratio(tally, 0.95);
+    return (e.high - e.low) / 2 / e.value;
+  };
+  EXPECT_EQ(result.stop, StopReason::rel_ci);
+  EXPECT_LE(relative(result.tally), 0.2);
+  const std::uint64_t before = result.tally.n_frames - channel::lanes_per_group;
+  EXPECT_GT(relative(run(link, {.max_frames = before}, 2).tally), 0.2);
+  EXPECT_EQ(run(link, stop, 1).tally, result.tally);
+}
+
+TEST(EngineDeterminism, StopsWhereTheLossIsTold) {
+  const Link link = link_of(half_lost);
+  const double flr = frame_loss_ratio(run(link, {.max_frames = 800}, 2).tally, 0.95).value;
+  ASSERT_TRUE(flr > 0.05 && flr < 0.95) << flr;
+  for (const double target : {flr / 2, (1 + flr) / 2}) {
+    const StopRule stop{.max_frames = 100000, .target_flr = target};
+    const PointResult result = run(link, stop, 2);
+    EXPECT_EQ(result.stop, StopReason::target_flr);
+    const Estimate e = frame_loss_ratio(result.tally, 0.999);
+    EXPECT_TRUE(target < flr ? e.low > target : e.high < target) << target;
+    EXPECT_EQ(run(link, stop, 3).tally, result.tally);
   }
 }
 

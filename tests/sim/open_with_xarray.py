@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ENGINES = ("netcdf4", "h5netcdf")
-REASONS = ["max_frames", "max_frame_errors", "interrupted"]
+REASONS = ["max_frames", "max_frame_errors", "interrupted", "rel_ci", "target_flr"]
 UNITS = {"n_bits": "1", "ber": "1", "irradiance_mw_per_m2": "mW m-2", "ambient_w_per_m2": "W m-2",
          "snr_db": "dB", "ebn0_db": "dB", "elapsed_s": "s", "stop_reason": "1"}
 
@@ -56,7 +56,7 @@ def check_attributes(data, expected):
         assert variable.attrs["units"] and variable.attrs["long_name"], name
         assert "_FillValue" in variable.encoding, name
     assert data.ebn0_db.attrs["eb_convention"] == "average"
-    assert data.stop_reason.attrs["flag_values"].tolist() == [0, 1, 2]
+    assert data.stop_reason.attrs["flag_values"].tolist() == list(range(len(REASONS)))
     assert data.stop_reason.attrs["flag_meanings"].split() == REASONS
     bandwidths = {p["snr_bandwidth_hz"] for p in expected["points"]} - {None}
     stated = data.snr_db.attrs.get("bandwidth_hz")

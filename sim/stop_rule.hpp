@@ -1,0 +1,24 @@
+#pragma once
+// When a point has been run long enough. A rule looks at the counts of whole groups of trials in
+// their order and at nothing else, so that it stops at the same trial whatever the machine does.
+#include <cstdint>
+#include <optional>
+
+#include "sim/result.hpp"
+
+namespace sim {
+
+struct StopRule {
+  std::uint64_t max_frames = 1000;
+  std::uint64_t max_frame_errors = 0;  // 0: no such limit
+  /// Half the width of the bit error ratio's 95 % interval over the ratio; 0: no such rule.
+  double rel_ci = 0;
+  /// A frame loss ratio from which the point's is surely told, below or above it: by its 99.9 %
+  /// interval. 0: no such rule.
+  double target_flr = 0;
+};
+
+/// Why the point is finished with these counts; nothing while it is not.
+std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);
+
+}  // namespace sim

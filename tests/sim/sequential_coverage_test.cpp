@@ -1,0 +1,81 @@
+// How often the 95 % intervals hold the truth when a point stops by what it has counted: bits that
+// fail together in bursts, thousands of simulated experiments with the rules of a run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/statistics.hpp"
+#include "sim/stop_rule.hpp"
+
+namespace {
+
+using sim::StopRule;
+using sim::Tally;
+
+constexpr std::uint64_t bits = 170;
+constexpr double p_bad_frame = 0.1;
+constexpr double p_burst_goes_on = 0.9;  // a bad frame has a burst of ten wrong bits in the mean
+
+/// Wrong bits of a frame: none, or a burst that ends with the frame at the latest.
+std::uint64_t wrong_bits(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  if (uniform(random) >= p_bad_frame) return 0;
+  std::uint64_t burst = 1;
+  while (burst < bits && uniform(random) < p_burst_goes_on) ++burst;
+  return burst;
+}
+
+double mean_burst() { return (1 - std::pow(p_burst_goes_on, bits)) / (1 - p_burst_goes_on); }
+
+void add_group(Tally& tally, std::mt19937_64& random) {
+  for (int i = 0; i < 8; ++i) {
+    const std::uint64_t errors = wrong_bits(random);
+    tally.n_frames += 1;
+    tally.n_frames_lost += errors > 0;
+    tally.n_bits += bits;
+    tally.n_bit_errors += errors;
+    tally.sum_bits_squared += bits * bits;
+    tally.sum_bit_errors_squared += errors * errors;
+    tally.sum_bit_errors_times_bits += errors * bits;
+  }
+}
+
+struct Coverage {
+  double ber, flr;
+};
+
+bool holds(const sim::Estimate& e, double truth) { return e.low <= truth && truth <= e.high; }
+
+Coverage coverage(const StopRule& rule) {
+  constexpr int experiments = 2000;
+  std::mt19937_64 random(20261121);
+  int ber = 0, flr = 0;
+  for (int i = 0; i < experiments; ++i) {
+    Tally tally;
+    while (!sim::stop_reason(rule, tally)) add_group(tally, random);
+    ber += holds(sim::bit_error_ratio(tally, 0.95), p_bad_frame * mean_burst() / bits);
+    flr += holds(sim::frame_loss_ratio(tally, 0.95), p_bad_frame);
+  }
+  return {1.0 * ber / experiments, 1.0 * flr / experiments};
+}
+
+/// Clopper and Pearson's interval is never too narrow, and a little wide.
+void expect_nominal(const Coverage& c) {
+  EXPECT_GE(c.ber, 0.94);
+  EXPECT_LE(c.ber, 0.96);
+  EXPECT_GE(c.flr, 0.94);
+  EXPECT_LE(c.flr, 0.97);
+}
+
+TEST(SequentialCoverage, StoppedByFrames) { expect_nominal(coverage({.max_frames = 2000})); }
+
+TEST(SequentialCoverage, StoppedByFrameErrors) {
+  expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}));
+}
+
+TEST(SequentialCoverage, StoppedByTheWidthOfTheInterval) {
+  expect_nominal(coverage({.max_frames = 1000000, .rel_ci = 0.2}));
+}
+
+}  // namespace
