@@ -185,6 +185,18 @@ void add_parts(CLI::App& app, PartsRequest& request) {
   parts.footer("Example: cosys-sim parts TSOP4856");
 }
 
+void add_diff(CLI::App& app, DiffRequest& request) {
+  auto& diff = *app.add_subcommand(
+      "diff", "Say whether two results of the same sweep are equal, compatible or different");
+  add_place(diff, "A", request.one, "", "result file")->required();
+  add_place(diff, "B", request.other, "", "result file to compare it with")->required();
+  diff.add_option("--alpha", request.alpha,
+                  "probability of calling equals different, all points together; 0.01 if not given")
+      ->type_name("P")
+      ->check(between(1e-12, 0.5));
+  diff.footer("Exit code 1 if they are different. Example: cosys-sim diff yesterday.h5 today.h5");
+}
+
 std::vector<std::string> names_of(const std::vector<const CLI::Option*>& options) {
   std::vector<std::string> names;
   for (const CLI::Option* option : options)
@@ -226,6 +238,7 @@ struct Requests {
   std::string message;
   DecodeRequest decode;
   PartsRequest parts;
+  DiffRequest diff;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
@@ -241,6 +254,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
+  if (app.got_subcommand("diff")) return diff_command(requests.diff);
   return decode_command(requests.decode);
 }
 
@@ -258,6 +272,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_encode(app, requests.message);
   add_decode(app, requests.decode);
   add_parts(app, requests.parts);
+  add_diff(app, requests.diff);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

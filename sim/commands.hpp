@@ -57,6 +57,13 @@ struct DecodeRequest {
 };
 ExitCode decode_command(const DecodeRequest& request);
 
+struct DiffRequest {
+  std::filesystem::path one, other;  // result files
+  double alpha = 0.01;
+};
+/// Whether two results say the same; check_failed if not.
+ExitCode diff_command(const DiffRequest& request);
+
 struct PartsRequest {
   std::string name;    // of the part to show; empty: list all
   std::string search;  // of a list: only parts whose file mentions this

@@ -7,7 +7,13 @@
 
 namespace sim {
 
-enum class ExitCode { done = 0, bad_input = 2, environment = 3, interrupted = 130 };
+enum class ExitCode {
+  done = 0,
+  check_failed = 1,
+  bad_input = 2,
+  environment = 3,
+  interrupted = 130
+};
 
 class Failure : public std::runtime_error {
  public:

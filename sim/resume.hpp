@@ -10,7 +10,7 @@ namespace sim {
 /// Reads the counts of `path` into `result`, the same experiment before its first trial. Throws
 /// Failure(bad_input) if they are of another scenario, seed, format or program, or damaged: only
 /// trials that this program would have run in the same way can be gone on with.
-void read_counts(const std::filesystem::path& path, const ProgramInfo& program,
+void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
                  ExperimentResult& result);
 
 }  // namespace sim

@@ -112,7 +112,7 @@ ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenari
   ExperimentResult result = unfinished(scenario, request.command);
   std::error_code error;
   if (request.resume && fs::exists(output, error) && fs::file_size(output, error) > 0)
-    read_counts(output, request.program, result);
+    resume_from(output, request.program, result);
   return result;
 }
 

@@ -120,9 +120,9 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   return to.file.image();
 }
 
-bool is_result(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
-
 }  // namespace
+
+bool is_result(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
 
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program) {

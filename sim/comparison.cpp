@@ -1,0 +1,82 @@
+#include "sim/comparison.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace sim {
+namespace {
+
+double real(std::uint64_t n) { return static_cast<double>(n); }
+
+/// Logarithm of n over k.
+double log_choose(double n, double k) {
+  return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+}
+
+/// Two-sided test of two proportions with a common variance.
+double normal_approximation(double lost_a, double n_a, double lost_b, double n_b) {
+  const double loss = (lost_a + lost_b) / (n_a + n_b);
+  const double deviation = std::sqrt(loss * (1 - loss) * (1 / n_a + 1 / n_b));
+  if (deviation == 0) return 1;
+  const double z = std::abs(lost_a / n_a - lost_b / n_b) / deviation;
+  return 2 * cdf(complement(boost::math::normal(), z));
+}
+
+/// Holm, Scand. J. Statist. 6 (1979) 65-70: from the smallest p on, as long as they are below alpha
+/// over the number that is left.
+void mark_different(std::vector<PointComparison>& points, double alpha) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](std::size_t i) { return points[i].p_value; });
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    PointComparison& point = points[order[rank]];
+    if (point.p_value > alpha / static_cast<double>(order.size() - rank)) return;
+    point.different = true;
+  }
+}
+
+}  // namespace
+
+double fisher_exact(std::uint64_t lost_a, std::uint64_t frames_a, std::uint64_t lost_b,
+                    std::uint64_t frames_b) {
+  constexpr double many = 1e6;
+  const double n_a = real(frames_a), n_b = real(frames_b), lost = real(lost_a) + real(lost_b);
+  if (std::max(n_a, n_b) > many) return normal_approximation(real(lost_a), n_a, real(lost_b), n_b);
+  const double all = log_choose(n_a + n_b, lost);
+  const auto log_probability = [&](double a) {
+    return log_choose(n_a, a) + log_choose(n_b, lost - a) - all;
+  };
+  constexpr double rounding = 1e-7;
+  const double limit = log_probability(real(lost_a)) + rounding;
+  double sum = 0;
+  for (double a = std::max(0.0, lost - n_b); a <= std::min(n_a, lost); ++a)
+    if (const double p = log_probability(a); p <= limit) sum += std::exp(p);
+  return std::min(sum, 1.0);
+}
+
+std::size_t ResultComparison::different() const {
+  return static_cast<std::size_t>(std::ranges::count(points, true, &PointComparison::different));
+}
+
+ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha) {
+  ResultComparison comparison{.equal = result_digest(a) == result_digest(b), .points = {}};
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const Tally &one = a.points[i].tally, &other = b.points[i].tally;
+    if (one.n_frames == 0 || other.n_frames == 0) continue;
+    const double p =
+        fisher_exact(one.n_frames_lost, one.n_frames, other.n_frames_lost, other.n_frames);
+    comparison.points.push_back({i, p, false});
+  }
+  mark_different(comparison.points, alpha);
+  return comparison;
+}
+
+bool same_axes(const ExperimentResult& a, const ExperimentResult& b) {
+  return std::ranges::equal(a.axes, b.axes, [](const Axis& x, const Axis& y) {
+    return x.key == y.key && x.values == y.values && x.labels == y.labels;
+  });
+}
+
+}  // namespace sim

@@ -1,0 +1,78 @@
+#include "sim/stored_result.hpp"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/experiment.hpp"
+#include "sim/failure.hpp"
+#include "sim/netcdf.hpp"
+#include "sim/scenario.hpp"
+#include "sim/store.hpp"
+
+namespace sim {
+namespace {
+
+/// Puts one column of the file into the points.
+struct ColumnReader {
+  const NetcdfReader& file;
+  const char* name;
+  std::vector<PointResult>& points;
+
+  void operator()(std::uint64_t Tally::*count) const {
+    each([=](PointResult& p, std::int64_t value) {
+      p.tally.*count = static_cast<std::uint64_t>(value);
+    });
+  }
+  void operator()(std::uint64_t PointResult::*count) const {
+    each([=](PointResult& p, std::int64_t value) { p.*count = static_cast<std::uint64_t>(value); });
+  }
+  void operator()(StopReason PointResult::*flag) const {
+    each([=](PointResult& p, std::int64_t value) {
+      p.*flag = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
+    });
+  }
+  /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
+  void operator()(Column::Real) const {}
+
+ private:
+  template <class Set>
+  void each(const Set& set) const {
+    const std::vector<std::int64_t> values = file.integers(name);
+    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
+      set(points[i], values[i]);
+  }
+};
+
+void read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
+  const std::vector<double> elapsed = file.reals("elapsed_s");
+  const std::vector<double> simulated = file.reals("simulated_s");
+  for (std::size_t i = 0; i < std::min(points.size(), elapsed.size()); ++i) {
+    points[i].elapsed_s = elapsed[i];
+    points[i].simulated_s = simulated.at(i);
+  }
+}
+
+}  // namespace
+
+bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
+  for (const Column& column : columns())
+    std::visit(ColumnReader{file, column.name, result.points}, column.value);
+  read_costs(file, result.points);
+  return result_digest(result) == file.text("result_digest");
+}
+
+ExperimentResult read_result(const std::filesystem::path& path) {
+  if (!is_result(path))
+    throw bad_input(path.string(), "not a result of cosys-sim", "give a file that run wrote");
+  const NetcdfReader file(path);
+  const LoadedScenario scenario = parse_scenario(file.text("scenario_toml"), path, {}, {});
+  ExperimentResult result = unfinished(scenario, file.text("command"));
+  if (!read_counts(file, result))
+    throw bad_input(path.string(), "its counts do not fit its digest: it is damaged",
+                    "choose another file");
+  return result;
+}
+
+}  // namespace sim
