@@ -36,7 +36,7 @@ class NetcdfFile {
 
   /// A dimension and its coordinate; the name is that of both.
   void add_dimension(const VariableFacts& facts, std::span<const double> values);
-  /// The same of texts, which have no unit: variable-length UTF-8.
+  /// The same of texts: variable-length UTF-8.
   void add_dimension(const VariableFacts& facts, std::span<const std::string> texts);
   /// A variable on dimensions added before, in their order; none: one number.
   void add_variable(const VariableFacts& facts, const std::vector<std::string>& dimensions,
