@@ -152,7 +152,7 @@ std::string mark(const RowCrossing& row) {
 }
 
 /// A column of the list: the name of an axis above its values.
-struct Column {
+struct ListColumn {
   std::string name;
   std::vector<std::string> texts;  // one a row
   bool to_the_left;
@@ -164,12 +164,12 @@ struct Column {
   }
 };
 
-std::vector<Column> columns_of(const ExperimentResult& result, const Ranking& ranking) {
-  std::vector<Column> columns;
+std::vector<ListColumn> columns_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<ListColumn> columns;
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& axis = result.axes[ranking.others[i]];
     const bool plain = axis.unit.empty() || axis.unit == "1";
-    Column column{plain ? axis.key : axis.key + " [" + axis.unit + "]", {}, axis.is_text(), 0};
+    ListColumn column{plain ? axis.key : axis.key + " [" + axis.unit + "]", {}, axis.is_text(), 0};
     column.width = column.name.size();
     for (const RowCrossing& row : ranking.rows) {
       column.texts.push_back(coordinate_text(axis, row.others[i]));
@@ -187,19 +187,19 @@ std::string without_end_blanks(std::string line) {
 
 std::string list(const ExperimentResult& result, const Ranking& ranking, double level) {
   const Axis& abscissa = result.axes[ranking.abscissa];
-  const std::vector<Column> columns = columns_of(result, ranking);
+  const std::vector<ListColumn> columns = columns_of(result, ranking);
   const auto place = [&](const std::string& text) {
     return ranking.best_first ? fmt::format("{:>4}", text) : std::string();
   };
   std::string text = fmt::format("{} at which frame loss passes {:g} %{}:\n", abscissa.key,
                                  level * 100, ranking.best_first ? ", best first" : "");
   std::string head = place("");
-  for (const Column& column : columns) head += column.cell(column.name);
+  for (const ListColumn& column : columns) head += column.cell(column.name);
   text += without_end_blanks(std::move(head));
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
     const RowCrossing& row = ranking.rows[i];
     text += place(std::to_string(row.place));
-    for (const Column& column : columns) text += column.cell(column.texts[i]);
+    for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
     text += "  " + crossing_words(abscissa, row.crossing, level) + mark(row) + "\n";
   }
   return text;
