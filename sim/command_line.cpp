@@ -21,6 +21,15 @@ const CLI::Validator an_index(
     },
     "");
 
+const CLI::Validator a_shard(
+    [](const std::string& text) {
+      return parse_shard(text)
+                 ? ""
+                 : fmt::format("{} is no shard K/N, with K from 1 to N and N up to {}", text,
+                               most_shards);
+    },
+    "");
+
 /// CLI::Range lets NaN pass.
 CLI::Validator between(double low, double high) {
   return {[=](const std::string& text) {
@@ -92,6 +101,19 @@ void add_protocol(CLI::App& app) {
       ->check(CLI::IsMember({"cosys"}).description(""));
 }
 
+void add_threads(CLI::App& app, int& threads) {
+  app.add_option("-t,--threads", threads,
+                 "threads, 1 to 1024; if not given, one for each processor; the results are the "
+                 "same for any number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+void add_max_frames(CLI::App& app, ScenarioOptions& options) {
+  add_short_form(app, "-n,--max-frames", "stop.max_frames", options.overrides,
+                 "frames after which a point is finished");
+}
+
 void add_run(CLI::App& app, RunRequest& request) {
   auto& run = *app.add_subcommand(
       "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
@@ -100,13 +122,8 @@ void add_run(CLI::App& app, RunRequest& request) {
             "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
             "scenario's name ending in .h5, in the current folder");
   add_scenario_options(run, request.options);
-  run.add_option("-t,--threads", request.threads,
-                 "threads, 1 to 1024; if not given, one for each processor; the results are the "
-                 "same for any number")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
-  add_short_form(run, "-n,--max-frames", "stop.max_frames", request.options.overrides,
-                 "frames after which a point is finished");
+  add_threads(run, request.threads);
+  add_max_frames(run, request.options);
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
   add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
@@ -117,6 +134,12 @@ void add_run(CLI::App& app, RunRequest& request) {
   run.add_flag("--resume", request.resume,
                "go on with what an interrupted run of the same command left in its result file; "
                "the counts are those of a run without interrupt");
+  run.add_option_function<std::string>(
+         "--shard", [&request](const std::string& text) { request.shard = *parse_shard(text); },
+         "run the Kth of N shares of each point's trials, to be added up by merge; the result file "
+         "is SCENARIO-KofN.h5 if not given")
+      ->type_name("K/N")
+      ->check(a_shard);
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table");
   run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");
@@ -185,6 +208,14 @@ void add_parts(CLI::App& app, PartsRequest& request) {
   parts.footer("Example: cosys-sim parts TSOP4856");
 }
 
+void add_merge(CLI::App& app, MergeRequest& request) {
+  auto& merge = *app.add_subcommand(
+      "merge", "Add results of other trials of the same command up: those of run --shard");
+  add_place(merge, "RESULT", request.results, "", "result files (.h5)")->required();
+  add_place(merge, "-o,--output", request.output, "OUT.h5", "result file to write")->required();
+  merge.footer("Example: cosys-sim merge quickstart-1of2.h5 quickstart-2of2.h5 -o quickstart.h5");
+}
+
 void add_diff(CLI::App& app, DiffRequest& request) {
   auto& diff = *app.add_subcommand(
       "diff", "Say whether two results of the same sweep are equal, compatible or different");
@@ -238,15 +269,15 @@ struct Requests {
   std::string message;
   DecodeRequest decode;
   PartsRequest parts;
+  MergeRequest merge;
   DiffRequest diff;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
-  to.run.command = from.command;
+  to.run.command = to.merge.command = from.command;
   to.run.program = to.trace.program = from.program;
-  to.run.options.parts.push_back(from.shipped_parts);
-  to.trace.options.parts.push_back(from.shipped_parts);
-  to.parts.parts.push_back(from.shipped_parts);
+  for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.parts.parts})
+    parts->push_back(from.shipped_parts);
 }
 
 ExitCode carry_out(const CLI::App& app, const Requests& requests) {
@@ -254,6 +285,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
+  if (app.got_subcommand("merge")) return merge_command(requests.merge);
   if (app.got_subcommand("diff")) return diff_command(requests.diff);
   return decode_command(requests.decode);
 }
@@ -272,6 +304,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_encode(app, requests.message);
   add_decode(app, requests.decode);
   add_parts(app, requests.parts);
+  add_merge(app, requests.merge);
   add_diff(app, requests.diff);
   try {
     app.parse(argc, argv);

@@ -11,6 +11,7 @@
 #include "sim/parts.hpp"
 #include "sim/program_info.hpp"
 #include "sim/scenario.hpp"
+#include "sim/shard.hpp"
 
 namespace sim {
 
@@ -30,6 +31,7 @@ struct RunRequest {
   int threads = 0;                              // 0: one per processor
   bool quiet = false, json = false;
   bool resume = false;  // go on with what the result files have
+  Shard shard;
   std::string command;  // as the user typed it
   ProgramInfo program;
 };
@@ -56,6 +58,14 @@ struct DecodeRequest {
   bool json = false;
 };
 ExitCode decode_command(const DecodeRequest& request);
+
+struct MergeRequest {
+  std::vector<std::filesystem::path> results;  // at least one
+  std::filesystem::path output;
+  std::string command;  // as the user typed it
+};
+/// Adds shards of one experiment up.
+ExitCode merge_command(const MergeRequest& request);
 
 struct DiffRequest {
   std::filesystem::path one, other;  // result files

@@ -235,7 +235,7 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
     case Kind::jump:
-      return crosses + "between " + range + " (a jump: refine the sweep there)";
+      return crosses + "between " + range + " (a jump)";
     case Kind::unfitted:
       return crosses + "between " + range + " (no logit curve fits the points)";
     case Kind::not_monotone:

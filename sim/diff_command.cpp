@@ -41,7 +41,8 @@ std::string verdict(const ResultComparison& c, double alpha) {
 }  // namespace
 
 ExitCode diff_command(const DiffRequest& request) {
-  const ExperimentResult a = read_result(request.one), b = read_result(request.other);
+  const ExperimentResult a = read_result(request.one).result;
+  const ExperimentResult b = read_result(request.other).result;
   if (!same_axes(a, b))
     throw bad_input(request.one.string() + " and " + request.other.string(),
                     "they are of different sweeps", "give results of the same points");

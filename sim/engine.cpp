@@ -29,11 +29,13 @@ constexpr std::uint64_t group_size = channel::lanes_per_group;
 /// What the workers of one point share.
 class Pool {
  public:
-  Pool(const Link& link, const StopRule& stop, int threads, const PointResult& before)
+  Pool(const Link& link, const StopRule& stop, const EngineOptions& options,
+       const PointResult& before)
       : link_(link),
         rule_(stop),
-        ahead_(4 * static_cast<std::uint64_t>(threads)),
-        next_(before.tally.n_frames / group_size),
+        end_(options.first_trial + stop.max_frames),
+        ahead_(4 * static_cast<std::uint64_t>(options.threads)),
+        next_((options.first_trial + before.tally.n_frames) / group_size),
         merged_(next_),
         sum_{before.tally, before.simulated_s, before.n_samples} {}
 
@@ -70,14 +72,14 @@ class Pool {
 
  private:
   int size_of(std::uint64_t group) const {
-    return static_cast<int>(std::min(group_size, rule_.max_frames - group * group_size));
+    return static_cast<int>(std::min(group_size, end_ - group * group_size));
   }
 
   /// The next group to run, not too far ahead of the sum.
   std::optional<std::uint64_t> take() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
-    if (over_ || next_ * group_size >= rule_.max_frames) return std::nullopt;
+    if (over_ || next_ * group_size >= end_) return std::nullopt;
     return next_++;
   }
 
@@ -113,6 +115,7 @@ class Pool {
 
   const Link& link_;
   const StopRule rule_;
+  const std::uint64_t end_;  // of the trials
   const std::uint64_t ahead_;
 
   std::mutex mutex_;
@@ -166,7 +169,7 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
   const auto elapsed_s = [&] {
     return before.elapsed_s + std::chrono::duration<double>(Clock::now() - began).count();
   };
-  Pool pool(link, stop, options.threads, before);
+  Pool pool(link, stop, options, before);
   {
     const Workers workers(pool, options.threads);
     while (!pool.wait_a_moment()) {

@@ -13,6 +13,7 @@ namespace sim {
 
 struct EngineOptions {
   int threads = 1;
+  std::uint64_t first_trial = 0;  // of the point's trials; starts a whole group of eight
   const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
   /// From the calling thread, a few times a second: what an interrupt would leave now.
   std::function<void(const PointResult&)> on_progress{};

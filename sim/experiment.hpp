@@ -2,6 +2,7 @@
 // An experiment: all points of a scenario's sweep, one after the other, each by the engine.
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -14,7 +15,7 @@ namespace sim {
 struct Progress {
   const ExperimentResult& result;  // all so far, of the point at hand what an interrupt would leave
   std::size_t point;               // the one at hand, 0-based
-  double max_frames;
+  std::uint64_t max_frames;
 };
 
 struct ExperimentOptions {
@@ -25,11 +26,22 @@ struct ExperimentOptions {
   std::function<void(const ExperimentResult&, std::size_t point)> on_point{};
 };
 
+StopRule rule_of(const StopSettings& stop);
+
+/// Whether a receiver of the sweep is one that theory knows.
+bool has_theory(const LoadedScenario& scenario);
+
+/// Throws Failure(bad_input) where a point cannot be shared out like this.
+void check_shard(const LoadedScenario& scenario, const Shard& shard);
+
 /// The experiment before its first trial: axes, and points with nothing counted.
 ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& command);
 
-/// Runs all points that are not finished in `result`, each from where it is; stops early, with the
-/// rest unfinished, when interrupted.
+/// Operating points and flags of what is measured, as counts that were read back lack them.
+void describe_points(const LoadedScenario& scenario, ExperimentResult& result);
+
+/// Runs the one shard that `result` names, of all points that are not finished in it, each from
+/// where it is; stops early, with the rest unfinished, when interrupted.
 ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
                                 const ExperimentOptions& options);
 

@@ -90,6 +90,12 @@ std::string NetcdfReader::text(const char* name) const {
   return state_->get(name, [&](hid_t file) { return text_attribute(file, name); });
 }
 
+std::string NetcdfReader::text(const char* name, const char* otherwise) const {
+  const bool there =
+      state_->get(name, [&](hid_t file) { return checked(H5Aexists(file, name)) > 0; });
+  return there ? text(name) : otherwise;
+}
+
 std::uint64_t NetcdfReader::whole_number(const char* name) const {
   return state_->get(name, [&](hid_t file) {
     const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);

@@ -25,6 +25,8 @@ class NetcdfReader {
 
   /// An attribute of the file: ours, or a text of the user's.
   std::string text(const char* name) const;
+  /// The same, or `otherwise` of a file that does not have it.
+  std::string text(const char* name, const char* otherwise) const;
   std::uint64_t whole_number(const char* name) const;
 
  private:

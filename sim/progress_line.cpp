@@ -15,9 +15,8 @@ bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 std::string line_of(const Progress& p) {
   const Tally& tally = p.result.points[p.point].tally;
-  return fmt::format("point {} of {}: {} of at most {:.0f} frames, {} lost, BER {:.2g}",
-                     p.point + 1, p.result.points.size(), tally.n_frames, p.max_frames,
-                     tally.n_frames_lost,
+  return fmt::format("point {} of {}: {} of at most {} frames, {} lost, BER {:.2g}", p.point + 1,
+                     p.result.points.size(), tally.n_frames, p.max_frames, tally.n_frames_lost,
                      tally.n_bits > 0 ? ratio(tally.n_bit_errors, tally.n_bits) : 0.0);
 }
 

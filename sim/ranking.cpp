@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/flags.hpp"
 #include "sim/validity.hpp"
 
 namespace sim {
@@ -16,19 +17,21 @@ namespace {
 
 using Kind = Crossing::Kind;
 
-/// Distance where it is swept: it is what users ask for. Else the last axis of numbers.
-std::size_t abscissa_of(const std::vector<Axis>& axes) {
+/// Unless another is named, distance where it is swept: it is what users ask for. Else the last
+/// axis of numbers.
+std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
   std::size_t abscissa = Ranking::none;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i].key == "receiver.range_m") return i;
+    if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
     if (!axes[i].is_text()) abscissa = i;
   }
   return abscissa;
 }
 
 /// The axes of a ranking, without its rows.
-Ranking axes_of(const std::vector<Axis>& axes) {
-  Ranking ranking{.abscissa = abscissa_of(axes), .others = {}, .rows = {}};
+Ranking axes_of(const std::vector<Axis>& axes, const CrossingQuestion& question) {
+  Ranking ranking{
+      .abscissa = abscissa_of(axes, question.along), .others = {}, .flr = question.flr, .rows = {}};
   if (ranking.abscissa == Ranking::none) return ranking;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (i == ranking.abscissa) continue;
@@ -148,7 +151,7 @@ void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
 
 /// What the table marks at points of the row.
 std::string mark(const RowCrossing& row) {
-  return row.outside == 0 ? "" : "  ! " + validity_names(row.outside);
+  return row.outside == 0 ? "" : "  ! " + raised_names(validity_limits(), row.outside);
 }
 
 /// A column of the list: the name of an axis above its values.
@@ -185,14 +188,14 @@ std::string without_end_blanks(std::string line) {
   return line + '\n';
 }
 
-std::string list(const ExperimentResult& result, const Ranking& ranking, double level) {
+std::string list(const ExperimentResult& result, const Ranking& ranking) {
   const Axis& abscissa = result.axes[ranking.abscissa];
   const std::vector<ListColumn> columns = columns_of(result, ranking);
   const auto place = [&](const std::string& text) {
     return ranking.best_first ? fmt::format("{:>4}", text) : std::string();
   };
   std::string text = fmt::format("{} at which frame loss passes {:g} %{}:\n", abscissa.key,
-                                 level * 100, ranking.best_first ? ", best first" : "");
+                                 ranking.flr * 100, ranking.best_first ? ", best first" : "");
   std::string head = place("");
   for (const ListColumn& column : columns) head += column.cell(column.name);
   text += without_end_blanks(std::move(head));
@@ -200,28 +203,29 @@ std::string list(const ExperimentResult& result, const Ranking& ranking, double 
     const RowCrossing& row = ranking.rows[i];
     text += place(std::to_string(row.place));
     for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
-    text += "  " + crossing_words(abscissa, row.crossing, level) + mark(row) + "\n";
+    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + mark(row) + "\n";
   }
   return text;
 }
 
 }  // namespace
 
-Ranking rank(const ExperimentResult& result, double level) {
-  Ranking ranking = axes_of(result.axes);
+Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
+  Ranking ranking = axes_of(result.axes, question);
   if (ranking.abscissa == Ranking::none) return ranking;
   for (Row& row : rows_of(result, ranking))
     ranking.rows.push_back(
-        {std::move(row.others), frame_loss_crossing(row.line, level), outside_of(row.line)});
+        {std::move(row.others), frame_loss_crossing(row.line, question.flr), outside_of(row.line)});
   if (ranking.best_first) sort_best_first(result, ranking);
   return ranking;
 }
 
-std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking, double level) {
+std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking) {
   if (ranking.rows.empty()) return "";
-  if (!ranking.others.empty()) return list(result, ranking, level);
+  if (!ranking.others.empty()) return list(result, ranking);
   const RowCrossing& row = ranking.rows.front();
-  return crossing_sentence(result.axes[ranking.abscissa], row.crossing, level) + mark(row) + "\n";
+  return crossing_sentence(result.axes[ranking.abscissa], row.crossing, ranking.flr) + mark(row) +
+         "\n";
 }
 
 }  // namespace sim

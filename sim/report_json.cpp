@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "sim/flags.hpp"
 #include "sim/ranking.hpp"
 #include "sim/validity.hpp"
 
@@ -11,7 +12,6 @@ namespace sim {
 namespace {
 
 using Kind = Crossing::Kind;
-constexpr double crossing_level = 0.01;
 
 nlohmann::ordered_json json_value(const Column& column, const PointResult& p, double ci_level) {
   using Json = nlohmann::ordered_json;
@@ -50,7 +50,7 @@ nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranki
   const bool at_one_place =
       c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::unfitted;
   json["along"] = result.axes[ranking.abscissa].key;
-  json["flr"] = crossing_level;
+  json["flr"] = ranking.flr;
   json["kind"] = crossing_name(c.kind);
   json["at"] = c.kind == Kind::fitted ? nlohmann::ordered_json(c.at) : nullptr;
   json["low"] = at_one_place ? nlohmann::ordered_json(c.low) : nullptr;
@@ -59,9 +59,10 @@ nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranki
 }
 
 /// In the order of the ranking.
-nlohmann::ordered_json json_crossings(const ExperimentResult& result) {
+nlohmann::ordered_json json_crossings(const ExperimentResult& result,
+                                      const CrossingQuestion& question) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  const Ranking ranking = rank(result, crossing_level);
+  const Ranking ranking = rank(result, question);
   for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
   return json;
 }
@@ -75,14 +76,19 @@ nlohmann::ordered_json json_axis(const Axis& a) {
   return json;
 }
 
+template <class Flag>
+nlohmann::ordered_json raised_json(std::span<const Flag> table, std::uint64_t mask) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const Flag* flag : raised(table, mask)) names.push_back(flag->name);
+  return names;
+}
+
 nlohmann::ordered_json json_point(const ExperimentResult& result, const PointResult& p) {
   nlohmann::ordered_json point;
   for (std::size_t i = 0; i < result.axes.size(); ++i) {
     point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
   }
-  point["outside"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < validity_limits().size(); ++i)
-    if ((p.outside >> i & 1U) != 0) point["outside"].push_back(validity_limits()[i].name);
+  point["outside"] = raised_json(validity_limits(), p.outside);
   for (const Column& column : columns()) {
     point[column.name] = json_value(column, p, result.ci_level);
   }
@@ -91,16 +97,19 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
 
 }  // namespace
 
-std::string to_json(const ExperimentResult& result) {
-  nlohmann::ordered_json json{
-      {"title", result.title},      {"command", result.command},
-      {"seed", result.seed},        {"ci_level", result.ci_level},
-      {"eb_convention", "average"}, {"result_digest", result_digest(result)}};
+std::string to_json(const ExperimentResult& result, const CrossingQuestion& question) {
+  nlohmann::ordered_json json{{"title", result.title},
+                              {"command", result.command},
+                              {"seed", result.seed},
+                              {"ci_level", result.ci_level},
+                              {"eb_convention", "average"},
+                              {"shards", shards_text(result.shards)},
+                              {"result_digest", result_digest(result)}};
   json["axes"] = nlohmann::ordered_json::array();
   for (const Axis& a : result.axes) json["axes"].push_back(json_axis(a));
   json["points"] = nlohmann::ordered_json::array();
   for (const PointResult& p : result.points) json["points"].push_back(json_point(result, p));
-  json["crossings"] = json_crossings(result);
+  json["crossings"] = json_crossings(result, question);
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

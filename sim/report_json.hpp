@@ -2,12 +2,14 @@
 // What an experiment says to a program on stdout: one JSON object.
 #include <string>
 
+#include "sim/ranking.hpp"
 #include "sim/result.hpp"
 
 namespace sim {
 
 /// All counts and rates of all points by the names of the result file; what is NaN is null.
-/// "crossings" is the ranking (sim/ranking) in its order: of each row where 1 % of frames is lost.
-std::string to_json(const ExperimentResult& result);
+/// "crossings" is the ranking (sim/ranking) in its order: of each row where the loss passes the
+/// level, 1 % if no other is asked for.
+std::string to_json(const ExperimentResult& result, const CrossingQuestion& question = {});
 
 }  // namespace sim

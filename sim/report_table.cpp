@@ -6,59 +6,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/flags.hpp"
 #include "sim/statistics.hpp"
+#include "sim/text_table.hpp"
 #include "sim/validity.hpp"
 
 namespace sim {
 namespace {
 
-struct Cell {
-  std::string names[3];  // the header, from top to bottom
-  int width;             // negative: to the left, as in printf
-};
-
-constexpr int number_width = 10;    // "-1.234e-09"
 constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
 
-std::size_t widest(const std::vector<std::string>& texts) {
-  std::size_t width = 0;
-  for (const std::string& text : texts) width = std::max(width, text.size());
-  return width;
-}
-
-Cell axis_cell(const Axis& axis) {
-  const std::size_t dot = axis.key.rfind('.');
-  const std::string table = dot == std::string::npos ? "" : axis.key.substr(0, dot);
-  const std::string name = dot == std::string::npos ? axis.key : axis.key.substr(dot + 1);
-  const std::string unit = axis.unit.empty() || axis.unit == "1" ? "" : "[" + axis.unit + "]";
-  const int width = static_cast<int>(std::max(widest({table, name, unit}), widest(axis.labels)));
-  return {{table, name, unit}, axis.is_text() ? -width : std::max(number_width, width)};
-}
-
-std::vector<Cell> cells_of(const std::vector<Axis>& axes, bool theory) {
-  std::vector<Cell> cells;
-  for (const Axis& axis : axes) cells.push_back(axis_cell(axis));
-  cells.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
-  cells.push_back({{"", "SNR", "[dB]"}, 6});
-  cells.push_back({{"", "", "frames"}, number_width});
-  cells.push_back({{"", "bit", "errors"}, number_width});
-  cells.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
-  if (theory) cells.push_back({{"", "in theory", ""}, number_width});
-  cells.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
-  cells.push_back({{"", "real", "time"}, 7});
-  cells.push_back({{"", "", "stopped by"}, -1});
-  return cells;
-}
-
-std::string line_of(const std::vector<Cell>& cells, const std::vector<std::string>& texts) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const int width = cells[i].width;
-    line += width < 0 ? fmt::format("{:<{}}  ", texts[i], -width)
-                      : fmt::format("{:>{}}  ", texts[i], width);
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n';
+std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
+  std::vector<TextColumn> columns = axis_columns(axes);
+  columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
+  columns.push_back({{"", "SNR", "[dB]"}, 6});
+  columns.push_back({{"", "", "frames"}, number_width});
+  columns.push_back({{"", "bit", "errors"}, number_width});
+  columns.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
+  if (theory) columns.push_back({{"", "in theory", ""}, number_width});
+  columns.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
+  columns.push_back({{"", "real", "time"}, 7});
+  columns.push_back({{"", "", "stopped by"}, -1});
+  return columns;
 }
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
@@ -97,11 +66,17 @@ std::string theory_text(double ratio) {
   return ratio < 0.01 ? scientific(ratio, 3) : fmt::format("{:.4f}", ratio);
 }
 
-/// Why it stopped, and behind it a mark where a model is outside of its range.
+constexpr const char* outside_sign = "!";
+
+template <class Flag>
+std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
+  return mask == 0 ? "" : fmt::format("  {} {}", sign, raised_names(table, mask));
+}
+
+/// Why it stopped, and behind it marks where a model is outside of its range.
 std::string closing_text(const PointResult& point, bool known) {
   if (!known) return "-";
-  const std::string reason = stop_reason_name(point.stop);
-  return point.outside == 0 ? reason : reason + "  ! " + validity_names(point.outside);
+  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign);
 }
 
 std::string real_time_factor(const PointResult& p) {
@@ -113,22 +88,13 @@ std::string real_time_factor(const PointResult& p) {
 }  // namespace
 
 std::string table_header(const std::vector<Axis>& axes, bool theory) {
-  const std::vector<Cell> cells = cells_of(axes, theory);
-  std::string header;
-  for (int row = axes.empty() ? 1 : 0; row < 3; ++row) {
-    std::vector<std::string> texts;
-    for (const Cell& cell : cells) texts.push_back(cell.names[row]);
-    header += line_of(cells, texts);
-  }
-  return header;
+  return table_head(columns_of(axes, theory));
 }
 
 std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
                       bool theory) {
   const bool known = measured(point);
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    texts.push_back(coordinate_text(axes[i], point.coordinates[i]));
+  std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
   texts.push_back(known ? number(point.operating.irradiance_mw_per_m2) : "-");
   texts.push_back(known ? decibel(point.operating.snr_db) : "-");
   texts.push_back(std::to_string(point.tally.n_frames));
@@ -138,17 +104,13 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
   texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
   texts.push_back(real_time_factor(point));
   texts.push_back(closing_text(point, known));
-  return line_of(cells_of(axes, theory), texts);
+  return table_line(columns_of(axes, theory), texts);
 }
 
-std::string validity_notes(const ExperimentResult& result) {
-  std::uint64_t all = 0;
-  for (const PointResult& p : result.points) all |= p.outside;
-  std::string notes;
-  for (std::size_t i = 0; i < validity_limits().size(); ++i)
-    if ((all >> i & 1U) != 0)
-      notes += fmt::format("! {}: {}\n", validity_limits()[i].name, validity_limits()[i].meaning);
-  return notes;
+std::string mark_notes(const ExperimentResult& result) {
+  std::uint64_t outside = 0;
+  for (const PointResult& p : result.points) outside |= p.outside;
+  return raised_notes(validity_limits(), outside, outside_sign);
 }
 
 std::string loss_reasons(const ExperimentResult& result) {

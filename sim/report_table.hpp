@@ -16,8 +16,9 @@ std::string table_header(const std::vector<Axis>& axes, bool theory = false);
 std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
                       bool theory = false);
 
-/// A line for each kind of mark in the table: what "! near" means; empty if there is none.
-std::string validity_notes(const ExperimentResult& result);
+/// A line for each kind of mark in the table: what "! near" means; empty if there is
+/// none.
+std::string mark_notes(const ExperimentResult& result);
 
 /// What became of lost frames, all points together: "56 frames lost: nothing heard 12, ..."; empty
 /// where none was lost.

@@ -96,9 +96,6 @@ const std::array table{
     Column{"n_samples", "1", "waveform samples simulated", &PointResult::n_samples},
 };
 
-constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted", "rel_ci",
-                                  "target_flr"};
-
 // Little-endian whatever the machine, so that digests compare between machines.
 void append(std::string& bytes, std::uint64_t word) {
   for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>((word >> shift) & 0xff);
@@ -125,12 +122,6 @@ void append_point(std::string& bytes, const PointResult& p) {
 std::span<const Column> columns() { return table; }
 
 bool measured(const PointResult& point) { return point.tally.n_frames > 0; }
-
-std::span<const char* const> stop_reason_names() { return reason_names; }
-
-const char* stop_reason_name(StopReason reason) {
-  return reason_names.at(static_cast<std::size_t>(reason));
-}
 
 std::string result_digest(const ExperimentResult& result) {
   std::string bytes;

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "sim/axis.hpp"
+#include "sim/shard.hpp"
+#include "sim/stop_rule.hpp"
 #include "sim/tally.hpp"
 
 namespace sim {
@@ -22,14 +24,6 @@ struct OperatingPoint {
   double snr_bandwidth_hz = 0;  // that bandwidth
   double ebn0_db = 0;           // average-energy convention
   double ber_theory = std::numeric_limits<double>::quiet_NaN();  // of a matched receiver
-};
-
-enum class StopReason : std::int16_t {
-  max_frames = 0,
-  max_frame_errors = 1,
-  interrupted = 2,
-  rel_ci = 3,
-  target_flr = 4
 };
 
 struct PointResult {
@@ -49,6 +43,7 @@ struct ExperimentResult {
   std::string command;        // the command that repeats it
   std::uint64_t seed = 0;
   double ci_level = 0.95;
+  std::vector<Shard> shards{Shard{}};  // whose trials these are
   std::vector<Axis> axes;
   std::vector<PointResult>
       points;  // all points of the grid, row-major; unfinished ones have n_frames 0
@@ -71,10 +66,6 @@ std::span<const Column> columns();
 
 /// Whether anything was counted at this point: false for those a stopped run never reached.
 bool measured(const PointResult& point);
-
-/// All reasons' names in the order of their numbers: "max_frames", ...
-std::span<const char* const> stop_reason_names();
-const char* stop_reason_name(StopReason reason);
 
 /// Hash (32 hex digits) of all counts of all points with their coordinates and of nothing else:
 /// equal digests, equal results.

@@ -17,28 +17,22 @@ void refuse(const std::filesystem::path& path, const std::string& why) {
                   "leave out --resume to start anew, or name another -o");
 }
 
-void check_same_experiment(const std::filesystem::path& path, const NetcdfReader& file,
-                           const ProgramInfo& program, const ExperimentResult& result) {
-  if (file.text("format_version") != NetcdfFile::format_version)
-    refuse(path, "it has another version of the format");
-  if (file.text("version") != program.version || file.text("commit") != program.commit)
-    refuse(path, "another version of the program counted it");
-  if (file.whole_number("seed") != result.seed) refuse(path, "it has another seed");
-  if (file.text("scenario_toml") != result.scenario_toml)
-    refuse(path, "it is of another scenario, or of other options");
-}
-
 }  // namespace
 
 void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
                  ExperimentResult& result) {
   const NetcdfReader file(path);
-  check_same_experiment(path, file, program, result);
+  const Origin own{NetcdfFile::format_version, program, result.seed, result.scenario_toml};
+  const std::string why = mismatch(own, origin_of(file));
+  if (!why.empty()) refuse(path, why);
+  const std::vector<Shard> shards = result.shards;
   const bool whole =
       read_counts(file, result) && std::ranges::all_of(result.points, [](const PointResult& p) {
         return p.stop != StopReason::interrupted || is_resumable(p);
       });
   if (!whole) refuse(path, "its counts do not fit its digest: it is damaged");
+  if (result.shards != shards)
+    refuse(path, "it has other trials: shard " + shards_text(result.shards));
 }
 
 }  // namespace sim

@@ -1,9 +1,14 @@
 #include "sim/stop_rule.hpp"
 
+#include <array>
+
 #include "sim/statistics.hpp"
 
 namespace sim {
 namespace {
+
+constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted", "rel_ci",
+                                  "target_flr"};
 
 constexpr double usual_level = 0.95;
 constexpr double sure_level = 0.999;
@@ -12,16 +17,26 @@ bool is_narrow(const Estimate& e, double relative) {
   return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;
 }
 
-bool is_told(const Estimate& e, double from) { return e.high < from || e.low > from; }
-
 }  // namespace
+
+std::span<const char* const> stop_reason_names() { return reason_names; }
+
+const char* stop_reason_name(StopReason reason) {
+  return reason_names.at(static_cast<std::size_t>(reason));
+}
+
+Side side_of(const Tally& counted, double flr) {
+  const Estimate e = frame_loss_ratio(counted, sure_level);
+  if (e.high < flr) return Side::below;
+  return e.low > flr ? Side::above : Side::unknown;
+}
 
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
   if (rule.max_frame_errors > 0 && counted.n_frames_lost >= rule.max_frame_errors)
     return StopReason::max_frame_errors;
   if (rule.rel_ci > 0 && is_narrow(bit_error_ratio(counted, usual_level), rule.rel_ci))
     return StopReason::rel_ci;
-  if (rule.target_flr > 0 && is_told(frame_loss_ratio(counted, sure_level), rule.target_flr))
+  if (rule.target_flr > 0 && side_of(counted, rule.target_flr) != Side::unknown)
     return StopReason::target_flr;
   if (counted.n_frames >= rule.max_frames) return StopReason::max_frames;
   return std::nullopt;

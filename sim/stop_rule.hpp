@@ -3,10 +3,24 @@
 // their order and at nothing else, so that it stops at the same trial whatever the machine does.
 #include <cstdint>
 #include <optional>
+#include <span>
 
-#include "sim/result.hpp"
+#include "sim/tally.hpp"
 
 namespace sim {
+
+/// The numbers are those of the result file.
+enum class StopReason : std::int16_t {
+  max_frames = 0,
+  max_frame_errors = 1,
+  interrupted = 2,
+  rel_ci = 3,
+  target_flr = 4
+};
+
+/// All reasons' names in the order of their numbers: "max_frames", ...
+std::span<const char* const> stop_reason_names();
+const char* stop_reason_name(StopReason reason);
 
 struct StopRule {
   std::uint64_t max_frames = 1000;
@@ -17,6 +31,10 @@ struct StopRule {
   /// interval. 0: no such rule.
   double target_flr = 0;
 };
+
+/// On which side of a level a point's frame loss surely is.
+enum class Side { unknown, below, above };
+Side side_of(const Tally& counted, double flr);
 
 /// Why the point is finished with these counts; nothing while it is not.
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);

@@ -70,15 +70,14 @@ void explain_stop_reason(NetcdfFile& file) {
                 fmt::format("{}", fmt::join(stop_reason_names(), " ")));
 }
 
-void explain_validity(NetcdfFile& file) {
+template <class Flag>
+void explain_flags(NetcdfFile& file, const char* variable, std::span<const Flag> flags) {
   std::vector<std::int64_t> masks;
-  std::vector<std::string> names;
-  for (const ValidityLimit& limit : validity_limits()) {
-    masks.push_back(std::int64_t{1} << names.size());
-    names.emplace_back(limit.name);
-  }
-  file.set_numbers("outside_validity", "flag_masks", std::span<const std::int64_t>(masks));
-  file.set_text("outside_validity", "flag_meanings", fmt::format("{}", fmt::join(names, " ")));
+  for (std::size_t i = 0; i < flags.size(); ++i) masks.push_back(std::int64_t{1} << i);
+  std::string names;
+  for (const Flag& flag : flags) names += (names.empty() ? "" : " ") + std::string(flag.name);
+  file.set_numbers(variable, "flag_masks", std::span<const std::int64_t>(masks));
+  file.set_text(variable, "flag_meanings", names);
 }
 
 // As an attribute only where it is one number; the variable snr_bandwidth_hz always has it.
@@ -100,6 +99,7 @@ void write_root(Target& to) {
   to.file.set_user_text(root, "scenario_toml", result.scenario_toml);
   to.file.set_user_text(root, "command", result.command);
   to.file.set_numbers(root, "seed", std::span<const std::uint64_t>(&result.seed, 1));
+  to.file.set_text(root, "shards", shards_text(result.shards));
   to.file.set_text(root, "result_digest", result_digest(result));
   to.file.set_numbers(root, "ci_level", std::span<const double>(&result.ci_level, 1));
   to.file.set_text(
@@ -113,7 +113,7 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   for (const Axis& axis : result.axes) write_axis(to, axis);
   for (const Column& column : columns()) std::visit(ColumnWriter{to, column}, column.value);
   explain_stop_reason(to.file);
-  explain_validity(to.file);
+  explain_flags(to.file, "outside_validity", validity_limits());
   explain_snr(to);
   to.file.set_text("ebn0_db", "eb_convention", "average");
   write_root(to);

@@ -56,23 +56,44 @@ void read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
 
 }  // namespace
 
+Origin origin_of(const NetcdfReader& file) {
+  return {.format_version = file.text("format_version"),
+          .program = {file.text("program"), file.text("version"), file.text("commit")},
+          .seed = file.whole_number("seed"),
+          .scenario_toml = file.text("scenario_toml")};
+}
+
+std::string mismatch(const Origin& own, const Origin& other) {
+  if (other.format_version != own.format_version) return "it has another version of the format";
+  if (other.program.version != own.program.version || other.program.commit != own.program.commit)
+    return "another version of the program counted it";
+  if (other.seed != own.seed) return "it has another seed";
+  if (other.scenario_toml != own.scenario_toml)
+    return "it is of another scenario, or of other options";
+  return "";
+}
+
 bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
   for (const Column& column : columns())
     std::visit(ColumnReader{file, column.name, result.points}, column.value);
   read_costs(file, result.points);
-  return result_digest(result) == file.text("result_digest");
+  const auto shards = parse_shards(file.text("shards", "1/1"));
+  result.shards = shards.value_or(std::vector<Shard>());
+  return shards && result_digest(result) == file.text("result_digest");
 }
 
-ExperimentResult read_result(const std::filesystem::path& path) {
+StoredResult read_result(const std::filesystem::path& path) {
   if (!is_result(path))
     throw bad_input(path.string(), "not a result of cosys-sim", "give a file that run wrote");
   const NetcdfReader file(path);
-  const LoadedScenario scenario = parse_scenario(file.text("scenario_toml"), path, {}, {});
-  ExperimentResult result = unfinished(scenario, file.text("command"));
-  if (!read_counts(file, result))
+  StoredResult stored{origin_of(file), {}, {}};
+  stored.scenario = parse_scenario(stored.origin.scenario_toml, path, {}, {});
+  stored.result = unfinished(stored.scenario, file.text("command"));
+  stored.result.scenario_toml = stored.origin.scenario_toml;
+  if (!read_counts(file, stored.result))
     throw bad_input(path.string(), "its counts do not fit its digest: it is damaged",
                     "choose another file");
-  return result;
+  return stored;
 }
 
 }  // namespace sim

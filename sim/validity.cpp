@@ -165,11 +165,4 @@ std::uint64_t outside_validity(const Scenario& scenario, double irradiance_mw_pe
   return mask;
 }
 
-std::string validity_names(std::uint64_t mask) {
-  std::string names;
-  for (std::size_t i = 0; i < limits.size(); ++i)
-    if ((mask >> i & 1U) != 0) names += (names.empty() ? "" : ",") + std::string(limits[i].name);
-  return names;
-}
-
 }  // namespace sim

@@ -3,7 +3,6 @@
 // (channel/README.md). A point outside of one is computed all the same, and flagged.
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "sim/scenario.hpp"
 
@@ -20,8 +19,5 @@ std::span<const ValidityLimit> validity_limits();
 
 /// The limits that a point leaves.
 std::uint64_t outside_validity(const Scenario& scenario, double irradiance_mw_per_m2);
-
-/// Their names, joined by commas: "near,emax"; empty if none.
-std::string validity_names(std::uint64_t mask);
 
 }  // namespace sim

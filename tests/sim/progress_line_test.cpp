@@ -22,7 +22,7 @@ ExperimentResult two_points() {
 void show_at_once(bool shown) {
   const ExperimentResult result = two_points();
   ProgressLine line(shown, std::chrono::milliseconds(0));
-  line.show({result, 1, 4e9});
+  line.show({result, 1, 4000000000u});
   line.clear();
 }
 

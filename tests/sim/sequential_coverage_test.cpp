@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/shard.hpp"
 #include "sim/statistics.hpp"
 #include "sim/stop_rule.hpp"
 
@@ -47,13 +48,24 @@ struct Coverage {
 
 bool holds(const sim::Estimate& e, double truth) { return e.low <= truth && truth <= e.high; }
 
-Coverage coverage(const StopRule& rule) {
+/// One experiment, run by as many shards as said.
+Tally counted(const StopRule& rule, std::uint32_t shards, std::mt19937_64& random) {
+  Tally sum;
+  for (std::uint32_t k = 1; k <= shards; ++k) {
+    const StopRule share = sim::share_of(rule, {k, shards});
+    Tally tally;
+    while (!sim::stop_reason(share, tally)) add_group(tally, random);
+    sum += tally;
+  }
+  return sum;
+}
+
+Coverage coverage(const StopRule& rule, std::uint32_t shards = 1) {
   constexpr int experiments = 2000;
   std::mt19937_64 random(20261121);
   int ber = 0, flr = 0;
   for (int i = 0; i < experiments; ++i) {
-    Tally tally;
-    while (!sim::stop_reason(rule, tally)) add_group(tally, random);
+    const Tally tally = counted(rule, shards, random);
     ber += holds(sim::bit_error_ratio(tally, 0.95), p_bad_frame * mean_burst() / bits);
     flr += holds(sim::frame_loss_ratio(tally, 0.95), p_bad_frame);
   }
@@ -72,6 +84,10 @@ TEST(SequentialCoverage, StoppedByFrames) { expect_nominal(coverage({.max_frames
 
 TEST(SequentialCoverage, StoppedByFrameErrors) {
   expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}));
+}
+
+TEST(SequentialCoverage, StoppedByFrameErrorsOfSixteenShards) {
+  expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}, 16));
 }
 
 TEST(SequentialCoverage, StoppedByTheWidthOfTheInterval) {

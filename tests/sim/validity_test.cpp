@@ -2,6 +2,7 @@
 #include "sim/validity.hpp"
 
 #include "scenarios.hpp"
+#include "sim/flags.hpp"
 #include "sim/parts.hpp"
 #include "sim/report_table.hpp"
 #include "sim/text_file.hpp"
@@ -10,7 +11,7 @@ namespace sim {
 namespace {
 
 std::string names_at(const std::vector<std::string>& set) {
-  return validity_names(link_of(set).outside);
+  return raised_names(validity_limits(), link_of(set).outside);
 }
 
 TEST(Validity, TheDefaultsAreInside) { EXPECT_EQ(names_at({}), ""); }
@@ -54,7 +55,7 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
 
 std::string names_beside(const std::string& disturbance) {
   const LoadedScenario scenario = loaded("[disturbance.other]\nkind = " + disturbance);
-  return validity_names(make_link(point_scenario(scenario, {})).outside);
+  return raised_names(validity_limits(), make_link(point_scenario(scenario, {})).outside);
 }
 
 TEST(Validity, OtherLightsCount) {
@@ -71,7 +72,7 @@ TEST(Validity, ColoursThatNoSheetShowsAreNamed) {
   const auto names = [](const std::string& module, double nm) {
     Scenario s = loaded("", {"receiver.module=" + module}).base;
     s.emitter.wavelength_nm = nm;
-    return validity_names(make_link(s).outside);
+    return raised_names(validity_limits(), make_link(s).outside);
   };
   EXPECT_EQ(names("TSOP38256", 950), "");
   EXPECT_EQ(names("TSOP38256", 870), "colour");
@@ -97,7 +98,7 @@ TEST(Validity, NoShippedModuleIsOutsideUnderTypicalConditions) {
 }
 
 TEST(Validity, EveryLimitHasANameOfItsOwn) {
-  std::string all = validity_names(~std::uint64_t{0});
+  std::string all = raised_names(validity_limits(), ~std::uint64_t{0});
   for (const ValidityLimit& limit : validity_limits()) {
     const auto at = all.find(limit.name);
     ASSERT_NE(at, std::string::npos);
@@ -117,11 +118,11 @@ TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
   result.points = {{.tally = {.n_frames = 4}, .outside = 3}, {.tally = {.n_frames = 4}}};
   EXPECT_TRUE(table_row({}, result.points[0], 0.95).ends_with("max_frames  ! near,fringes\n"));
   EXPECT_TRUE(table_row({}, result.points[1], 0.95).ends_with("max_frames\n"));
-  EXPECT_EQ(validity_notes(result),
+  EXPECT_EQ(mark_notes(result),
             "! near: nearer than 5 cm LED and module are no points to each other\n"
             "! fringes: direct and mirrored light interfere that far out\n");
   result.points[0].outside = 0;
-  EXPECT_EQ(validity_notes(result), "");
+  EXPECT_EQ(mark_notes(result), "");
 }
 
 }  // namespace
