@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/alarms.hpp"
 #include "sim/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
@@ -18,6 +19,7 @@ bool is_finished(const PointResult& point) {
 void describe(PointResult& point, const Link& link) {
   point.operating = link.operating;
   point.outside = link.outside;
+  point.alarms = own_alarms(point);
 }
 
 void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
@@ -91,6 +93,7 @@ ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& c
 void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
   for (PointResult& point : result.points)
     if (measured(point)) describe(point, make_link(point_scenario(scenario, point.coordinates)));
+  add_row_alarms(result);
 }
 
 ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
@@ -100,6 +103,7 @@ ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult
     run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);
     if (options.on_point) options.on_point(result, i);
   }
+  add_row_alarms(result);
   return result;
 }
 

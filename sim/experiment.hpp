@@ -37,7 +37,7 @@ void check_shard(const LoadedScenario& scenario, const Shard& shard);
 /// The experiment before its first trial: axes, and points with nothing counted.
 ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& command);
 
-/// Operating points and flags of what is measured, as counts that were read back lack them.
+/// Operating points, flags and alarms of what is measured, as counts that were read back lack them.
 void describe_points(const LoadedScenario& scenario, ExperimentResult& result);
 
 /// Runs the one shard that `result` names, of all points that are not finished in it, each from

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "sim/alarms.hpp"
 #include "sim/flags.hpp"
 #include "sim/ranking.hpp"
 #include "sim/validity.hpp"
@@ -89,6 +90,7 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
     point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
   }
   point["outside"] = raised_json(validity_limits(), p.outside);
+  point["alarm_names"] = raised_json(alarms(), p.alarms);
   for (const Column& column : columns()) {
     point[column.name] = json_value(column, p, result.ci_level);
   }

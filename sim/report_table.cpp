@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/alarms.hpp"
 #include "sim/flags.hpp"
 #include "sim/statistics.hpp"
 #include "sim/text_table.hpp"
@@ -67,16 +68,18 @@ std::string theory_text(double ratio) {
 }
 
 constexpr const char* outside_sign = "!";
+constexpr const char* alarm_sign = "!!";
 
 template <class Flag>
 std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
   return mask == 0 ? "" : fmt::format("  {} {}", sign, raised_names(table, mask));
 }
 
-/// Why it stopped, and behind it marks where a model is outside of its range.
+/// Why it stopped, and behind it marks where a model is outside of its range and of alarms.
 std::string closing_text(const PointResult& point, bool known) {
   if (!known) return "-";
-  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign);
+  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign) +
+         mark(alarms(), point.alarms, alarm_sign);
 }
 
 std::string real_time_factor(const PointResult& p) {
@@ -108,9 +111,13 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
 }
 
 std::string mark_notes(const ExperimentResult& result) {
-  std::uint64_t outside = 0;
-  for (const PointResult& p : result.points) outside |= p.outside;
-  return raised_notes(validity_limits(), outside, outside_sign);
+  std::uint64_t outside = 0, alarming = 0;
+  for (const PointResult& p : result.points) {
+    outside |= p.outside;
+    alarming |= p.alarms;
+  }
+  return raised_notes(validity_limits(), outside, outside_sign) +
+         raised_notes(alarms(), alarming, alarm_sign);
 }
 
 std::string loss_reasons(const ExperimentResult& result) {

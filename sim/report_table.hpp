@@ -16,7 +16,7 @@ std::string table_header(const std::vector<Axis>& axes, bool theory = false);
 std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
                       bool theory = false);
 
-/// A line for each kind of mark in the table: what "! near" means; empty if there is
+/// A line for each kind of mark in the table: what "! near" or "!! half" means; empty if there is
 /// none.
 std::string mark_notes(const ExperimentResult& result);
 

@@ -90,6 +90,7 @@ const std::array table{
            operating<&OperatingPoint::ber_theory>},
     Column{"outside_validity", "1", "limits of the models' validity that the point leaves",
            &PointResult::outside},
+    Column{"alarms", "1", "why the counts are to be distrusted", &PointResult::alarms},
     Column{"stop_reason", "1", "why the point stopped", &PointResult::stop},
     Column{"elapsed_s", "s", "wall-clock time", cost<&PointResult::elapsed_s>},
     Column{"simulated_s", "s", "simulated time of the link", cost<&PointResult::simulated_s>},

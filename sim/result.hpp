@@ -35,6 +35,7 @@ struct PointResult {
   double simulated_s = 0;       // of the link's own time
   std::uint64_t n_samples = 0;  // waveform samples simulated
   std::uint64_t outside = 0;    // of the models' validity: bits of sim/validity
+  std::uint64_t alarms = 0;     // bits of sim/alarms
 };
 
 struct ExperimentResult {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/alarms.hpp"
 #include "sim/existing_file.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/netcdf_reader.hpp"
@@ -114,6 +115,7 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   for (const Column& column : columns()) std::visit(ColumnWriter{to, column}, column.value);
   explain_stop_reason(to.file);
   explain_flags(to.file, "outside_validity", validity_limits());
+  explain_flags(to.file, "alarms", alarms());
   explain_snr(to);
   to.file.set_text("ebn0_db", "eb_convention", "average");
   write_root(to);

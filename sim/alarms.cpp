@@ -1,0 +1,69 @@
+#include "sim/alarms.hpp"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "sim/ranking.hpp"
+#include "sim/statistics.hpp"
+#include "sim/theory.hpp"
+
+namespace sim {
+namespace {
+
+/// A sweep has many points, none of which should raise an alarm by chance.
+constexpr double sure = 0.99999;
+
+Estimate sure_ber(const PointResult& p) { return bit_error_ratio(p.tally, sure); }
+
+bool above_half(const PointResult& p) { return sure_ber(p).low > 0.5; }
+
+bool contradicts_theory(const PointResult& p) {
+  const double theory = p.operating.ber_theory;  // NaN if there is none
+  return theory < sure_ber(p).low || theory > sure_ber(p).high;
+}
+
+/// 3 dB beyond a coherent matched receiver at the best threshold: room for a message's share of
+/// light, for units that are better than typical, and for nothing else.
+bool beats_theory(const PointResult& p) {
+  const double ebn0 = std::pow(10, p.operating.ebn0_db / 10);
+  return sure_ber(p).high < coherent_ook_ber(2 * ebn0);
+}
+
+constexpr std::array table{
+    Alarm{"half", "bit error ratio above 0.5: silence reads as ones, so the link is dead",
+          above_half},
+    Alarm{"theory", "bit error ratio other than theory's for this receiver", contradicts_theory},
+    Alarm{"impossible", "fewer bit errors than any receiver could make at this Eb/N0",
+          beats_theory},
+    Alarm{"monotone", "frame loss rises and falls along the sweep by more than its intervals",
+          nullptr},
+};
+constexpr std::uint64_t monotone = std::uint64_t{1} << (table.size() - 1);
+
+}  // namespace
+
+std::span<const Alarm> alarms() { return table; }
+
+std::uint64_t own_alarms(const PointResult& point) {
+  std::uint64_t mask = 0;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (table[i].raised != nullptr && table[i].raised(point)) mask |= std::uint64_t{1} << i;
+  return mask;
+}
+
+void add_row_alarms(ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (ranking.abscissa == Ranking::none) return;
+  std::set<std::vector<double>> alarming;
+  for (const RowCrossing& row : ranking.rows)
+    if (row.crossing.kind == Crossing::Kind::not_monotone) alarming.insert(row.others);
+  for (PointResult& point : result.points) {
+    std::vector<double> others;
+    for (const std::size_t axis : ranking.others) others.push_back(point.coordinates[axis]);
+    if (measured(point) && alarming.contains(others)) point.alarms |= monotone;
+  }
+}
+
+}  // namespace sim
