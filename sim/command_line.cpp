@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <map>
 
 #include "sim/commands.hpp"
 #include "sim/key_check.hpp"
@@ -29,6 +30,8 @@ const CLI::Validator a_shard(
                                most_shards);
     },
     "");
+
+const std::map<std::string, double> seconds_in{{"s", 1}, {"min", 60}, {"h", 3600}};
 
 /// CLI::Range lets NaN pass.
 CLI::Validator between(double low, double high) {
@@ -140,6 +143,18 @@ void add_run(CLI::App& app, RunRequest& request) {
          "is SCENARIO-KofN.h5 if not given")
       ->type_name("K/N")
       ->check(a_shard);
+  auto* plan = run.add_flag("--plan", request.plan,
+                            "say how many frames and how much time each point is expected to take, "
+                            "from a few trials of it, and stop there");
+  run.add_option("--time-budget", request.time_budget_s,
+                 "choose --max-frames so that a scenario takes about so long: 90s, 10min, 2h")
+      ->type_name("TIME")
+      ->transform(
+          CLI::AsNumberWithUnit(seconds_in, CLI::AsNumberWithUnit::UNIT_REQUIRED).description(""))
+      ->check(between(0.1, 1e9))
+      ->excludes("--resume")
+      ->excludes("--shard")
+      ->excludes(plan);
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table");
   run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");

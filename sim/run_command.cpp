@@ -9,6 +9,8 @@
 #include "sim/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/keeper.hpp"
+#include "sim/plan.hpp"
+#include "sim/plan_report.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
@@ -109,6 +111,35 @@ void run_scenario(const RunRequest& request, const LoadedScenario& scenario, con
                      : missing_lines(result) + closing_lines(result, output));
 }
 
+ExitCode plan(const RunRequest& request, const std::vector<LoadedScenario>& scenarios,
+              const std::atomic<bool>& interrupt) {
+  for (const LoadedScenario& scenario : scenarios) {
+    const int threads = threads_of(request);
+    const std::vector<Pilot> pilots = run_pilots(scenario, request.shard, threads, interrupt);
+    print(plan_table(scenario.sweep, pilots, threads));
+    if (interrupt) return ExitCode::interrupted;
+  }
+  return ExitCode::done;
+}
+
+/// The scenario with as many frames a point as there is time for.
+LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario,
+                             const std::atomic<bool>& interrupt) {
+  const std::string key = "stop.max_frames";
+  const auto is_of_frames = [&](const Axis& axis) { return axis.key == key; };
+  if (std::ranges::any_of(scenario.sweep, is_of_frames))
+    throw bad_input("--time-budget", key + " is swept in " + scenario.path.string(),
+                    "leave one of the two out");
+  const std::vector<Pilot> pilots = run_pilots(scenario, {}, threads_of(request), interrupt);
+  const std::uint64_t frames = frames_within(pilots, request.time_budget_s);
+  ScenarioOptions options = request.options;
+  options.overrides.push_back(fmt::format("{}={}", key, frames));
+  LoadedScenario limited = load_with(options, scenario.path);
+  if (!request.quiet)
+    say(fmt::format("cosys-sim: {}: as of --max-frames {}\n", scenario.path.string(), frames));
+  return limited;
+}
+
 }  // namespace
 
 LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
@@ -124,8 +155,12 @@ ExitCode run_command(const RunRequest& request) {
     scenarios.push_back(load_with(request.options, path));
   for (const LoadedScenario& scenario : scenarios) check_shard(scenario, request.shard);
   const std::atomic<bool>& interrupt = heed_stop_signals();
+  if (request.plan) return plan(request, scenarios, interrupt);
   make_output_folder(request);
   for (const fs::path& path : request.scenarios) check_writable(output_of(request, path));
+  if (request.time_budget_s > 0)
+    for (LoadedScenario& scenario : scenarios)
+      scenario = within_budget(request, scenario, interrupt);
   for (std::size_t i = 0; i < scenarios.size() && !interrupt; ++i)
     run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]), interrupt);
   if (!interrupt) return ExitCode::done;

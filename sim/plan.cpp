@@ -1,0 +1,94 @@
+#include "sim/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/engine.hpp"
+#include "sim/experiment.hpp"
+#include "sim/link.hpp"
+#include "sim/point_scenario.hpp"
+#include "sim/statistics.hpp"
+#include "sim/sweep.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::uint64_t group = channel::lanes_per_group;
+constexpr double most_frames = 4e9;  // of a point: trials are numbered in 32 bits
+
+/// The loss, where no frame or all were lost a likely bound.
+double likely_loss(const Tally& t) {
+  const double lost = static_cast<double>(t.n_frames_lost);
+  return (lost + 0.5) / (static_cast<double>(t.n_frames) + 1);
+}
+
+/// An interval's width goes with one over the root of the frames.
+double frames_for_width(const Pilot& pilot) {
+  const Estimate ber = bit_error_ratio(pilot.tally, 0.95);
+  if (!(ber.value > 0)) return most_frames;
+  const double times = (ber.high - ber.low) / 2 / ber.value / pilot.rule.rel_ci;
+  return static_cast<double>(pilot.tally.n_frames) * times * times;
+}
+
+/// Until the loss is 3.3 standard deviations (99.9 %) from the target.
+double frames_for_target(const Pilot& pilot) {
+  const double loss = likely_loss(pilot.tally);
+  const double distance = loss - pilot.rule.target_flr;
+  return 3.3 * 3.3 * loss * (1 - loss) / (distance * distance);
+}
+
+double in_groups(double frames) { return std::ceil(frames / group) * group; }
+
+}  // namespace
+
+std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
+                              const std::atomic<bool>& interrupt) {
+  const StopRule few{.max_frames = 2 * group * static_cast<std::uint64_t>(threads)};
+  std::vector<Pilot> pilots;
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
+    std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
+    const Scenario point = point_scenario(scenario, coordinates);
+    const PointResult counted =
+        run_point(make_link(point), few, {.threads = threads, .interrupt = &interrupt});
+    if (interrupt) break;
+    pilots.push_back({std::move(coordinates), share_of(rule_of(point.stop), shard), counted.tally,
+                      counted.elapsed_s / static_cast<double>(counted.tally.n_frames)});
+  }
+  return pilots;
+}
+
+double expected_frames(const Pilot& pilot) {
+  const StopRule& rule = pilot.rule;
+  double frames = most_frames;
+  if (rule.max_frame_errors > 0)
+    frames = static_cast<double>(rule.max_frame_errors) / likely_loss(pilot.tally);
+  if (rule.rel_ci > 0) frames = std::min(frames, frames_for_width(pilot));
+  if (rule.target_flr > 0) frames = std::min(frames, frames_for_target(pilot));
+  return std::min(in_groups(frames), static_cast<double>(rule.max_frames));
+}
+
+double expected_seconds(const Pilot& pilot) {
+  return expected_frames(pilot) * pilot.seconds_per_frame;
+}
+
+double expected_seconds(const std::vector<Pilot>& pilots) {
+  double sum = 0;
+  for (const Pilot& pilot : pilots) sum += expected_seconds(pilot);
+  return sum;
+}
+
+std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds) {
+  const auto fits = [&](std::uint64_t groups) {
+    std::vector<Pilot> limited = pilots;
+    for (Pilot& pilot : limited) pilot.rule.max_frames = groups * group;
+    return expected_seconds(limited) <= seconds;
+  };
+  std::uint64_t good = 1, bad = static_cast<std::uint64_t>(most_frames) / group + 1;
+  while (bad - good > 1) {
+    const std::uint64_t middle = good + (bad - good) / 2;
+    (fits(middle) ? good : bad) = middle;
+  }
+  return good * group;
+}
+
+}  // namespace sim

@@ -1,0 +1,93 @@
+// A plan predicts what a run then takes, and a time budget is met.
+#include "sim/plan.hpp"
+
+#include "program.hpp"
+#include "sim/plan_report.hpp"
+
+namespace sim {
+namespace {
+
+/// A pilot of 1000 frames of which so many are lost, with as many wrong bits each.
+Pilot pilot_of(std::uint64_t lost, const StopRule& rule) {
+  Pilot pilot{.coordinates = {}, .rule = rule, .tally = {}, .seconds_per_frame = 0.01};
+  pilot.tally.n_frames = 1000;
+  pilot.tally.n_frames_lost = lost;
+  pilot.tally.n_bits = 170000;
+  pilot.tally.n_bit_errors = 10 * lost;
+  pilot.tally.sum_bits_squared = 1000 * 170 * 170;
+  pilot.tally.sum_bit_errors_squared = 100 * lost;
+  pilot.tally.sum_bit_errors_times_bits = 1700 * lost;
+  return pilot;
+}
+
+TEST(Plan, ExpectsTheFramesThatTheRuleWillNeed) {
+  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 500})), 500);
+  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .max_frame_errors = 50})), 500,
+              8);
+  EXPECT_EQ(expected_frames(pilot_of(100, {.max_frames = 300, .max_frame_errors = 50})), 300);
+  // Of 10 % of the frames the ratio is known to 10 % after 1.96^2 * 9 / 0.01 frames.
+  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .rel_ci = 0.1})), 3457, 200);
+  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .rel_ci = 0.1})), 100000);
+  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .target_flr = 0.05})), 400, 20);
+}
+
+TEST(Plan, FillsTheTime) {
+  const StopRule any{.max_frames = 1};
+  const std::vector<Pilot> pilots{pilot_of(0, any), pilot_of(0, any), pilot_of(0, any)};
+  EXPECT_EQ(frames_within(pilots, 30.3), 1008u);
+  EXPECT_EQ(frames_within(pilots, 1e-9), 8u);
+  EXPECT_EQ(frames_within(pilots, 1e12), 4000000000u);
+  // Where losses end two of the points the third has their time.
+  const StopRule losses{.max_frames = 1, .max_frame_errors = 10};
+  EXPECT_NEAR(static_cast<double>(frames_within(
+                  {pilot_of(0, any), pilot_of(100, losses), pilot_of(1000, losses)}, 30.3)),
+              2904, 16);
+}
+
+TEST(Plan, DurationsAreReadable) {
+  EXPECT_EQ(duration_text(0.0123), "0.012 s");
+  EXPECT_EQ(duration_text(9.99), "10 s");
+  EXPECT_EQ(duration_text(59.6), "1 min 0 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(3599.7), "1 h 0 min");
+  EXPECT_EQ(duration_text(86400), "24 h 0 min");
+  EXPECT_EQ(duration_text(1e6), "12 days");
+}
+
+TEST_F(CommandLine, PlanRunsNothing) {
+  write_scenario("s.toml", "receiver.range_m = [1, 3]");
+  const Outcome o = program({"run", "s.toml", "--plan", "-n", "104", "-t", "2"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("\n2 points: about 208 frames, "), std::string::npos) << o.out;
+  EXPECT_EQ(files(), std::set<std::string>{"s.toml"});
+}
+
+// What the budget chose is in the result, so the run can be repeated.
+TEST_F(CommandLine, TimeBudgetChoosesTheFrames) {
+  write_scenario("s.toml", "receiver.range_m = [1, 3]");
+  const Outcome o = program({"run", "s.toml", "--time-budget", "2s"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  const std::string key = "as of --max-frames ";
+  const std::size_t at = o.err.find(key);
+  ASSERT_NE(at, std::string::npos) << o.err;
+  const std::string frames = o.err.substr(at + key.size(), o.err.find('\n', at) - at - key.size());
+  EXPECT_GT(std::stoi(frames), 16);
+  EXPECT_EQ(values("s.h5", "n_frames"), frames + ", " + frames);
+  ASSERT_EQ(program({"run", "s.toml", "-q", "-n", frames, "--resume"}).code, 0);
+}
+
+TEST_F(CommandLine, TimeBudgetIsRefusedWhereItCannotBeKept) {
+  write_scenario("s.toml", "stop.max_frames = [8, 16]");
+  expect_refused({"run", "s.toml", "--time-budget", "2s"}, 2,
+                 "--time-budget (stop.max_frames is swept in s.toml) leave one of the two out");
+  for (const char* wrong : {"0s", "nans", "-1s", "5", "x", "1e300h"})
+    EXPECT_EQ(program({"run", "s.toml", "--time-budget", wrong}).code, 2) << wrong;
+  for (const Words& other : {Words{"--resume"}, {"--shard", "1/2"}, {"--plan"}}) {
+    Words words{"run", "s.toml", "--time-budget", "2s"};
+    words.insert(words.end(), other.begin(), other.end());
+    EXPECT_EQ(program(words).code, 2) << other.front();
+  }
+}
+
+}  // namespace
+}  // namespace sim
