@@ -223,6 +223,32 @@ void add_parts(CLI::App& app, PartsRequest& request) {
   parts.footer("Example: cosys-sim parts TSOP4856");
 }
 
+void add_find(CLI::App& app, FindRequest& request) {
+  auto& find = *app.add_subcommand(
+      "find", "Find where along a key the frame loss passes a level, in fewer frames than a sweep");
+  add_place(find, "SCENARIO", request.scenario, "", "scenario file (.toml)")->required();
+  find.add_option("--over", request.over,
+                  "the key and its range, receiver.range_m=1:40, or the key alone if the scenario "
+                  "sweeps it; other sweeps of the scenario are a search each")
+      ->type_name("KEY=LOW:HIGH")
+      ->required()
+      ->check(a_name);
+  find.add_option("--flr", request.flr, "frame loss ratio to be found; 0.01 if not given")
+      ->type_name("P")
+      ->check(between(1e-9, 0.99));
+  find.add_option("--tolerance", request.tolerance,
+                  "width of the bracket at which to stop, relative; 0.01 if not given")
+      ->type_name("R")
+      ->check(between(1e-9, 1));
+  add_place(find, "-o,--output", request.output, "OUT.h5",
+            "result file (HDF5) of all points looked at; SCENARIO-find.h5 if not given");
+  add_scenario_options(find, request.options);
+  add_threads(find, request.threads);
+  add_max_frames(find, request.options);
+  find.add_flag("--json", request.json, "one JSON object on stdout, not the table");
+  find.footer("Example: cosys-sim find scenarios/quickstart.toml --over receiver.range_m");
+}
+
 void add_merge(CLI::App& app, MergeRequest& request) {
   auto& merge = *app.add_subcommand(
       "merge", "Add results of other trials of the same command up: those of run --shard");
@@ -284,14 +310,16 @@ struct Requests {
   std::string message;
   DecodeRequest decode;
   PartsRequest parts;
+  FindRequest find;
   MergeRequest merge;
   DiffRequest diff;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
-  to.run.command = to.merge.command = from.command;
-  to.run.program = to.trace.program = from.program;
-  for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.parts.parts})
+  to.run.command = to.find.command = to.merge.command = from.command;
+  to.run.program = to.trace.program = to.find.program = from.program;
+  for (PartRoots* parts :
+       {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts})
     parts->push_back(from.shipped_parts);
 }
 
@@ -300,6 +328,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
+  if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
   if (app.got_subcommand("diff")) return diff_command(requests.diff);
   return decode_command(requests.decode);
@@ -319,6 +348,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_encode(app, requests.message);
   add_decode(app, requests.decode);
   add_parts(app, requests.parts);
+  add_find(app, requests.find);
   add_merge(app, requests.merge);
   add_diff(app, requests.diff);
   try {

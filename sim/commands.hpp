@@ -61,6 +61,21 @@ struct DecodeRequest {
 };
 ExitCode decode_command(const DecodeRequest& request);
 
+struct FindRequest {
+  std::filesystem::path scenario;
+  ScenarioOptions options;
+  double flr = 0.01;        // the level
+  std::string over;         // "receiver.range_m=1:40", or a key that the scenario sweeps
+  double tolerance = 0.01;  // of the value to be found, relative
+  std::optional<std::filesystem::path> output;
+  int threads = 0;  // 0: one per processor
+  bool json = false;
+  std::string command;  // as the user typed it
+  ProgramInfo program;
+};
+/// Where along a key the frame loss passes a level.
+ExitCode find_command(const FindRequest& request);
+
 struct MergeRequest {
   std::vector<std::filesystem::path> results;  // at least one
   std::filesystem::path output;

@@ -1,0 +1,127 @@
+// The search brackets a known crossing, in few frames, and ends whatever the counts are.
+#include "sim/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "sim/stop_rule.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double level = 0.01;
+
+/// A link whose loss rises with the logarithm of x, 1 % at `at`; stopped as a run is.
+struct Link {
+  double at, slope;
+  std::mt19937_64 random{1};
+  std::vector<double> looked_at{};
+  std::uint64_t frames = 0;
+
+  std::optional<Tally> operator()(double x) {
+    looked_at.push_back(x);
+    const double logit = std::log(level / (1 - level)) + slope * std::log(x / at);
+    std::binomial_distribution<std::uint64_t> lost_of_group(8, 1 / (1 + std::exp(-logit)));
+    const StopRule rule{.max_frames = 5000, .target_flr = level};
+    Tally tally;
+    while (!stop_reason(rule, tally)) {
+      tally.n_frames += 8;
+      tally.n_frames_lost += lost_of_group(random);
+    }
+    frames += tally.n_frames;
+    return tally;
+  }
+
+  double nearest_below() const {
+    double best = 0;
+    for (const double x : looked_at)
+      if (x <= at) best = std::max(best, x);
+    return best;
+  }
+  double nearest_above() const {
+    double best = INFINITY;
+    for (const double x : looked_at)
+      if (x > at) best = std::min(best, x);
+    return best;
+  }
+};
+
+CountAt counting(Link& link) {
+  return [&](double x) { return link(x); };
+}
+
+TEST(Search, BracketsAJumpAsNarrowlyAsAsked) {
+  for (const double at : {1.37, 8.21, 39.0}) {
+    Link link{.at = at, .slope = 2000};
+    search({.low = 1, .high = 40, .tolerance = 0.005}, level, counting(link));
+    EXPECT_LT(link.nearest_above() / link.nearest_below(), 1.0051) << at;
+    EXPECT_LE(link.looked_at.size(), 12u) << at;
+  }
+}
+
+TEST(Search, LooksBesideAPointAtTheLevel) {
+  Link link{.at = std::sqrt(40.0), .slope = 2};
+  search({.low = 1, .high = 40}, level, counting(link));
+  ASSERT_EQ(link.looked_at.size(), 5u);  // the ends, the middle, and between
+  EXPECT_NEAR(link.looked_at[2], link.at, 0.01);
+}
+
+TEST(Search, FallingLossTooAndValuesThatAreNotPositive) {
+  std::vector<double> looked_at;
+  const auto falls = [&](double x) {
+    looked_at.push_back(x);
+    return Tally{.n_frames = 2000, .n_frames_lost = x < -3.3 ? 2000u : 0u};
+  };
+  search({.low = -10, .high = 10, .tolerance = 0.01}, level, falls);
+  std::ranges::sort(looked_at);
+  const auto above = std::ranges::upper_bound(looked_at, -3.3);
+  EXPECT_LT(*above - *(above - 1), 0.1 + 1e-9);
+}
+
+TEST(Search, WholeNumbersStayWhole) {
+  std::vector<double> looked_at;
+  const auto count = [&](double x) {
+    looked_at.push_back(x);
+    return Tally{.n_frames = 2000, .n_frames_lost = x >= 13 ? 2000u : 0u};
+  };
+  search({.low = 1, .high = 100, .tolerance = 1e-9, .whole_numbers = true}, level, count);
+  EXPECT_EQ(std::ranges::count(looked_at, 12), 1);
+  EXPECT_EQ(std::ranges::count(looked_at, 13), 1);
+  for (const double x : looked_at) EXPECT_EQ(x, std::round(x));
+}
+
+TEST(Search, EndsWhereThereIsNothingToFind) {
+  for (const std::uint64_t lost : {0u, 20u, 2000u}) {  // below, about at the level, above
+    int looks = 0;
+    search({.low = 1, .high = 40}, level, [&](double) {
+      ++looks;
+      return Tally{.n_frames = 2000, .n_frames_lost = lost};
+    });
+    EXPECT_LE(looks, 2) << lost;
+  }
+}
+
+TEST(Search, EndsAtOnceWhenInterrupted) {
+  int looks = 0;
+  search({.low = 1, .high = 40}, level, [&](double) -> std::optional<Tally> {
+    if (++looks == 4) return std::nullopt;
+    return Tally{.n_frames = 2000, .n_frames_lost = looks == 2 ? 2000u : 0u};
+  });
+  EXPECT_LE(looks, 6);
+}
+
+// A grid as fine as the bracket takes 5000 frames at each point that is near the level.
+TEST(Search, TakesFarFewerFramesThanAGrid) {
+  Link link{.at = 8, .slope = 100};
+  search({.low = 1, .high = 40}, level, counting(link));
+  Link grid{.at = 8, .slope = 100};
+  for (double x = 1; x < 40; x *= 1.01) grid(x);
+  EXPECT_LT(10 * link.frames, grid.frames);
+}
+
+}  // namespace
+}  // namespace sim
