@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "sim/failure.hpp"
+#include "sim/team_engine.hpp"
 #include "sim/trial.hpp"
 
 namespace sim {
@@ -87,10 +88,7 @@ class Pool {
     const std::lock_guard lock(mutex_);
     waiting_[group] = result;
     while (!over_ && waiting_.contains(merged_)) {
-      const GroupResult& next = waiting_[merged_];
-      sum_.tally += next.tally;
-      sum_.simulated_s += next.simulated_s;
-      sum_.n_samples += next.n_samples;
+      sum_ += waiting_[merged_];
       waiting_.erase(merged_++);
       if (const auto reason = stop_reason(rule_, sum_.tally)) {
         over_ = true;
@@ -151,7 +149,9 @@ class Workers {
   std::vector<std::jthread> threads_;
 };
 
-PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s) {
+}  // namespace
+
+PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s) {
   return {.operating = link.operating,
           .tally = sum.tally,
           .stop = stop,
@@ -161,10 +161,9 @@ PointResult result_of(const GroupResult& sum, StopReason stop, const Link& link,
           .outside = link.outside};
 }
 
-}  // namespace
-
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before) {
+  if (options.team != nullptr) return run_point_together(link, stop, options, before);
   const auto began = Clock::now();
   const auto elapsed_s = [&] {
     return before.elapsed_s + std::chrono::duration<double>(Clock::now() - began).count();
@@ -175,11 +174,11 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
     while (!pool.wait_a_moment()) {
       if (options.interrupt != nullptr && *options.interrupt) pool.interrupt();
       if (options.on_progress)
-        options.on_progress(result_of(pool.sum(), StopReason::interrupted, link, elapsed_s()));
+        options.on_progress(as_point(pool.sum(), StopReason::interrupted, link, elapsed_s()));
     }
   }
   const StopReason reason = pool.result();
-  return result_of(pool.sum(), reason, link, elapsed_s());
+  return as_point(pool.sum(), reason, link, elapsed_s());
 }
 
 bool is_resumable(const PointResult& point) { return point.tally.n_frames % group_size == 0; }

@@ -8,12 +8,16 @@
 #include "sim/link.hpp"
 #include "sim/result.hpp"
 #include "sim/stop_rule.hpp"
+#include "sim/trial.hpp"
 
 namespace sim {
+
+class Team;
 
 struct EngineOptions {
   int threads = 1;
   std::uint64_t first_trial = 0;  // of the point's trials; starts a whole group of eight
+  Team* team = nullptr;           // processes to share the trials with
   const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
   /// From the calling thread, a few times a second: what an interrupt would leave now.
   std::function<void(const PointResult&)> on_progress{};
@@ -25,6 +29,9 @@ struct EngineOptions {
 /// the order of their numbers, so it ends as if there had been no interrupt.
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before = {});
+
+/// What was counted so far, as a point.
+PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s);
 
 /// Whether a point can be gone on with: only whole groups of trials can.
 bool is_resumable(const PointResult& point);

@@ -8,6 +8,7 @@
 #include "sim/link.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
+#include "sim/team.hpp"
 
 namespace sim {
 namespace {
@@ -34,6 +35,7 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
   };
   EngineOptions engine{.threads = options.threads,
                        .first_trial = trials_of(shard, rule.max_frames).first,
+                       .team = options.team,
                        .interrupt = options.interrupt};
   if (options.on_progress) {
     engine.on_progress = [&](const PointResult& so_far) {
@@ -47,6 +49,11 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
 }
 
 }  // namespace
+
+bool is_interrupted(const ExperimentOptions& options) {
+  const bool mine = options.interrupt != nullptr && *options.interrupt;
+  return options.team != nullptr ? options.team->any(mine) : mine;
+}
 
 StopRule rule_of(const StopSettings& stop) {
   return {.max_frames = static_cast<std::uint64_t>(stop.max_frames),
@@ -99,7 +106,7 @@ void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
 ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
                                 const ExperimentOptions& options) {
   for (std::size_t i = 0; i < result.points.size(); ++i) {
-    if (options.interrupt != nullptr && *options.interrupt) break;
+    if (is_interrupted(options)) break;
     run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);
     if (options.on_point) options.on_point(result, i);
   }

@@ -11,6 +11,8 @@
 
 namespace sim {
 
+class Team;
+
 /// Where a run is, for whoever shows or keeps it.
 struct Progress {
   const ExperimentResult& result;  // all so far, of the point at hand what an interrupt would leave
@@ -20,11 +22,15 @@ struct Progress {
 
 struct ExperimentOptions {
   int threads = 1;
+  Team* team = nullptr;  // each of whose members runs the same experiment
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
   /// After each finished point; the result holds all points so far.
   std::function<void(const ExperimentResult&, std::size_t point)> on_point{};
 };
+
+/// Whether any member of the team was told to stop.
+bool is_interrupted(const ExperimentOptions& options);
 
 StopRule rule_of(const StopSettings& stop);
 

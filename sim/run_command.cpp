@@ -20,6 +20,7 @@
 #include "sim/stop_signals.hpp"
 #include "sim/store.hpp"
 #include "sim/sweep.hpp"
+#include "sim/team.hpp"
 
 namespace sim {
 namespace {
@@ -88,13 +89,21 @@ ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenari
   return result;
 }
 
-void run_scenario(const RunRequest& request, const LoadedScenario& scenario, const fs::path& output,
-                  const std::atomic<bool>& interrupt) {
-  Keeper keeper(output, request.program);
+/// A scenario to be run.
+struct Run {
+  LoadedScenario scenario;
+  fs::path output;
+  ExperimentResult result;  // before its first trial, or what is gone on with
+};
+
+/// Whether this process prints and writes.
+bool speaks(const Team* team) { return team == nullptr || team->rank() == 0; }
+
+void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
+  Keeper keeper(run.output, request.program);
   ProgressLine progress(!request.quiet);
-  const bool theory = has_theory(scenario);
-  if (!request.json) print(table_header(scenario.sweep, theory));
-  ExperimentOptions options{.threads = threads_of(request), .interrupt = &interrupt};
+  const bool theory = has_theory(run.scenario);
+  if (!request.json) print(table_header(run.scenario.sweep, theory));
   options.on_progress = [&](const Progress& p) {
     progress.show(p);
     if (keeper.is_due()) keeper.keep(p.result);
@@ -104,33 +113,32 @@ void run_scenario(const RunRequest& request, const LoadedScenario& scenario, con
     if (keeper.is_due()) keeper.keep(result);
     if (!request.json) print_row(result, point, theory, keeper);
   };
-  const ExperimentResult result =
-      run_experiment(scenario, so_far(request, scenario, output), options);
+  const ExperimentResult result = run_experiment(run.scenario, run.result, options);
   keeper.keep(result);
   print(request.json ? to_json(result) + "\n"
-                     : missing_lines(result) + closing_lines(result, output));
+                     : missing_lines(result) + closing_lines(result, run.output));
 }
 
-ExitCode plan(const RunRequest& request, const std::vector<LoadedScenario>& scenarios,
+ExitCode plan(const RunRequest& request, const std::vector<Run>& runs,
               const std::atomic<bool>& interrupt) {
-  for (const LoadedScenario& scenario : scenarios) {
+  for (const Run& run : runs) {
     const int threads = threads_of(request);
-    const std::vector<Pilot> pilots = run_pilots(scenario, request.shard, threads, interrupt);
-    print(plan_table(scenario.sweep, pilots, threads));
+    const std::vector<Pilot> pilots = run_pilots(run.scenario, request.shard, threads, interrupt);
+    print(plan_table(run.scenario.sweep, pilots, threads));
     if (interrupt) return ExitCode::interrupted;
   }
   return ExitCode::done;
 }
 
 /// The scenario with as many frames a point as there is time for.
-LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario,
-                             const std::atomic<bool>& interrupt) {
+LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario) {
   const std::string key = "stop.max_frames";
   const auto is_of_frames = [&](const Axis& axis) { return axis.key == key; };
   if (std::ranges::any_of(scenario.sweep, is_of_frames))
     throw bad_input("--time-budget", key + " is swept in " + scenario.path.string(),
                     "leave one of the two out");
-  const std::vector<Pilot> pilots = run_pilots(scenario, {}, threads_of(request), interrupt);
+  const std::vector<Pilot> pilots =
+      run_pilots(scenario, {}, threads_of(request), heed_stop_signals());
   const std::uint64_t frames = frames_within(pilots, request.time_budget_s);
   ScenarioOptions options = request.options;
   options.overrides.push_back(fmt::format("{}={}", key, frames));
@@ -138,6 +146,36 @@ LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& sc
   if (!request.quiet)
     say(fmt::format("cosys-sim: {}: as of --max-frames {}\n", scenario.path.string(), frames));
   return limited;
+}
+
+/// Everything that can be refused before the first trial.
+std::vector<Run> prepare(const RunRequest& request, Team* team) {
+  if (team != nullptr && (request.plan || request.time_budget_s > 0))
+    throw bad_input("--plan and --time-budget", "they time one process, not a job of several",
+                    "run them without mpirun");
+  refuse_same_output(request);
+  std::vector<Run> runs;
+  for (const fs::path& path : request.scenarios) {
+    runs.push_back({load_with(request.options, path), output_of(request, path), {}});
+    check_shard(runs.back().scenario, request.shard);
+  }
+  if (request.plan) return runs;
+  if (speaks(team)) {
+    make_output_folder(request);
+    for (const Run& run : runs) check_writable(run.output);
+  }
+  for (Run& run : runs) {
+    if (request.time_budget_s > 0) run.scenario = within_budget(request, run.scenario);
+    run.result = so_far(request, run.scenario, run.output);
+  }
+  return runs;
+}
+
+/// What the runs start from, for the members of a team to compare.
+std::string start_of(const std::vector<Run>& runs) {
+  std::string text;
+  for (const Run& run : runs) text += run.scenario.text + result_digest(run.result);
+  return text;
 }
 
 }  // namespace
@@ -149,23 +187,25 @@ LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenari
 }
 
 ExitCode run_command(const RunRequest& request) {
-  refuse_same_output(request);
-  std::vector<LoadedScenario> scenarios;
-  for (const fs::path& path : request.scenarios)
-    scenarios.push_back(load_with(request.options, path));
-  for (const LoadedScenario& scenario : scenarios) check_shard(scenario, request.shard);
-  const std::atomic<bool>& interrupt = heed_stop_signals();
-  if (request.plan) return plan(request, scenarios, interrupt);
-  make_output_folder(request);
-  for (const fs::path& path : request.scenarios) check_writable(output_of(request, path));
-  if (request.time_budget_s > 0)
-    for (LoadedScenario& scenario : scenarios)
-      scenario = within_budget(request, scenario, interrupt);
-  for (std::size_t i = 0; i < scenarios.size() && !interrupt; ++i)
-    run_scenario(request, scenarios[i], output_of(request, request.scenarios[i]), interrupt);
-  if (!interrupt) return ExitCode::done;
-  say("cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
-      "command with --resume goes on\n");
+  const std::unique_ptr<Team> team = join_team();
+  std::vector<Run> runs;
+  const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
+  if (!ready) return ExitCode::bad_input;
+  const ExperimentOptions options{
+      .threads = threads_of(request), .team = team.get(), .interrupt = &heed_stop_signals()};
+  if (request.plan) return plan(request, runs, *options.interrupt);
+  check_agreement(team.get(), start_of(runs));
+  for (const Run& run : runs) {
+    if (is_interrupted(options)) break;
+    if (speaks(team.get()))
+      run_scenario(request, run, options);
+    else
+      run_experiment(run.scenario, run.result, options);
+  }
+  if (!is_interrupted(options)) return ExitCode::done;
+  if (speaks(team.get()))
+    say("cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
+        "command with --resume goes on\n");
   return ExitCode::interrupted;
 }
 

@@ -90,6 +90,13 @@ struct GroupResult {
   Tally tally;
   double simulated_s = 0;
   std::uint64_t n_samples = 0;
+
+  GroupResult& operator+=(const GroupResult& other) {
+    tally += other.tally;
+    simulated_s += other.simulated_s;
+    n_samples += other.n_samples;
+    return *this;
+  }
 };
 
 /// All steps for trials first ... first + n - 1 (n up to channel::lanes_per_group) at once. Worth

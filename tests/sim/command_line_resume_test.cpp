@@ -8,11 +8,6 @@
 
 namespace {
 
-std::string digest_of(const std::string& text) {
-  const std::size_t at = text.find("digest ");
-  return at == std::string::npos ? "none in " + text : text.substr(at + 7, 32);
-}
-
 // Twenty kills at random instants, half of them kill -9, each time gone on with; with other numbers
 // of threads. The file is written each second.
 TEST_F(CommandLine, TwentyKillsChangeNothing) {

@@ -66,6 +66,12 @@ class Running {
   std::string read_;
 };
 
+/// The digest that a run prints.
+inline std::string digest_of(const std::string& text) {
+  const std::size_t at = text.find("digest ");
+  return at == std::string::npos ? "none in " + text : text.substr(at + 7, 32);
+}
+
 class CommandLine : public testing::Test {
  protected:
   CommandLine() {
@@ -106,9 +112,13 @@ class CommandLine : public testing::Test {
     return start(COSYS_PROGRAM, arguments, nullptr);
   }
 
+  Running start_tool(const std::string& name, const Words& arguments) const {
+    return start(name, arguments, nullptr);
+  }
+
   /// What another program prints; fails the test if it fails.
   std::string tool(const std::string& name, const Words& arguments) const {
-    const Outcome o = start(name, arguments, nullptr).finish();
+    const Outcome o = start_tool(name, arguments).finish();
     EXPECT_EQ(o.code, 0) << name << ": " << o.err;
     return o.out;
   }

@@ -1,0 +1,40 @@
+#pragma once
+// A team: the processes of one MPI job (`mpirun -n 8 cosys-sim run ...`), which share out the
+// trials of each point. All of them walk through the same calls in the same order and hold the same
+// sums, so there is no master; the first of them prints and writes for all.
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/trial.hpp"
+
+namespace sim {
+
+class Team {
+ public:
+  virtual ~Team() = default;
+
+  virtual int size() const = 0;
+  virtual int rank() const = 0;  // 0: the one that speaks
+
+  /// What all members give, which must be as much of each: that of the first, of the second, ...
+  virtual std::vector<GroupResult> exchange(std::span<const GroupResult> mine) = 0;
+  /// Whether it is true for any member.
+  virtual bool any(bool mine) = 0;
+  /// The largest of all members' numbers.
+  virtual double largest(double mine) = 0;
+};
+
+/// Does a step that can fail in all members or in none: true if no member failed. If any did, the
+/// first of them throws its Failure, and the others give false. Alone: simply the step.
+bool together(Team* team, const std::function<void()>& step);
+
+/// Throws Failure(environment) in the first member unless all hold the same text.
+void check_agreement(Team* team, const std::string& text);
+
+/// The job that this process was started in; null if it is alone, or built without MPI.
+std::unique_ptr<Team> join_team();
+
+}  // namespace sim

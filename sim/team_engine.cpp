@@ -1,0 +1,122 @@
+#include "sim/team_engine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "sim/team.hpp"
+
+namespace sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t group_size = channel::lanes_per_group;
+
+// Between waves the members wait for the slowest, so waves are long against that, but not so long
+// that a user who interrupts must wait.
+constexpr double short_wave_s = 0.25, long_wave_s = 1;
+constexpr std::size_t largest_wave = 1 << 16;  // groups of a member
+
+/// The groups that one member runs between two exchanges: each `stride`th from `first` on.
+struct Wave {
+  std::uint64_t first, stride;
+  std::size_t groups;
+  std::uint64_t end_trial;  // of the point; groups behind it are empty
+
+  std::uint64_t trial_of(std::size_t i) const { return (first + i * stride) * group_size; }
+  int size_of(std::size_t i) const {
+    return static_cast<int>(std::min(group_size, end_trial - std::min(end_trial, trial_of(i))));
+  }
+};
+
+/// Runs a wave on some threads.
+class WaveRun {
+ public:
+  WaveRun(const Link& link, const Wave& wave, const std::atomic<bool>* stop)
+      : link_(link), wave_(wave), stop_(stop), results_(wave.groups) {}
+
+  std::vector<GroupResult> run(int threads) {
+    {
+      std::vector<std::jthread> workers;
+      for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(results_);
+  }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t i = next_++; i < wave_.groups; i = next_++)
+        if (const int n = wave_.size_of(i); n > 0)
+          results_[i] = run_group(link_, static_cast<std::uint32_t>(wave_.trial_of(i)), n, stop_);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      failure_ = std::current_exception();
+    }
+  }
+
+  const Link& link_;
+  const Wave wave_;
+  const std::atomic<bool>* stop_;
+  std::atomic<std::size_t> next_ = 0;
+  std::vector<GroupResult> results_;
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+};
+
+/// Adds what all members ran in the order of the trials, up to where the rule stops.
+std::optional<StopReason> add_in_order(const std::vector<GroupResult>& all, std::size_t members,
+                                       const StopRule& rule, GroupResult& sum) {
+  const std::size_t groups = all.size() / members;
+  for (std::size_t i = 0; i < groups; ++i) {
+    for (std::size_t member = 0; member < members; ++member) {
+      sum += all[member * groups + i];
+      if (const auto reason = stop_reason(rule, sum.tally)) return reason;
+    }
+  }
+  return std::nullopt;
+}
+
+std::size_t next_size(std::size_t groups, double seconds) {
+  if (seconds < short_wave_s) return std::min(2 * groups, largest_wave);
+  return seconds > long_wave_s ? std::max<std::size_t>(groups / 2, 1) : groups;
+}
+
+}  // namespace
+
+PointResult run_point_together(const Link& link, const StopRule& stop, const EngineOptions& options,
+                               const PointResult& before) {
+  Team& team = *options.team;
+  const auto began = Clock::now();
+  const auto since = [](Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  };
+  const auto members = static_cast<std::uint64_t>(team.size());
+  GroupResult sum{before.tally, before.simulated_s, before.n_samples};
+  Wave wave{(options.first_trial + sum.tally.n_frames) / group_size +
+                static_cast<std::uint64_t>(team.rank()),
+            members, static_cast<std::size_t>(team.largest(options.threads)),
+            options.first_trial + stop.max_frames};
+  for (;;) {
+    const auto wave_began = Clock::now();
+    const auto mine = WaveRun(link, wave, options.interrupt).run(options.threads);
+    const double seconds = team.largest(since(wave_began));
+    if (team.any(options.interrupt != nullptr && *options.interrupt))
+      return as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began));
+    const auto reason = add_in_order(team.exchange(mine), members, stop, sum);
+    if (reason) return as_point(sum, *reason, link, before.elapsed_s + since(began));
+    if (options.on_progress)
+      options.on_progress(
+          as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began)));
+    wave.first += wave.groups * members;
+    wave.groups = next_size(wave.groups, seconds);
+  }
+}
+
+}  // namespace sim

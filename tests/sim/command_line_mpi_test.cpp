@@ -1,0 +1,104 @@
+// One run on several processes gives what one process gives. Where MPI is installed.
+#ifdef COSYS_MPIRUN
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "program.hpp"
+
+namespace {
+
+class Mpi : public CommandLine {
+ protected:
+  Mpi() {
+    // A test may run as root, and in a machine of fewer processors than members.
+    ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    write_scenario("s.toml", "receiver.range_m = [1, 2.2, 3]");
+  }
+
+  static Words job(int members, const Words& arguments) {
+    Words words{"-n", std::to_string(members), "--oversubscribe", COSYS_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return words;
+  }
+  Outcome mpirun(int members, const Words& arguments) const {
+    return start_tool(COSYS_MPIRUN, job(members, arguments)).finish();
+  }
+};
+
+TEST_F(Mpi, AnyNumberOfProcessesGivesTheSameCounts) {
+  for (const Words& rule : {Words{"-n", "203", "-e", "0"}, {"-n", "4000", "-e", "50"}}) {
+    Words run{"run", "s.toml", "-q", "-t", "1"};
+    run.insert(run.end(), rule.begin(), rule.end());
+    const std::string alone = digest_of(program(run).out);
+    for (const int members : {1, 2, 4}) {
+      std::filesystem::remove(path("s.h5"));
+      const Outcome o = mpirun(members, run);
+      EXPECT_EQ(o.code, 0) << o.err;
+      EXPECT_EQ(digest_of(o.out), alone) << members;
+      EXPECT_EQ(std::ranges::count(o.out, '\n'), std::ranges::count(program(run).out, '\n'));
+    }
+  }
+}
+
+TEST_F(Mpi, GoesOnWithWhatWasLeft) {
+  const Words run{"run", "s.toml", "-q", "-n", "4000", "-e", "0", "-t", "1"};
+  const std::string whole = digest_of(program(run).out);
+  std::filesystem::remove(path("s.h5"));
+  Running running = start_program(run);
+  running.line();
+  running.finish(SIGTERM);
+  Words again = run;
+  again.emplace_back("--resume");
+  EXPECT_EQ(digest_of(mpirun(2, again).out), whole);
+}
+
+TEST_F(Mpi, RefusesOnceForAll) {
+  const Outcome o = mpirun(3, {"run", "none.toml", "-q"});
+  EXPECT_EQ(o.code, 2);
+  const std::string line = "cosys-sim: ";
+  const std::size_t first = o.err.find(line);
+  ASSERT_NE(first, std::string::npos) << o.err;
+  EXPECT_EQ(o.err.find(line, first + 1), std::string::npos) << o.err;
+  EXPECT_EQ(mpirun(2, {"run", "s.toml", "--plan"}).code, 2);
+  EXPECT_EQ(files(), std::set<std::string>{"s.toml"});
+}
+
+/// A member of the job, none of whose words tell it from the others; 0 while there is none.
+pid_t a_member(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::error_code error;
+    if (std::filesystem::read_symlink(entry.path() / "cwd", error) != folder) continue;
+    if (std::filesystem::read_symlink(entry.path() / "exe", error).filename() == "cosys-sim" &&
+        content(entry.path() / "environ").find("OMPI_COMM_WORLD_RANK=1") != std::string::npos)
+      return static_cast<pid_t>(std::stoi(entry.path().filename()));
+  }
+  return 0;
+}
+
+// A member that dies ends the job with mpirun's words, and the file can be gone on with.
+TEST_F(Mpi, ADyingMemberEndsTheJobAndLosesLittle) {
+  const Words run{"run", "s.toml", "-q", "-n", "100000", "-e", "0", "-t", "1"};
+  Running running = start_tool(COSYS_MPIRUN, job(2, run));
+  for (int i = 0; i < 600 && !std::filesystem::exists(path("s.h5")); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const pid_t member = a_member(std::filesystem::canonical(folder()));
+  ASSERT_GT(member, 0);
+  ::kill(member, SIGKILL);
+  const Outcome o = running.finish();
+  EXPECT_NE(o.code, 0);
+  EXPECT_NE(o.err.find("exited on signal 9 (Killed)"), std::string::npos) << o.err;
+  const std::string counted = values("s.h5", "n_frames");
+  EXPECT_NE(counted.substr(0, 2), "0,");
+  Words again = run;
+  again.emplace_back("--resume");
+  Running resumed = start_program(again);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(resumed.finish(SIGTERM).code, 130);
+  EXPECT_GE(std::stoll(values("s.h5", "n_frames")), std::stoll(counted));
+}
+
+}  // namespace
+#endif
