@@ -19,7 +19,7 @@ Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)
 armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/(netcdf[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/entries[.]cpp
-CLI/.*               sim/command_line[.]cpp
+CLI/.*               sim/command_(line|options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp
