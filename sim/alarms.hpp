@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/ranking.hpp"
 #include "sim/result.hpp"
 
 namespace sim {
@@ -21,6 +22,6 @@ std::span<const Alarm> alarms();
 std::uint64_t own_alarms(const PointResult& point);
 
 /// Adds, at all its points, the one of a row across the grid along which the loss goes up and down.
-void add_row_alarms(ExperimentResult& result);
+void add_row_alarms(ExperimentResult& result, const CrossingQuestion& question = {});
 
 }  // namespace sim

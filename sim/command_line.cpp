@@ -3,6 +3,7 @@
 #include "sim/command_options.hpp"
 #include "sim/commands.hpp"
 #include "sim/keys.hpp"
+#include "sim/team.hpp"
 
 namespace sim {
 namespace {
@@ -35,17 +36,19 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->check(a_shard);
   auto* plan = run.add_flag("--plan", request.plan,
                             "say how many frames and how much time each point is expected to take, "
-                            "from a few trials of it, and stop there");
+                            "from a few trials of it, and stop there")
+                   ->excludes("--resume");
   run.add_option("--time-budget", request.time_budget_s,
                  "choose --max-frames so that a scenario takes about so long: 90s, 10min, 2h")
       ->type_name("TIME")
       ->transform(a_time())
-      ->check(between(0.1, 1e9))
+      ->excludes("--max-frames")
       ->excludes("--resume")
       ->excludes("--shard")
       ->excludes(plan);
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
-  run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table");
+  run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table")
+      ->excludes(plan);
   run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");
 }
 
@@ -126,7 +129,7 @@ void add_find(CLI::App& app, FindRequest& request) {
       ->type_name("P")
       ->check(between(1e-9, 0.99));
   find.add_option("--tolerance", request.tolerance,
-                  "width of the bracket at which to stop, relative; 0.01 if not given")
+                  "width of the bracket at which to stop, over its upper end; 0.01 if not given")
       ->type_name("R")
       ->check(between(1e-9, 1));
   add_place(find, "-o,--output", request.output, "OUT.h5",
@@ -206,14 +209,25 @@ struct Requests {
 
 void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = from.command;
-  to.run.program = to.trace.program = to.find.program = from.program;
+  to.run.program = to.trace.program = to.find.program = to.merge.program = from.program;
   for (PartRoots* parts :
        {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts})
     parts->push_back(from.shipped_parts);
 }
 
+/// All commands but run would do the same in each process of a job, and write the same file.
+bool is_alone() {
+  const std::unique_ptr<Team> team = join_team();
+  return together(team.get(), [&] {
+    if (team != nullptr && team->size() > 1)
+      throw bad_input("a job of several processes", "only cosys-sim run can share its work out",
+                      "start this command without mpirun");
+  });
+}
+
 ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("run")) return run_command(requests.run);
+  if (!is_alone()) return ExitCode::bad_input;
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);

@@ -54,8 +54,20 @@ CLI::Validator between(double low, double high) {
 }
 
 CLI::Validator a_time() {
-  const std::map<std::string, double> seconds_in{{"s", 1}, {"min", 60}, {"h", 3600}};
-  return CLI::AsNumberWithUnit(seconds_in, CLI::AsNumberWithUnit::UNIT_REQUIRED).description("");
+  return {
+      [](std::string& text) -> std::string {
+        static const std::map<std::string, double> seconds_in{{"s", 1}, {"min", 60}, {"h", 3600}};
+        const std::size_t unit = std::min(text.find_last_of("0123456789.") + 1, text.size());
+        const auto number = parse_number(text.substr(0, unit));
+        const auto seconds = seconds_in.find(text.substr(unit));
+        const bool known = number && seconds != seconds_in.end();
+        const double time = known ? *number * seconds->second : 0;
+        if (!(time >= 0.1 && time <= 1e9))
+          return text + " is no time such as 90s, 10min or 2h, from 0.1s on";
+        text = fmt::format("{}", time);
+        return "";
+      },
+      ""};
 }
 
 void add_short_form(CLI::App& app, const std::string& names, const char* key,

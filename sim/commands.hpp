@@ -80,6 +80,7 @@ struct MergeRequest {
   std::vector<std::filesystem::path> results;  // at least one
   std::filesystem::path output;
   std::string command;  // as the user typed it
+  ProgramInfo program;
 };
 /// Adds shards of one experiment up.
 ExitCode merge_command(const MergeRequest& request);

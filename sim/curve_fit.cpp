@@ -58,13 +58,15 @@ bool separated(const Observations& all) {
 }
 
 // From the last point before the level to the first behind it; wider where points disagree.
-Crossing bracket(Crossing::Kind kind, const Observations& all, double level) {
+Crossing bracket(Crossing::Kind kind, const Observations& all, double level, double ci_level) {
   std::size_t first_bad = 0, last_good = all.size() - 1;
   while (all[first_bad].ratio() <= level) ++first_bad;
   while (all[last_good].ratio() > level) --last_good;
   const double from = all[std::max<std::size_t>(first_bad, 1) - 1].x;
   const double to = all[std::min(last_good + 1, all.size() - 1)].x;
-  return {kind, (from + to) / 2, std::min(from, to), std::max(from, to)};
+  const Observation& before = all[std::max<std::size_t>(first_bad, 1) - 1];
+  const double bound = clopper_pearson(before.lost, before.frames, ci_level).high;
+  return {kind, (from + to) / 2, std::min(from, to), std::max(from, to), bound};
 }
 
 Crossing whole_sweep(Crossing::Kind kind, const Observations& all) {
@@ -89,7 +91,7 @@ Crossing above_throughout(const Observations& all, double ci_level) {
 
 /// ", though 3.8 % cannot be ruled out": what the frames do not tell.
 std::string doubt(const Crossing& c, double level) {
-  const bool doubtful = c.kind == Kind::all_below ? c.bound > level : c.bound < level;
+  const bool doubtful = c.kind == Kind::all_above ? c.bound < level : c.bound > level;
   return doubtful ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
 }
 
@@ -183,10 +185,12 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   if (all.empty()) return {};
   if (std::ranges::none_of(all, is_bad)) return below_throughout(all, result.ci_level);
   if (std::ranges::all_of(all, is_bad)) return above_throughout(all, result.ci_level);
-  if (separated(all) && surely_crossed(all, level)) return bracket(Kind::jump, all, level);
+  if (separated(all) && surely_crossed(all, level))
+    return bracket(Kind::jump, all, level, result.ci_level);
 
-  const Crossing unfitted =
-      surely_crossed(all, level) ? bracket(Kind::unfitted, all, level) : Crossing{};
+  const Crossing unfitted = surely_crossed(all, level)
+                                ? bracket(Kind::unfitted, all, level, result.ci_level)
+                                : Crossing{};
   if (separated(all)) return unfitted;
   const bool logarithmic = std::ranges::all_of(all, [](const auto& o) { return o.x > 0; });
   const std::optional<Fit> fit = fit_logit(all, logarithmic);
@@ -235,7 +239,8 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
     case Kind::jump:
-      return crosses + "between " + range + " (a jump)";
+      return crosses + "between " + range + " (a jump" +
+             (doubt(c, level).empty() ? "" : doubt(c, level) + " before it") + ")";
     case Kind::unfitted:
       return crosses + "between " + range + " (no logit curve fits the points)";
     case Kind::not_monotone:

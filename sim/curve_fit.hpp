@@ -20,7 +20,8 @@ struct Crossing {
   };
   Kind kind = Kind::unclear;
   double at = 0, low = 0, high = 0;
-  /// Of all_below the largest upper end of the points' intervals, of all_above the least lower end.
+  /// Of all_below the largest upper end of the points' intervals, of all_above the least lower end;
+  /// of a jump the upper end at the last point before it.
   double bound = 0;
 };
 

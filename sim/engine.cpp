@@ -1,7 +1,5 @@
 #include "sim/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,14 +9,13 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "sim/failure.hpp"
 #include "sim/team_engine.hpp"
 #include "sim/trial.hpp"
+#include "sim/worker_threads.hpp"
 
 namespace sim {
 namespace {
@@ -130,16 +127,10 @@ class Pool {
 /// The threads of a pool, which end soon whatever way their owner leaves.
 class Workers {
  public:
-  Workers(Pool& pool, int threads) : pool_(pool) {
-    try {
-      for (int i = 0; i < threads; ++i) threads_.emplace_back([&pool] { pool.work(); });
-    } catch (const std::system_error& error) {
-      pool_.interrupt();
-      throw Failure(ExitCode::environment,
-                    fmt::format("cannot start {} threads ({}) use fewer --threads", threads,
-                                error.code().message()));
-    }
-  }
+  Workers(Pool& pool, int threads)
+      : pool_(pool),
+        threads_(start_threads(
+            threads, [&pool] { pool.work(); }, [&pool] { pool.interrupt(); })) {}
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   ~Workers() { pool_.interrupt(); }

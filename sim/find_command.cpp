@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -60,7 +62,8 @@ std::vector<double> swept_ends(const std::string& text, const LoadedScenario& sc
 std::vector<double> given_ends(const std::string& text) {
   std::vector<double> ends;
   for (const std::string_view end : split(text.substr(text.find('=') + 1), ':'))
-    if (const auto value = parse_number(end)) ends.push_back(*value);
+    if (const auto value = parse_number(end); value && std::isfinite(*value))
+      ends.push_back(*value);
   if (ends.size() != 2 || std::ranges::count(text, ':') != 1)
     throw wrong_over(text, "not two numbers with a colon between");
   return ends;
@@ -69,6 +72,8 @@ std::vector<double> given_ends(const std::string& text) {
 Over over_of(const std::string& text, const LoadedScenario& scenario) {
   const Key* key = find_key(text.substr(0, text.find('=')));
   if (key == nullptr) throw wrong_over(text, "no such key");
+  if (key->name().starts_with("stop.") || key->name() == "simulation.seed")
+    throw wrong_over(text, "no loss depends on it");
   if (!key->is_number()) throw wrong_over(text, "its values are no numbers");
   const bool is_given = text.find('=') != std::string::npos;
   const auto ends = is_given ? given_ends(text) : swept_ends(text, scenario);
@@ -78,30 +83,32 @@ Over over_of(const std::string& text, const LoadedScenario& scenario) {
 }
 
 /// What the search runs: the user's scenario, with points stopped as soon as their side is told.
-std::vector<std::string> overrides_of(const FindRequest& request) {
-  std::vector<std::string> all{fmt::format("stop.max_frames={}", enough_frames(request.flr)),
-                               "stop.max_frame_errors=0", "stop.rel_ci=0"};
-  all.insert(all.end(), request.options.overrides.begin(), request.options.overrides.end());
-  all.push_back(fmt::format("stop.target_flr={}", request.flr));
-  return all;
+LoadedScenario load_for_search(const FindRequest& request) {
+  ScenarioOptions options{{fmt::format("stop.max_frames={}", enough_frames(request.flr)),
+                           "stop.max_frame_errors=0", "stop.rel_ci=0"},
+                          request.options.parts};
+  std::ranges::copy(request.options.overrides, std::back_inserter(options.overrides));
+  options.overrides.push_back(fmt::format("stop.target_flr={}", request.flr));
+  return load_with(options, request.scenario);
 }
 
-/// The scenario with the key swept over these values.
-LoadedScenario load_over(const FindRequest& request, const std::string& key,
-                         const std::set<double>& values) {
-  ScenarioOptions options{overrides_of(request), request.options.parts};
-  options.overrides.push_back(fmt::format("{}={}", key, fmt::join(values, ",")));
-  return load_with(options, request.scenario);
+/// The same with the key swept over these values. Its text carries the parts, so no file is read
+/// again: what was counted belongs to what was read first.
+LoadedScenario swept_over(const LoadedScenario& scenario, const std::string& key,
+                          const std::set<double>& values) {
+  return parse_scenario(scenario.text, scenario.path,
+                        {fmt::format("{}={}", key, fmt::join(values, ","))}, {});
 }
 
 /// All that was counted, in the order of its counting in the table and of the grid in the file.
 class Finds {
  public:
-  Finds(const FindRequest& request, const Over& over, LoadedScenario ends, Keeper& keeper,
-        const std::atomic<bool>& interrupt)
+  Finds(const FindRequest& request, const Over& over, const LoadedScenario& scenario,
+        Keeper& keeper, const std::atomic<bool>& interrupt)
       : request_(request),
         over_(over),
-        ends_(std::move(ends)),
+        scenario_(scenario),
+        ends_(swept_over(scenario, over.key, {over.low, over.high})),
         theory_(has_theory(ends_)),
         keeper_(keeper),
         interrupt_(interrupt),
@@ -118,16 +125,19 @@ class Finds {
     }
   }
 
+  CrossingQuestion question() const { return {request_.flr, over_.key}; }
+
   /// As a sweep over all values that were looked at; a point that was not is unfinished.
   ExperimentResult result() const {
     std::set<double> values{over_.low, over_.high};
     for (const auto& [coordinates, point] : counted_) values.insert(coordinates[axis_]);
-    ExperimentResult result = unfinished(load_over(request_, over_.key, values), request_.command);
+    ExperimentResult result =
+        unfinished(swept_over(scenario_, over_.key, values), request_.command);
     for (PointResult& point : result.points) {
       const auto known = counted_.find(point.coordinates);
       if (known != counted_.end()) point = known->second;
     }
-    add_row_alarms(result);
+    add_row_alarms(result, question());
     return result;
   }
 
@@ -135,22 +145,27 @@ class Finds {
   std::optional<Tally> count_at(Coordinates at, double value) {
     at[axis_] = value;
     const Scenario scenario = point_scenario(ends_, at);
+    const auto keep = [&](PointResult point, bool due) {
+      point.coordinates = at;
+      point.alarms = own_alarms(point);
+      counted_[at] = std::move(point);
+      if (due) keeper_.keep(result());
+    };
     const EngineOptions engine{
         .threads = request_.threads > 0 ? request_.threads : default_threads(),
-        .interrupt = &interrupt_};
-    PointResult point = run_point(make_link(scenario), rule_of(scenario.stop), engine);
-    point.coordinates = at;
-    point.alarms = own_alarms(point);
-    counted_[at] = point;
-    if (!request_.json) print(table_row(ends_.sweep, point, 0.95, theory_));
-    if (keeper_.is_due()) keeper_.keep(result());
+        .interrupt = &interrupt_,
+        .on_progress = [&](const PointResult& p) { keep(p, keeper_.is_due()); }};
+    keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);
+    if (!request_.json) print(table_row(ends_.sweep, counted_[at], 0.95, theory_));
+    if (keeper_.is_due_at_end()) keeper_.keep(result());
     if (interrupt_) return std::nullopt;
-    return point.tally;
+    return counted_[at].tally;
   }
 
   const FindRequest& request_;
   const Over over_;
-  const LoadedScenario ends_;
+  const LoadedScenario& scenario_;
+  const LoadedScenario ends_;  // swept over both ends of the range
   const bool theory_;
   Keeper& keeper_;
   const std::atomic<bool>& interrupt_;
@@ -165,14 +180,13 @@ fs::path output_of(const FindRequest& request) {
 }  // namespace
 
 ExitCode find_command(const FindRequest& request) {
-  const LoadedScenario scenario = load_with(request.options, request.scenario);
+  const LoadedScenario scenario = load_for_search(request);
   const Over over = over_of(request.over, scenario);
-  LoadedScenario ends = load_over(request, over.key, {over.low, over.high});
   const fs::path output = output_of(request);
   check_writable(output);
   Keeper keeper(output, request.program);
   const std::atomic<bool>& interrupt = heed_stop_signals();
-  Finds finds(request, over, std::move(ends), keeper, interrupt);
+  Finds finds(request, over, scenario, keeper, interrupt);
   try {
     finds.run();
   } catch (const Failure&) {
@@ -181,8 +195,11 @@ ExitCode find_command(const FindRequest& request) {
   }
   const ExperimentResult result = finds.result();
   keeper.keep(result);
-  const CrossingQuestion question{request.flr, over.key};
-  print(request.json ? to_json(result, question) + "\n" : closing_lines(result, output, question));
+  if (request.json)
+    print(to_json(result, finds.question()) + "\n");
+  else
+    print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
+          closing_lines(result, output, finds.question()));
   if (!interrupt) return ExitCode::done;
   say("cosys-sim: interrupted (by a signal) what was counted is in the result file\n");
   return ExitCode::interrupted;

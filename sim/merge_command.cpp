@@ -20,8 +20,22 @@ void refuse(const MergeRequest& request, std::size_t i, const std::string& why) 
       "give shards of one command, each once");
 }
 
+/// A shard that was not finished can be gone on with as long as its file is there.
+void refuse_to_lose_a_shard(const MergeRequest& request) {
+  std::error_code error;
+  for (const std::filesystem::path& result : request.results)
+    if (std::filesystem::equivalent(result, request.output, error))
+      throw bad_input("-o " + request.output.string(), "it is one of the results to be merged",
+                      "name another file");
+}
+
 StoredResult merged(const MergeRequest& request) {
   StoredResult sum = read_result(request.results.front());
+  const ProgramInfo& by = sum.origin.program;
+  if (by.version != request.program.version || by.commit != request.program.commit)
+    throw bad_input("cannot merge " + request.results.front().string(),
+                    "another version of the program counted it",
+                    "use cosys-sim " + by.version + " (" + by.commit + ")");
   for (std::size_t i = 1; i < request.results.size(); ++i) {
     const StoredResult more = read_result(request.results[i]);
     const std::string why = mismatch(sum.origin, more.origin);
@@ -46,11 +60,15 @@ std::string table(const ExperimentResult& result, bool theory) {
 }  // namespace
 
 ExitCode merge_command(const MergeRequest& request) {
+  refuse_to_lose_a_shard(request);
   check_writable(request.output);
   const StoredResult sum = merged(request);
   write_result(request.output, sum.result, sum.origin.program);
   print(table(sum.result, has_theory(sum.scenario)) + missing_lines(sum.result) +
         closing_lines(sum.result, request.output));
+  if (!unfinished_note(sum.result).empty())
+    say("cosys-sim: some points are unfinished (their shards were stopped) run those shards with "
+        "--resume and merge again\n");
   return ExitCode::done;
 }
 

@@ -5,6 +5,7 @@
 #include <exception>
 #include <type_traits>
 
+#include "sim/failure.hpp"
 #include "sim/team.hpp"
 
 namespace sim {
@@ -21,10 +22,12 @@ class MpiTeam : public Team {
   }
   MpiTeam(const MpiTeam&) = delete;
   MpiTeam& operator=(const MpiTeam&) = delete;
-  /// A member that fails leaves the job without a word to the others, which ends it; to say
-  /// farewell it would have to wait for them.
+  /// A failure is told before the job ends: at the end of this process.
   ~MpiTeam() override {
-    if (std::uncaught_exceptions() == 0) MPI_Finalize();
+    if (std::uncaught_exceptions() == 0 || in_order_)
+      MPI_Finalize();
+    else
+      std::atexit([] { MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::environment)); });
   }
 
   int size() const override { return size_; }
@@ -45,6 +48,8 @@ class MpiTeam : public Team {
     return all != 0;
   }
 
+  void end_in_order() override { in_order_ = true; }
+
   double largest(double mine) override {
     double all = 0;
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
@@ -53,6 +58,7 @@ class MpiTeam : public Team {
 
  private:
   int size_ = 1, rank_ = 0;
+  bool in_order_ = false;
 };
 
 }  // namespace

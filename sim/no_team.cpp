@@ -7,12 +7,14 @@
 namespace sim {
 
 std::unique_ptr<Team> join_team() {
-  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  if (size != nullptr && std::string(size) != "1")
-    throw Failure(ExitCode::environment,
-                  "cannot share the run out to " + std::string(size) +
-                      " processes (built without MPI) install libopenmpi-dev and build again, or "
-                      "use --shard");
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* size = std::getenv(name);
+    if (size != nullptr && std::string(size) != "1")
+      throw Failure(ExitCode::environment,
+                    "cannot share the run out to " + std::string(size) +
+                        " processes (built without MPI) install libopenmpi-dev and build again, "
+                        "or use --shard");
+  }
   return nullptr;
 }
 

@@ -16,11 +16,7 @@ namespace {
 constexpr std::uint64_t group = channel::lanes_per_group;
 constexpr double most_frames = 4e9;  // of a point: trials are numbered in 32 bits
 
-/// The loss, where no frame or all were lost a likely bound.
-double likely_loss(const Tally& t) {
-  const double lost = static_cast<double>(t.n_frames_lost);
-  return (lost + 0.5) / (static_cast<double>(t.n_frames) + 1);
-}
+double loss(const Tally& t) { return ratio(t.n_frames_lost, t.n_frames); }
 
 /// An interval's width goes with one over the root of the frames.
 double frames_for_width(const Pilot& pilot) {
@@ -30,11 +26,12 @@ double frames_for_width(const Pilot& pilot) {
   return static_cast<double>(pilot.tally.n_frames) * times * times;
 }
 
-/// Until the loss is 3.3 standard deviations (99.9 %) from the target.
+/// Until the loss is 3.3 standard deviations (99.9 %) from the target; or, where nothing is lost,
+/// until chance would have lost a frame of that target in 99.95 %.
 double frames_for_target(const Pilot& pilot) {
-  const double loss = likely_loss(pilot.tally);
-  const double distance = loss - pilot.rule.target_flr;
-  return 3.3 * 3.3 * loss * (1 - loss) / (distance * distance);
+  const double target = pilot.rule.target_flr, p = loss(pilot.tally);
+  if (p == 0) return std::log(2000) / -std::log1p(-std::min(target, 0.999));
+  return 3.3 * 3.3 * p * (1 - p) / ((p - target) * (p - target));
 }
 
 double in_groups(double frames) { return std::ceil(frames / group) * group; }
@@ -43,7 +40,7 @@ double in_groups(double frames) { return std::ceil(frames / group) * group; }
 
 std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
                               const std::atomic<bool>& interrupt) {
-  const StopRule few{.max_frames = 2 * group * static_cast<std::uint64_t>(threads)};
+  const StopRule few{.max_frames = 4 * group * static_cast<std::uint64_t>(threads)};
   std::vector<Pilot> pilots;
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
     std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
@@ -60,11 +57,11 @@ std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard
 double expected_frames(const Pilot& pilot) {
   const StopRule& rule = pilot.rule;
   double frames = most_frames;
-  if (rule.max_frame_errors > 0)
-    frames = static_cast<double>(rule.max_frame_errors) / likely_loss(pilot.tally);
+  if (rule.max_frame_errors > 0 && pilot.tally.n_frames_lost > 0)
+    frames = static_cast<double>(rule.max_frame_errors) / loss(pilot.tally);
   if (rule.rel_ci > 0) frames = std::min(frames, frames_for_width(pilot));
   if (rule.target_flr > 0) frames = std::min(frames, frames_for_target(pilot));
-  return std::min(in_groups(frames), static_cast<double>(rule.max_frames));
+  return std::min(in_groups(std::max(frames, 1.0)), static_cast<double>(rule.max_frames));
 }
 
 double expected_seconds(const Pilot& pilot) {

@@ -23,7 +23,8 @@ struct Pilot {
 std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
                               const std::atomic<bool>& interrupt);
 
-/// After how many frames the rule will stop the point, or so.
+/// After how many frames the rule will stop the point, or so; of what no trial showed, as of losses
+/// where none was lost, it expects nothing, and the limit of frames remains.
 double expected_frames(const Pilot& pilot);
 
 /// Wall-clock time of a point; of all.

@@ -35,8 +35,9 @@ std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& 
     text += table_line(columns, texts);
     frames += expected_frames(pilot);
   }
-  return text + fmt::format("{} points: about {:.0f} frames, {} on {} threads\n", pilots.size(),
-                            frames, duration_text(expected_seconds(pilots)), threads);
+  return text + fmt::format("{} point{}: about {:.0f} frames, {} on {} threads\n", pilots.size(),
+                            pilots.size() == 1 ? "" : "s", frames,
+                            duration_text(expected_seconds(pilots)), threads);
 }
 
 }  // namespace sim

@@ -110,7 +110,7 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   };
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
-    if (keeper.is_due()) keeper.keep(result);
+    if (keeper.is_due_at_end()) keeper.keep(result);
     if (!request.json) print_row(result, point, theory, keeper);
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
@@ -139,13 +139,12 @@ LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& sc
                     "leave one of the two out");
   const std::vector<Pilot> pilots =
       run_pilots(scenario, {}, threads_of(request), heed_stop_signals());
+  if (heed_stop_signals()) return scenario;
   const std::uint64_t frames = frames_within(pilots, request.time_budget_s);
   ScenarioOptions options = request.options;
   options.overrides.push_back(fmt::format("{}={}", key, frames));
-  LoadedScenario limited = load_with(options, scenario.path);
-  if (!request.quiet)
-    say(fmt::format("cosys-sim: {}: as of --max-frames {}\n", scenario.path.string(), frames));
-  return limited;
+  say(fmt::format("cosys-sim: {}: --max-frames {} chosen\n", scenario.path.string(), frames));
+  return load_with(options, scenario.path);
 }
 
 /// Everything that can be refused before the first trial.
@@ -194,7 +193,7 @@ ExitCode run_command(const RunRequest& request) {
   const ExperimentOptions options{
       .threads = threads_of(request), .team = team.get(), .interrupt = &heed_stop_signals()};
   if (request.plan) return plan(request, runs, *options.interrupt);
-  check_agreement(team.get(), start_of(runs));
+  if (!agree(team.get(), start_of(runs))) return ExitCode::environment;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
     if (speaks(team.get()))
@@ -204,8 +203,10 @@ ExitCode run_command(const RunRequest& request) {
   }
   if (!is_interrupted(options)) return ExitCode::done;
   if (speaks(team.get()))
-    say("cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
-        "command with --resume goes on\n");
+    say(fmt::format(
+        "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
+        "the same command with {}--resume goes on\n",
+        request.time_budget_s > 0 ? "--max-frames in place of --time-budget, and " : ""));
   return ExitCode::interrupted;
 }
 

@@ -30,27 +30,70 @@ std::optional<double> between(double a, double b, const SearchRange& range) {
   return middle;
 }
 
+/// The bracket at work.
+class Search {
+ public:
+  Search(const SearchRange& range, double flr, const CountAt& count)
+      : range_(range), flr_(flr), count_(count), near_(range.low), far_(range.high) {}
+
+  void run() {
+    look_at(near_, near_side_);
+    look_at(far_, far_side_);
+    if (near_side_ == far_side_) return;
+    while (const auto middle = inside(near_, far_))
+      if (!narrow_to(*middle)) return look_beside(*middle);
+  }
+
+ private:
+  /// Nothing once the bracket is narrow, or the search interrupted.
+  std::optional<double> inside(double a, double b) const {
+    return interrupted_ ? std::nullopt : between(a, b, range_);
+  }
+
+  void look_at(double value, Side& side) {
+    if (interrupted_) return;
+    const std::optional<Tally> counted = count_(value);
+    interrupted_ = !counted;
+    if (counted) side = side_of(*counted, flr_);
+  }
+
+  /// False if the middle is about at the level and the ends are on their sides of it.
+  bool narrow_to(double middle) {
+    Side side = Side::unknown;
+    look_at(middle, side);
+    if (side == far_side_) {
+      far_ = middle;
+    } else if (side == near_side_ || near_side_ == Side::unknown) {
+      near_ = middle;
+      near_side_ = side;
+    } else if (far_side_ == Side::unknown) {
+      far_ = middle;
+      far_side_ = side;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Neighbours of a point at the level give a fit the slope.
+  void look_beside(double middle) {
+    Side any = Side::unknown;
+    for (const double end : {near_, far_})
+      if (const auto beside = inside(end, middle)) look_at(*beside, any);
+  }
+
+  const SearchRange& range_;
+  const double flr_;
+  const CountAt& count_;
+  double near_, far_;
+  Side near_side_ = Side::unknown, far_side_ = Side::unknown;
+  bool interrupted_ = false;
+};
+
 }  // namespace
 
 void search(const SearchRange& range, double flr, const CountAt& count) {
-  const auto side_at = [&](double value) {
-    const auto counted = count(value);
-    return counted ? side_of(*counted, flr) : Side::unknown;
-  };
-  const Side first = side_at(range.low);
-  if (first == Side::unknown) return;
-  const Side last = side_at(range.high);
-  if (last == Side::unknown || last == first) return;
-  double near = range.low, far = range.high;
-  while (const auto middle = between(near, far, range)) {
-    const Side side = side_at(*middle);
-    if (side == Side::unknown) {  // about at the level: its neighbours give a fit the slope
-      for (const double end : {near, far})
-        if (const auto beside = between(end, *middle, range)) side_at(*beside);
-      return;
-    }
-    (side == first ? near : far) = *middle;
-  }
+  Search(range, flr, count).run();
 }
 
 }  // namespace sim

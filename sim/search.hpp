@@ -11,14 +11,16 @@ namespace sim {
 
 struct SearchRange {
   double low, high;
-  double tolerance = 0.01;     // how narrow a bracket need be: its width over its upper end
+  double tolerance = 0.01;  // of a bracket's width, over its upper end or, with values that are not
+                            // positive, over the largest of the range
   bool whole_numbers = false;  // of the key
 };
 
 /// The counts at a value of the key; nothing if interrupted.
 using CountAt = std::function<std::optional<Tally>(double)>;
 
-/// Calls `count` for value after value: both ends, then inside, each value once.
+/// Calls `count` for value after value: both ends, then inside, each value once; not again once it
+/// gives nothing. The loss must rise or fall throughout; of several crossings one is found.
 void search(const SearchRange& range, double flr, const CountAt& count);
 
 }  // namespace sim

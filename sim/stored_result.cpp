@@ -25,7 +25,9 @@ struct ColumnReader {
       p.tally.*count = static_cast<std::uint64_t>(value);
     });
   }
+  /// Flags and alarms follow from the rest too; old files have fewer of them.
   void operator()(std::uint64_t PointResult::*count) const {
+    if (count == &PointResult::outside || count == &PointResult::alarms) return;
     each([=](PointResult& p, std::int64_t value) { p.*count = static_cast<std::uint64_t>(value); });
   }
   void operator()(StopReason PointResult::*flag) const {
@@ -83,8 +85,12 @@ bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
 }
 
 StoredResult read_result(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    throw bad_input(path.string(), "no such file", "check the path");
   if (!is_result(path))
-    throw bad_input(path.string(), "not a result of cosys-sim", "give a file that run wrote");
+    throw bad_input(path.string(), "not a result of cosys-sim, or damaged",
+                    "give a file that run wrote");
   const NetcdfReader file(path);
   StoredResult stored{origin_of(file), {}, {}};
   stored.scenario = parse_scenario(stored.origin.scenario_toml, path, {}, {});

@@ -1,37 +1,41 @@
 #include "sim/team.hpp"
 
-#include <cstdint>
+#include <exception>
 #include <functional>
-#include <optional>
 
 #include "sim/failure.hpp"
 
 namespace sim {
 
 bool together(Team* team, const std::function<void()>& step) {
-  std::optional<Failure> failure;
-  try {
-    step();
-  } catch (const Failure& e) {
-    failure = e;
-  }
   if (team == nullptr) {
-    if (failure) throw *failure;
+    step();
     return true;
   }
+  std::exception_ptr failure;
+  try {
+    step();
+  } catch (...) {
+    failure = std::current_exception();
+  }
   const int first = -static_cast<int>(team->largest(failure ? -team->rank() : -team->size()));
-  if (failure && first == team->rank()) throw *failure;
-  return first == team->size();
+  if (first == team->size()) return true;
+  team->end_in_order();
+  if (failure && first == team->rank()) std::rethrow_exception(failure);
+  return false;
 }
 
-void check_agreement(Team* team, const std::string& text) {
-  if (team == nullptr) return;
+bool agree(Team* team, const std::string& text) {
+  if (team == nullptr) return true;
   const auto hash = static_cast<double>(std::hash<std::string>{}(text) >> 16U);
   const bool same = team->largest(hash) == -team->largest(-hash);
-  if (!same && team->rank() == 0)
-    throw Failure(ExitCode::environment,
-                  "the processes of the job read different files (no folder in common?) put the "
-                  "scenario and the result where all of them see it");
+  together(team, [&] {
+    if (!same)
+      throw Failure(ExitCode::environment,
+                    "the processes of the job read different files (no folder in common?) put the "
+                    "scenario and the result where all of them see it");
+  });
+  return same;
 }
 
 }  // namespace sim

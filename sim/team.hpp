@@ -23,16 +23,19 @@ class Team {
   virtual std::vector<GroupResult> exchange(std::span<const GroupResult> mine) = 0;
   /// Whether it is true for any member.
   virtual bool any(bool mine) = 0;
+  /// All members are about to end, some of them by a failure. One that fails without that ends the
+  /// whole job at once.
+  virtual void end_in_order() = 0;
   /// The largest of all members' numbers.
   virtual double largest(double mine) = 0;
 };
 
-/// Does a step that can fail in all members or in none: true if no member failed. If any did, the
-/// first of them throws its Failure, and the others give false. Alone: simply the step.
+/// Does a step that may fail: true if no member failed. If any did, the first of them throws its
+/// Failure and the others give false; all of them then have to end. Alone: simply the step.
 bool together(Team* team, const std::function<void()>& step);
 
-/// Throws Failure(environment) in the first member unless all hold the same text.
-void check_agreement(Team* team, const std::string& text);
+/// Whether all hold the same text; of those that do not, the first throws Failure(environment).
+bool agree(Team* team, const std::string& text);
 
 /// The job that this process was started in; null if it is alone, or built without MPI.
 std::unique_ptr<Team> join_team();

@@ -5,10 +5,10 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "sim/team.hpp"
+#include "sim/worker_threads.hpp"
 
 namespace sim {
 namespace {
@@ -41,10 +41,9 @@ class WaveRun {
       : link_(link), wave_(wave), stop_(stop), results_(wave.groups) {}
 
   std::vector<GroupResult> run(int threads) {
-    {
-      std::vector<std::jthread> workers;
-      for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
-    }
+    start_threads(
+        threads, [this] { work(); }, [this] { next_ = wave_.groups; })
+        .clear();  // waits for them
     if (failure_) std::rethrow_exception(failure_);
     return std::move(results_);
   }

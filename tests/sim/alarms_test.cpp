@@ -51,6 +51,9 @@ TEST(Alarms, NoErrorsWhereTheoryExpectsMany) {
   p = point_of(200, 0);
   p.operating.ebn0_db = 12;  // 9e-9
   EXPECT_EQ(names_of(p), "");
+  p = point_of(200, 60);  // a pin that stands still, of a message with few zeros
+  p.operating.ebn0_db = -30;
+  EXPECT_EQ(names_of(p), "");
 }
 
 // Matched receivers do what theory says, so nothing is to be distrusted.

@@ -57,6 +57,18 @@ TEST_F(Find, InterruptedKeepsWhatWasCounted) {
   EXPECT_EQ(values("s-find.h5", "stop_reason").substr(0, 1), "2");
 }
 
+// What was counted belongs to the files that were read first.
+TEST_F(Find, FilesThatChangeMeanwhileDoNotMatter) {
+  const Words find{"find", "s.toml", "--over", "receiver.range_m"};
+  const std::string digest = digest_of(program(find).out);
+  Running running = start_program(find);
+  running.line();
+  write("s.toml", "nonsense");
+  const Outcome o = running.finish();
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(digest_of(o.out), digest);
+}
+
 TEST_F(Find, RefusesInOneLine) {
   const std::string how =
       " write KEY=LOW:HIGH, such as receiver.range_m=1:40, or KEY if the scenario sweeps it";
@@ -70,7 +82,9 @@ TEST_F(Find, RefusesInOneLine) {
   refused("receiver.range_m=3", "not two numbers with a colon between");
   refused("receiver.range_m=1:2:3", "not two numbers with a colon between");
   refused("receiver.range_m=1:x", "not two numbers with a colon between");
-  refused("receiver.range_m=nan:2", "both ends are the same");
+  refused("receiver.range_m=nan:2", "not two numbers with a colon between");
+  refused("simulation.seed=1:9", "no loss depends on it");
+  refused("stop.max_frames=1:9", "no loss depends on it");
   refused("receiver.range_m=2:2", "both ends are the same");
   EXPECT_EQ(program({"find", "s.toml", "--over", "receiver.range_m=0:2"}).code, 2);
   EXPECT_EQ(program({"find", "s.toml", "--over", "receiver.range_m", "--flr", "nan"}).code, 2);

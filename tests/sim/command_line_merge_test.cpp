@@ -1,4 +1,8 @@
 // Shards of a run, on machines that do not know of each other, add up to the run.
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 #include "program.hpp"
 
 namespace {
@@ -57,6 +61,19 @@ TEST_F(Merge, SaysWhichTrialsTheSumHas) {
   EXPECT_EQ(values("sum.h5", "n_frames"), "48, 48, 48");
 }
 
+// A shard that was stopped can be gone on with, so its file is not written over.
+TEST_F(Merge, AStoppedShardIsToldAndNotOverwritten) {
+  run_shard("1/2");
+  Running running = start_program({"run", "s.toml", "-q", "-n", "100000", "--shard", "2/2"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  running.finish(SIGTERM);
+  EXPECT_EQ(program({"merge", "s-2of2.h5", "-o", "sum.h5"}).err,
+            "cosys-sim: some points are unfinished (their shards were stopped) run those shards "
+            "with --resume and merge again\n");
+  expect_refused({"merge", "s-1of2.h5", "s-2of2.h5", "-o", "./s-2of2.h5"}, 2,
+                 "-o ./s-2of2.h5 (it is one of the results to be merged) name another file");
+}
+
 TEST_F(Merge, AStoppedShardIsGoneOnWith) {
   run({"-o", "whole.h5"}, "4000");
   const Words half{"run", "s.toml", "-q", "-n", "4000", "--shard", "2/2", "-t", "1"};
@@ -96,7 +113,7 @@ TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
       {"merge", "s-1of2.h5", "dim.h5", "-o", "sum.h5"}, 2,
       "cannot merge dim.h5" + which + " (it is of another scenario, or of other options)" + remedy);
   expect_refused({"merge", "s-1of2.h5", "none.h5", "-o", "sum.h5"}, 2,
-                 "none.h5 (not a result of cosys-sim) give a file that run wrote");
+                 "none.h5 (no such file) check the path");
   expect_refused(
       {"run", "s.toml", "-q", "-n", "107", "--shard", "2/2", "--resume", "-o", "s-1of2.h5"}, 2,
       "cannot resume s-1of2.h5 (it has other trials: shard 1/2) leave out --resume to "

@@ -12,7 +12,7 @@ namespace {
 class Mpi : public CommandLine {
  protected:
   Mpi() {
-    // A test may run as root, and in a machine of fewer processors than members.
+    // A test may run as root.
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     write_scenario("s.toml", "receiver.range_m = [1, 2.2, 3]");
@@ -53,6 +53,41 @@ TEST_F(Mpi, GoesOnWithWhatWasLeft) {
   Words again = run;
   again.emplace_back("--resume");
   EXPECT_EQ(digest_of(mpirun(2, again).out), whole);
+}
+
+TEST_F(Mpi, ASignalEndsTheJobInOrder) {
+  const Words run{"run", "s.toml", "-q", "-n", "4000", "-e", "0", "-t", "1"};
+  const std::string whole = digest_of(program(run).out);
+  std::filesystem::remove(path("s.h5"));
+  Running running = start_tool(COSYS_MPIRUN, job(2, run));
+  for (int i = 0; i < 3; ++i) running.line();  // the table's head
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_NE(running.finish(SIGTERM).code, 0);
+  Words again = run;
+  again.emplace_back("--resume");
+  EXPECT_EQ(digest_of(mpirun(2, again).out), whole);
+}
+
+// Members on other machines may see other files.
+TEST_F(Mpi, RefusesFilesThatDiffer) {
+  for (const char* rank : {"0", "1"}) {
+    std::filesystem::create_directory(path(rank));
+    write(std::string(rank) + "/s.toml", std::string("led.current_ma = 9") + rank + "\n");
+  }
+  const std::string program = "cd $OMPI_COMM_WORLD_RANK && exec " COSYS_PROGRAM " run s.toml -q";
+  const Outcome o =
+      start_tool(COSYS_MPIRUN, {"-n", "2", "--oversubscribe", "sh", "-c", program}).finish();
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("cosys-sim: the processes of the job read different files"),
+            std::string::npos)
+      << o.err;
+}
+
+TEST_F(Mpi, OnlyRunIsShared) {
+  const Outcome o = mpirun(2, {"find", "s.toml", "--over", "receiver.range_m"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("only cosys-sim run can share its work out"), std::string::npos) << o.err;
+  EXPECT_EQ(mpirun(1, {"encode", "x"}).code, 0);
 }
 
 TEST_F(Mpi, RefusesOnceForAll) {

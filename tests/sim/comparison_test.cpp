@@ -90,9 +90,8 @@ TEST_F(CommandLine, DiffTellsEqualCompatibleAndDifferent) {
       {"diff", "a.h5", "other.h5"}, 2,
       "a.h5 and other.h5 (they are of different sweeps) give results of the same points");
   expect_refused({"diff", "a.h5", "s.toml"}, 2,
-                 "s.toml (not a result of cosys-sim) give a file that run wrote");
-  expect_refused({"diff", "a.h5", "none.h5"}, 2,
-                 "none.h5 (not a result of cosys-sim) give a file that run wrote");
+                 "s.toml (not a result of cosys-sim, or damaged) give a file that run wrote");
+  expect_refused({"diff", "a.h5", "none.h5"}, 2, "none.h5 (no such file) check the path");
 }
 
 }  // namespace

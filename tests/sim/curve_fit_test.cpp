@@ -166,8 +166,12 @@ TEST(CrossingSentence, SaysEachOutcome) {
             "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m");
   EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
             "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8}),
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (a jump)");
+  EXPECT_EQ(
+      say({Kind::jump, 7.5, 7, 8, 0.018}),
+      "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (a jump, though 1.8 % cannot "
+      "be ruled out before it)");
   EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m "
             "(no logit curve fits the points)");
@@ -189,7 +193,7 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
   const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
   EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8}), "between 7 and 8 m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}), "between 7 and 8 m");
   EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}), "between 7 and 8 m (no logit curve fits the points)");
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),

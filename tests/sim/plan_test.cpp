@@ -29,6 +29,9 @@ TEST(Plan, ExpectsTheFramesThatTheRuleWillNeed) {
   EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .rel_ci = 0.1})), 3457, 200);
   EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .rel_ci = 0.1})), 100000);
   EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .target_flr = 0.05})), 400, 20);
+  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .target_flr = 0.01})), 760);
+  // Where no loss was seen none is expected.
+  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .max_frame_errors = 50})), 100000);
 }
 
 TEST(Plan, FillsTheTime) {
@@ -67,10 +70,11 @@ TEST_F(CommandLine, TimeBudgetChoosesTheFrames) {
   write_scenario("s.toml", "receiver.range_m = [1, 3]");
   const Outcome o = program({"run", "s.toml", "--time-budget", "2s"});
   ASSERT_EQ(o.code, 0) << o.err;
-  const std::string key = "as of --max-frames ";
+  const std::string key = "--max-frames ";
   const std::size_t at = o.err.find(key);
   ASSERT_NE(at, std::string::npos) << o.err;
-  const std::string frames = o.err.substr(at + key.size(), o.err.find('\n', at) - at - key.size());
+  const std::string frames =
+      o.err.substr(at + key.size(), o.err.find(' ', at + key.size()) - at - key.size());
   EXPECT_GT(std::stoi(frames), 16);
   EXPECT_EQ(values("s.h5", "n_frames"), frames + ", " + frames);
   ASSERT_EQ(program({"run", "s.toml", "-q", "-n", frames, "--resume"}).code, 0);
@@ -80,9 +84,9 @@ TEST_F(CommandLine, TimeBudgetIsRefusedWhereItCannotBeKept) {
   write_scenario("s.toml", "stop.max_frames = [8, 16]");
   expect_refused({"run", "s.toml", "--time-budget", "2s"}, 2,
                  "--time-budget (stop.max_frames is swept in s.toml) leave one of the two out");
-  for (const char* wrong : {"0s", "nans", "-1s", "5", "x", "1e300h"})
+  for (const char* wrong : {"0s", "nans", "-1s", "5", "x", "1e300h", "1e9h", "1s2"})
     EXPECT_EQ(program({"run", "s.toml", "--time-budget", wrong}).code, 2) << wrong;
-  for (const Words& other : {Words{"--resume"}, {"--shard", "1/2"}, {"--plan"}}) {
+  for (const Words& other : {Words{"--resume"}, {"--shard", "1/2"}, {"--plan"}, {"-n", "8"}}) {
     Words words{"run", "s.toml", "--time-budget", "2s"};
     words.insert(words.end(), other.begin(), other.end());
     EXPECT_EQ(program(words).code, 2) << other.front();

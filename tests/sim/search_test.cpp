@@ -111,7 +111,27 @@ TEST(Search, EndsAtOnceWhenInterrupted) {
     if (++looks == 4) return std::nullopt;
     return Tally{.n_frames = 2000, .n_frames_lost = looks == 2 ? 2000u : 0u};
   });
-  EXPECT_LE(looks, 6);
+  EXPECT_EQ(looks, 4);
+}
+
+// Few frames do not tell that none of them is lost, but they tell the other side.
+TEST(Search, AnEndOfWhichTooLittleIsKnownDoesNotEndIt) {
+  std::vector<double> looked_at;
+  search({.low = 1, .high = 40}, level, [&](double x) {
+    looked_at.push_back(x);
+    return Tally{.n_frames = 100, .n_frames_lost = x > 2.16 ? 100u : 0u};
+  });
+  std::ranges::sort(looked_at);
+  const auto above = std::ranges::upper_bound(looked_at, 2.16);
+  EXPECT_LT(*above / *(above - 1), 1.011);
+  looked_at.clear();
+  search({.low = 1, .high = 40}, level, [&](double x) {
+    looked_at.push_back(x);
+    return Tally{.n_frames = 100, .n_frames_lost = x < 2.16 ? 100u : 0u};
+  });
+  std::ranges::sort(looked_at);
+  const auto below = std::ranges::upper_bound(looked_at, 2.16);
+  EXPECT_LT(*below / *(below - 1), 1.011);
 }
 
 // A grid as fine as the bracket takes 5000 frames at each point that is near the level.
