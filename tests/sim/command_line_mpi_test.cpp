@@ -1,6 +1,6 @@
 // One run on several processes gives what one process gives. Where MPI is installed.
 #ifdef COSYS_MPIRUN
-#include <signal.h>
+#include <csignal>
 
 #include <chrono>
 #include <thread>
