@@ -1,8 +1,7 @@
 // One run on several processes gives what one process gives. Where MPI is installed.
 #ifdef COSYS_MPIRUN
-#include <csignal>
-
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include "program.hpp"
