@@ -94,4 +94,14 @@ TEST(SequentialCoverage, StoppedByTheWidthOfTheInterval) {
   expect_nominal(coverage({.max_frames = 1000000, .rel_ci = 0.2}));
 }
 
+// A side that is told after a dozen frames leaves intervals of a dozen frames, few of them bad, and
+// stops where chance went one way: they hold the truth less often than they say (sim/README.md).
+TEST(SequentialCoverage, StoppedByATargetTheyHoldLessOften) {
+  for (const double target : {0.02, 0.07, 0.13, 0.2, 0.5}) {
+    const Coverage c = coverage({.max_frames = 5000, .target_flr = target});
+    EXPECT_GE(c.ber, 0.90) << target;
+    EXPECT_GE(c.flr, 0.92) << target;
+  }
+}
+
 }  // namespace
