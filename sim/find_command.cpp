@@ -60,8 +60,9 @@ std::vector<double> swept_ends(const std::string& text, const LoadedScenario& sc
 
 /// Those of "receiver.range_m=1:40".
 std::vector<double> given_ends(const std::string& text) {
+  const std::string_view range = std::string_view(text).substr(text.find('=') + 1);
   std::vector<double> ends;
-  for (const std::string_view end : split(text.substr(text.find('=') + 1), ':'))
+  for (const std::string_view end : split(range, ':'))
     if (const auto value = parse_number(end); value && std::isfinite(*value))
       ends.push_back(*value);
   if (ends.size() != 2 || std::ranges::count(text, ':') != 1)
