@@ -89,7 +89,7 @@ TEST_F(Merge, AStoppedShardIsGoneOnWith) {
 }
 
 TEST_F(Merge, LossesAreSharedOut) {
-  run({"-e", "9", "--shard", "2/2"}, "4000");
+  run({"-e", "9", "--shard", "2/2"}, "400");
   EXPECT_EQ(values("s-2of2.h5", "stop_reason"), "0, 1, 1");
   EXPECT_EQ(values("s-2of2.h5", "n_frames_lost").substr(0, 3), "0, ");
 }
