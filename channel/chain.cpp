@@ -107,6 +107,16 @@ Kernel kernel_for(InstructionSet set) {
   return set == InstructionSet::best ? best : run_lanes_baseline;
 }
 
+/// Runs the kernel, under a clock if there is one.
+void run(ChainKernelInput& input, InstructionSet set, StageClock* clock) {
+  if (clock != nullptr) {
+    input.on_stage = &StageClock::lap;
+    input.stage_context = clock;
+    clock->start();
+  }
+  kernel_for(set)(input);
+}
+
 std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {
   std::vector<dsp::Seconds> ends;
   for (const ChainInput& input : inputs) ends.push_back(input.drive->end());
@@ -143,11 +153,12 @@ ModuleDesign design_unit(const ModuleData& unit, dsp::WattsPerSquareMetre ambien
 
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
-                                       const std::atomic<bool>* stop, InstructionSet set) {
+                                       const std::atomic<bool>* stop, InstructionSet set,
+                                       StageClock* clock) {
   assert(inputs.size() <= lanes_per_group);
   PinWriter pins(inputs, design.sample_rate, stop);
-  const PreparedGroup group(design, inputs, pins);
-  kernel_for(set)(group.kernel);
+  PreparedGroup group(design, inputs, pins);
+  run(group.kernel, set, clock);
   return pins.take();
 }
 
@@ -167,13 +178,13 @@ dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& inp
 std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign& receiver,
                                     std::span<const ChainInput> inputs,
                                     std::span<const BitSlots> slots, const std::atomic<bool>* stop,
-                                    InstructionSet set) {
+                                    InstructionSet set, StageClock* clock) {
   assert(inputs.size() <= lanes_per_group && slots.size() == inputs.size());
   PinWriter unused(inputs, design.sample_rate, stop);
   SlotWriter pins(receiver, slots, design.sample_rate, stop);
   PreparedGroup group(design, inputs, unused);
   pins.attach_to(group.kernel);
-  kernel_for(set)(group.kernel);
+  run(group.kernel, set, clock);
   return pins.take(ends_of(inputs));
 }
 

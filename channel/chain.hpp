@@ -12,6 +12,7 @@
 #include "channel/ideal_receiver.hpp"
 #include "channel/keyed_carrier.hpp"
 #include "channel/receiver_module.hpp"
+#include "channel/stage_clock.hpp"
 #include "dsp/logic_trace.hpp"
 #include "dsp/units.hpp"
 
@@ -59,11 +60,12 @@ constexpr int lanes_per_group = 8;
 enum class InstructionSet { best, baseline };
 
 /// The module's pin for each of up to eight trials, all at once. Gives up soon after `*stop` has
-/// become true; the pins are then worth nothing.
+/// become true; the pins are then worth nothing. `clock`, if given, is told where the time goes.
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop = nullptr,
-                                       InstructionSet set = InstructionSet::best);
+                                       InstructionSet set = InstructionSet::best,
+                                       StageClock* clock = nullptr);
 
 /// Every sample of one trial at the chain's taps.
 struct Recording {
@@ -80,7 +82,8 @@ std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign
                                     std::span<const ChainInput> inputs,
                                     std::span<const BitSlots> slots,
                                     const std::atomic<bool>* stop = nullptr,
-                                    InstructionSet set = InstructionSet::best);
+                                    InstructionSet set = InstructionSet::best,
+                                    StageClock* clock = nullptr);
 
 /// One trial of that alone; of `recording` only the irradiance has numbers, the rest is NaN.
 dsp::LogicTrace detect_alone(const ChainDesign& design, const IdealDesign& receiver,

@@ -16,6 +16,10 @@ struct ToneDesign;
 template <class T>
 struct ModuleDesignOf;
 
+/// The loops over a block, in their order.
+enum class ChainStage { noise, light, others_light, receiver, pin };
+constexpr int chain_stages = 5;
+
 struct ChainKernelInput {
   struct Lane {
     const Burst* bursts = nullptr;
@@ -57,6 +61,9 @@ struct ChainKernelInput {
   /// Whether to give up, asked once a block.
   bool (*stopped)(void* context) = nullptr;
   void* context = nullptr;
+  /// If set, called after each loop.
+  void (*on_stage)(void* context, ChainStage done) = nullptr;
+  void* stage_context = nullptr;
 };
 
 void run_lanes_baseline(const ChainKernelInput& input);

@@ -82,6 +82,12 @@ class Interference {
   std::vector<KeyedCarrier<T>> carriers_;
 };
 
+/// Tells whoever asked that a loop over a block is done.
+template <class T>
+void done(const ChainKernelInput& in, ChainStage stage) {
+  if (in.on_stage != nullptr) in.on_stage(in.stage_context, stage);
+}
+
 /// The modules of the lanes, which need not be alike.
 template <class T>
 ReceiverModule<T> modules_of(const ChainKernelInput& in) {
@@ -95,7 +101,7 @@ template <class T>
 class Irradiance {
  public:
   explicit Irradiance(const ChainKernelInput& in)
-      : dark_(in.noise_dark), lit_(in.noise_lit), carrier_(*in.carrier), others_(in) {
+      : in_(in), dark_(in.noise_dark), lit_(in.noise_lit), carrier_(*in.carrier), others_(in) {
     for (int i = 0; i < dsp::lanes<T>; ++i) {
       carrier_.load(i, {in.lane[i].bursts, in.lane[i].n_bursts}, in.lane[i].carrier_phase);
       noise_.seed(i, in.lane[i].noise_seed);
@@ -105,11 +111,15 @@ class Irradiance {
   /// The block that begins at sample `first`; to be called for each in turn.
   void fill(std::int64_t first, T* x, int length) {
     noise_.fill(x, block);
+    done<T>(in_, ChainStage::noise);
     add_light(carrier_, dark_, lit_, first, x, length);
+    done<T>(in_, ChainStage::light);
     others_.add(first, x, length);
+    done<T>(in_, ChainStage::others_light);
   }
 
  private:
+  const ChainKernelInput& in_;
   T dark_, lit_;
   KeyedCarrier<T> carrier_;
   Interference<T> others_;
@@ -130,11 +140,13 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
       pins[i] = static_cast<std::uint8_t>(dsp::bits(module(x[i])));
       probe(x[i], module.taps());
     }
+    done<T>(in, ChainStage::receiver);
     for (int i = 0; i < length; ++i) {
       const std::uint32_t flips = pins[i] ^ before;
       if (flips != 0) in.on_flip(in.context, first + i + 1, flips);
       before = pins[i];
     }
+    done<T>(in, ChainStage::pin);
   }
 }
 
@@ -154,6 +166,7 @@ void run_correlator(const ChainKernelInput& in, Probe probe) {
     irradiance.fill(first, x, length);
     correlator(first, x, length,
                [&](int lane, const SlotSums& sums) { in.on_slot(in.context, lane, sums); });
+    done<T>(in, ChainStage::receiver);
     for (int i = 0; i < length; ++i) probe(x[i], ModuleTaps<T>{none, none, none, none});
   }
 }

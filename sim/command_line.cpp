@@ -34,6 +34,9 @@ void add_run(CLI::App& app, RunRequest& request) {
          "is SCENARIO-KofN.h5 if not given")
       ->type_name("K/N")
       ->check(a_shard);
+  run.add_flag("--profile", request.profile,
+               "say on stderr where the time went, stage by stage; costs some percent of it")
+      ->excludes("--resume");
   auto* plan = run.add_flag("--plan", request.plan,
                             "say how many frames and how much time each point is expected to take, "
                             "from a few trials of it, and stop there")

@@ -32,6 +32,7 @@ struct RunRequest {
   bool quiet = false, json = false;
   bool resume = false;  // go on with what the result files have
   Shard shard;
+  bool profile = false;      // say where the time went
   bool plan = false;         // say what the run would take, and run nothing else
   double time_budget_s = 0;  // choose stop.max_frames so that it takes so long; 0: as given
   std::string command;       // as the user typed it

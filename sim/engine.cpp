@@ -31,17 +31,18 @@ class Pool {
        const PointResult& before)
       : link_(link),
         rule_(stop),
+        profiled_(options.profiled),
         end_(options.first_trial + stop.max_frames),
         ahead_(4 * static_cast<std::uint64_t>(options.threads)),
         next_((options.first_trial + before.tally.n_frames) / group_size),
         merged_(next_),
-        sum_{before.tally, before.simulated_s, before.n_samples} {}
+        sum_{before.tally, before.simulated_s, before.n_samples, before.profile} {}
 
   void work() {
     while (const auto group = take()) {
       try {
         give(*group, run_group(link_, static_cast<std::uint32_t>(*group * group_size),
-                               size_of(*group), &over_));
+                               size_of(*group), &over_, profiled_));
       } catch (...) {
         fail(std::current_exception());
       }
@@ -110,6 +111,7 @@ class Pool {
 
   const Link& link_;
   const StopRule rule_;
+  const bool profiled_;
   const std::uint64_t end_;  // of the trials
   const std::uint64_t ahead_;
 
@@ -149,7 +151,8 @@ PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, 
           .elapsed_s = elapsed_s,
           .simulated_s = sum.simulated_s,
           .n_samples = sum.n_samples,
-          .outside = link.outside};
+          .outside = link.outside,
+          .profile = sum.profile};
 }
 
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,

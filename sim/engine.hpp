@@ -17,6 +17,7 @@ class Team;
 struct EngineOptions {
   int threads = 1;
   std::uint64_t first_trial = 0;  // of the point's trials; starts a whole group of eight
+  bool profiled = false;          // with PointResult::profile
   Team* team = nullptr;           // processes to share the trials with
   const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
   /// From the calling thread, a few times a second: what an interrupt would leave now.

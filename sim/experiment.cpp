@@ -35,6 +35,7 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
   };
   EngineOptions engine{.threads = options.threads,
                        .first_trial = trials_of(shard, rule.max_frames).first,
+                       .profiled = options.profiled,
                        .team = options.team,
                        .interrupt = options.interrupt};
   if (options.on_progress) {

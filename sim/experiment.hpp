@@ -22,6 +22,7 @@ struct Progress {
 
 struct ExperimentOptions {
   int threads = 1;
+  bool profiled = false;
   Team* team = nullptr;  // each of whose members runs the same experiment
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/axis.hpp"
+#include "sim/profile.hpp"
 #include "sim/shard.hpp"
 #include "sim/stop_rule.hpp"
 #include "sim/tally.hpp"
@@ -36,6 +37,7 @@ struct PointResult {
   std::uint64_t n_samples = 0;  // waveform samples simulated
   std::uint64_t outside = 0;    // of the models' validity: bits of sim/validity
   std::uint64_t alarms = 0;     // bits of sim/alarms
+  Profile profile{};            // where somebody asked for it; not kept in files
 };
 
 struct ExperimentResult {

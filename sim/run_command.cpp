@@ -99,6 +99,16 @@ struct Run {
 /// Whether this process prints and writes.
 bool speaks(const Team* team) { return team == nullptr || team->rank() == 0; }
 
+std::string profile_of(const ExperimentResult& result) {
+  Profile profile;
+  std::uint64_t samples = 0;
+  for (const PointResult& point : result.points) {
+    profile += point.profile;
+    samples += point.n_samples;
+  }
+  return profile_lines(profile, samples);
+}
+
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
   Keeper keeper(run.output, request.program);
   ProgressLine progress(!request.quiet);
@@ -115,6 +125,7 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
   keeper.keep(result);
+  if (request.profile) say(profile_of(result));
   print(request.json ? to_json(result) + "\n"
                      : missing_lines(result) + closing_lines(result, run.output));
 }
@@ -190,8 +201,10 @@ ExitCode run_command(const RunRequest& request) {
   std::vector<Run> runs;
   const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
   if (!ready) return ExitCode::bad_input;
-  const ExperimentOptions options{
-      .threads = threads_of(request), .team = team.get(), .interrupt = &heed_stop_signals()};
+  const ExperimentOptions options{.threads = threads_of(request),
+                                  .profiled = request.profile,
+                                  .team = team.get(),
+                                  .interrupt = &heed_stop_signals()};
   if (request.plan) return plan(request, runs, *options.interrupt);
   if (!agree(team.get(), start_of(runs))) return ExitCode::environment;
   for (const Run& run : runs) {

@@ -37,12 +37,12 @@ struct Wave {
 /// Runs a wave on some threads.
 class WaveRun {
  public:
-  WaveRun(const Link& link, const Wave& wave, const std::atomic<bool>* stop)
-      : link_(link), wave_(wave), stop_(stop), results_(wave.groups) {}
+  WaveRun(const Link& link, const Wave& wave, const EngineOptions& options)
+      : link_(link), wave_(wave), options_(options), results_(wave.groups) {}
 
-  std::vector<GroupResult> run(int threads) {
+  std::vector<GroupResult> run() {
     start_threads(
-        threads, [this] { work(); }, [this] { next_ = wave_.groups; })
+        options_.threads, [this] { work(); }, [this] { next_ = wave_.groups; })
         .clear();  // waits for them
     if (failure_) std::rethrow_exception(failure_);
     return std::move(results_);
@@ -53,7 +53,8 @@ class WaveRun {
     try {
       for (std::size_t i = next_++; i < wave_.groups; i = next_++)
         if (const int n = wave_.size_of(i); n > 0)
-          results_[i] = run_group(link_, static_cast<std::uint32_t>(wave_.trial_of(i)), n, stop_);
+          results_[i] = run_group(link_, static_cast<std::uint32_t>(wave_.trial_of(i)), n,
+                                  options_.interrupt, options_.profiled);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       failure_ = std::current_exception();
@@ -62,7 +63,7 @@ class WaveRun {
 
   const Link& link_;
   const Wave wave_;
-  const std::atomic<bool>* stop_;
+  const EngineOptions& options_;
   std::atomic<std::size_t> next_ = 0;
   std::vector<GroupResult> results_;
   std::mutex mutex_;
@@ -97,14 +98,14 @@ PointResult run_point_together(const Link& link, const StopRule& stop, const Eng
     return std::chrono::duration<double>(Clock::now() - then).count();
   };
   const auto members = static_cast<std::uint64_t>(team.size());
-  GroupResult sum{before.tally, before.simulated_s, before.n_samples};
+  GroupResult sum{before.tally, before.simulated_s, before.n_samples, before.profile};
   Wave wave{(options.first_trial + sum.tally.n_frames) / group_size +
                 static_cast<std::uint64_t>(team.rank()),
             members, static_cast<std::size_t>(team.largest(options.threads)),
             options.first_trial + stop.max_frames};
   for (;;) {
     const auto wave_began = Clock::now();
-    const auto mine = WaveRun(link, wave, options.interrupt).run(options.threads);
+    const auto mine = WaveRun(link, wave, options).run();
     const double seconds = team.largest(since(wave_began));
     if (team.any(options.interrupt != nullptr && *options.interrupt))
       return as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began));

@@ -1,6 +1,7 @@
 #include "sim/trial.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -113,15 +114,6 @@ void count_rejected(protocol::CosysOutcome outcome, Tally& tally) {
   }
 }
 
-std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<Transmission>& sent,
-                                     const std::vector<channel::ChainInput>& inputs,
-                                     const std::atomic<bool>* stop) {
-  if (!link.ideal) return channel::propagate(link.chain, inputs, stop);
-  std::vector<channel::BitSlots> slots;
-  for (const Transmission& trial : sent) slots.push_back(bit_slots(link, trial));
-  return channel::detect(link.chain, *link.ideal, inputs, slots, stop);
-}
-
 bool overlaps_any(const Transmission& sent, const protocol::CosysFrame& frame, dsp::Seconds end,
                   const Link& link) {
   return std::any_of(sent.messages.begin(), sent.messages.end(), [&](const SentMessage& m) {
@@ -157,6 +149,53 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   tally.n_frames_undetected = deceived;
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
+
+/// What is drawn for the trials of a group; inputs point to the rest.
+struct Group {
+  std::vector<Transmission> sent;
+  std::vector<std::optional<channel::ModuleDesign>> units;
+  std::vector<channel::ChainInput> inputs;
+};
+
+Group draw_group(const Link& link, std::uint32_t first, int n) {
+  Group group;
+  for (int i = 0; i < n; ++i) {
+    group.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+    group.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
+  }
+  for (std::size_t i = 0; i < group.sent.size(); ++i)
+    group.inputs.push_back(
+        chain_input(link, first + static_cast<std::uint32_t>(i), group.sent[i], group.units[i]));
+  return group;
+}
+
+std::vector<dsp::LogicTrace> pins_of(const Link& link, const Group& group,
+                                     const std::atomic<bool>* stop, channel::StageClock* clock) {
+  constexpr auto best = channel::InstructionSet::best;
+  if (!link.ideal) return channel::propagate(link.chain, group.inputs, stop, best, clock);
+  std::vector<channel::BitSlots> slots;
+  for (const Transmission& trial : group.sent) slots.push_back(bit_slots(link, trial));
+  return channel::detect(link.chain, *link.ideal, group.inputs, slots, stop, best, clock);
+}
+
+GroupResult count_group(const Link& link, std::uint32_t first, const Group& group,
+                        std::vector<dsp::LogicTrace> pins) {
+  GroupResult result;
+  for (std::size_t i = 0; i < group.sent.size(); ++i) {
+    const double duration = group.sent[i].line.end().value;
+    const Reception heard =
+        receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
+    result.tally += count(link, group.sent[i], heard);
+    result.simulated_s += duration;
+    result.n_samples +=
+        static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
+  }
+  return result;
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 }  // namespace
 
@@ -224,28 +263,17 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
   return tally;
 }
 
-GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  std::vector<Transmission> sent;
-  std::vector<std::optional<channel::ModuleDesign>> units;
-  std::vector<channel::ChainInput> inputs;
-  for (int i = 0; i < n; ++i) {
-    sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-    units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
-  }
-  for (std::size_t i = 0; i < sent.size(); ++i)
-    inputs.push_back(chain_input(link, first + static_cast<std::uint32_t>(i), sent[i], units[i]));
-  std::vector<dsp::LogicTrace> pins = pins_of(link, sent, inputs, stop);
-
-  GroupResult result;
-  for (std::size_t i = 0; i < sent.size(); ++i) {
-    const double duration = sent[i].line.end().value;
-    const Reception heard =
-        receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
-    result.tally += count(link, sent[i], heard);
-    result.simulated_s += duration;
-    result.n_samples +=
-        static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
-  }
+GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
+                      bool profiled) {
+  const Clock::time_point began = Clock::now();
+  const Group group = draw_group(link, first, n);
+  const Clock::time_point drawn = Clock::now();
+  channel::StageClock clock;
+  std::vector<dsp::LogicTrace> pins = pins_of(link, group, stop, profiled ? &clock : nullptr);
+  const Clock::time_point heard = Clock::now();
+  GroupResult result = count_group(link, first, group, std::move(pins));
+  if (profiled)
+    result.profile = {seconds(drawn - began), clock.seconds(), seconds(Clock::now() - heard)};
   return result;
 }
 

@@ -32,6 +32,7 @@
 #include "dsp/logic_trace.hpp"
 #include "protocol/cosys.hpp"
 #include "sim/link.hpp"
+#include "sim/profile.hpp"
 #include "sim/tally.hpp"
 
 namespace sim {
@@ -90,18 +91,20 @@ struct GroupResult {
   Tally tally;
   double simulated_s = 0;
   std::uint64_t n_samples = 0;
+  Profile profile{};
 
   GroupResult& operator+=(const GroupResult& other) {
     tally += other.tally;
     simulated_s += other.simulated_s;
     n_samples += other.n_samples;
+    profile += other.profile;
     return *this;
   }
 };
 
 /// All steps for trials first ... first + n - 1 (n up to channel::lanes_per_group) at once. Worth
-/// nothing once `*stop` is true: it then gives up soon.
+/// nothing once `*stop` is true: it then gives up soon. `profiled`: with a profile of its time.
 GroupResult run_group(const Link& link, std::uint32_t first, int n,
-                      const std::atomic<bool>* stop = nullptr);
+                      const std::atomic<bool>* stop = nullptr, bool profiled = false);
 
 }  // namespace sim

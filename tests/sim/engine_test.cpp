@@ -102,6 +102,25 @@ TEST(EngineDeterminism, StopsWhereTheLossIsTold) {
   }
 }
 
+// What is asked for costs time, not counts; what is not asked for is not measured.
+TEST(Engine, AProfileHasTheTimeOfEveryStage) {
+  for (const char* receiver : {"TSOP4856", "ideal-coherent"}) {
+    const Link link =
+        link_of({std::string("receiver.module=") + receiver, "simulation.sample_rate_hz=250000"});
+    const PointResult plain = run(link, {.max_frames = 16}, 2);
+    const PointResult profiled =
+        run_point(link, {.max_frames = 16}, {.threads = 2, .profiled = true});
+    EXPECT_EQ(profiled.tally, plain.tally);
+    EXPECT_EQ(plain.profile.decoding_s + plain.profile.chain_s[0], 0);
+    const Profile& p = profiled.profile;
+    for (const channel::ChainStage stage :
+         {channel::ChainStage::noise, channel::ChainStage::light, channel::ChainStage::receiver})
+      EXPECT_GT(p.chain_s.at(static_cast<std::size_t>(stage)), 0);
+    EXPECT_GT(p.messages_s, 0);
+    EXPECT_GT(p.decoding_s, 0);
+  }
+}
+
 TEST(Engine, InterruptKeepsWhatIsComplete) {
   const std::atomic<bool> interrupt = true;
   const PointResult result = run_point(link_of(clear_link()), {.max_frames = 4000000000u},

@@ -1,0 +1,22 @@
+#pragma once
+// Where the time of a run goes, stage by stage: `cosys-sim run --profile`.
+#include <cstdint>
+#include <string>
+
+#include "channel/stage_clock.hpp"
+
+namespace sim {
+
+/// Wall-clock seconds of the threads that run trials; 0 where nobody asked. Steps as of sim/trial.
+struct Profile {
+  double messages_s = 0;                   // steps 1-2, and drawing what steps 3-7 need
+  channel::StageClock::Seconds chain_s{};  // steps 3-7
+  double decoding_s = 0;                   // steps 8-10
+
+  Profile& operator+=(const Profile& other);
+};
+
+/// A line for each stage: seconds of all threads together, share, and time for a sample of a trial.
+std::string profile_lines(const Profile& profile, std::uint64_t n_samples);
+
+}  // namespace sim
