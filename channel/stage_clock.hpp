@@ -1,6 +1,6 @@
 #pragma once
-// Where the time of a chain goes, stage by stage. Looking at a clock once a block and stage costs
-// about two percent, so it is done only where somebody asks.
+// Where the time of a chain goes, stage by stage. Looking at a clock behind each loop costs time
+// itself, so it is done only where somebody asks.
 #include <array>
 #include <chrono>
 #include <cstddef>

@@ -35,7 +35,7 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->type_name("K/N")
       ->check(a_shard);
   run.add_flag("--profile", request.profile,
-               "say on stderr where the time went, stage by stage; costs some percent of it")
+               "say on stderr where the time went, stage by stage; looking costs some of it")
       ->excludes("--resume");
   auto* plan = run.add_flag("--plan", request.plan,
                             "say how many frames and how much time each point is expected to take, "
