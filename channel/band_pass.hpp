@@ -53,6 +53,8 @@ class BandPass {
     return u_ = u;
   }
 
+  T output() const { return u_; }
+
   /// Largest output in the last sample. A comparator watches all the time: of a wave that it sees
   /// at sample instants alone it misses up to (pi f / rate)^2 / 2 of each peak.
   T peak() const { return peak_; }

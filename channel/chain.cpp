@@ -55,6 +55,7 @@ class PinWriter {
 };
 
 struct Recorder {
+  static constexpr bool looks = true;
   Recording* into;
   void operator()(float irradiance, const ModuleTaps<float>& taps) const {
     into->irradiance.push_back(irradiance);

@@ -18,6 +18,7 @@ namespace channel {
 
 /// The probe that looks at nothing and costs nothing.
 struct NoProbe {
+  static constexpr bool looks = false;
   template <class T>
   void operator()(T, const ModuleTaps<T>&) const {}
 };
@@ -126,26 +127,52 @@ class Irradiance {
   dsp::NormalSource<T> noise_;
 };
 
+/// A block of light to the module's pins, bit i of each being lane i's. Two loops, one for what
+/// only goes forward and one for what its own output acts on: in one they would wait for each
+/// other. A probe wants to see both after each sample.
+template <class T, class Probe>
+void receive(ReceiverModule<T>& module, const T* x, int length, std::uint8_t* pins, Probe probe) {
+  constexpr int step = Probe::looks ? 1 : block;
+  T peak[step];
+  for (int first = 0; first < length; first += step) {
+    const int n = std::min(step, length - first);
+    for (int i = 0; i < n; ++i) peak[i] = module.filtered(x[first + i]);
+    for (int i = 0; i < n; ++i)
+      pins[first + i] = static_cast<std::uint8_t>(dsp::bits(module.demodulated(peak[i])));
+    if constexpr (Probe::looks) probe(x[first], module.taps());
+  }
+}
+
+/// Tells of each change of the pins in a block, of which most have none: eight samples a look.
+template <class T>
+void report_flips(const ChainKernelInput& in, std::int64_t first, const std::uint8_t* pins,
+                  int length, std::uint8_t& before) {
+  constexpr int look = sizeof(std::uint64_t);
+  for (int i = 0; i < length;) {
+    const std::uint64_t same = std::uint64_t{before} * 0x0101010101010101u;
+    if (i + look <= length && __builtin_memcmp(pins + i, &same, look) == 0) {
+      i += look;
+      continue;
+    }
+    const std::uint32_t flips = pins[i] ^ before;
+    if (flips != 0) in.on_flip(in.context, first + i + 1, flips);
+    before = pins[i++];
+  }
+}
+
 template <class T, class Probe>
 void run_chain(const ChainKernelInput& in, Probe probe) {
   Irradiance<T> irradiance(in);
   ReceiverModule<T> module = modules_of<T>(in);
   T x[block];
-  std::uint8_t pins[block];  // bit i: lane i
+  std::uint8_t pins[block];
   auto before = static_cast<std::uint8_t>(dsp::bits(dsp::Mask<T>(true)));
   for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
     const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
     irradiance.fill(first, x, length);
-    for (int i = 0; i < length; ++i) {
-      pins[i] = static_cast<std::uint8_t>(dsp::bits(module(x[i])));
-      probe(x[i], module.taps());
-    }
+    receive(module, x, length, pins, probe);
     done<T>(in, ChainStage::receiver);
-    for (int i = 0; i < length; ++i) {
-      const std::uint32_t flips = pins[i] ^ before;
-      if (flips != 0) in.on_flip(in.context, first + i + 1, flips);
-      before = pins[i];
-    }
+    report_flips<T>(in, first, pins, length, before);
     done<T>(in, ChainStage::pin);
   }
 }

@@ -23,42 +23,65 @@ class PeakFollower {
   T peak_ = T(0.0f);
 };
 
+/// Times behind the comparator are whole numbers of a small part of a sample: what waits for
+/// itself from sample to sample then waits one cycle for each step, not four as a float does.
+template <class T>
+struct DemodulatorDesignOf {
+  dsp::Words<T> sample;            // parts in a sample, a power of two
+  T part;                          // samples in a part
+  dsp::Words<T> hold, integrator;  // parts
+};
+using DemodulatorDesign = DemodulatorDesignOf<float>;
+
+template <class T>
+void set_lane(DemodulatorDesignOf<T>& all, int lane, const DemodulatorDesign& one) {
+  dsp::set_lane(all.sample, lane, one.sample);
+  dsp::set_lane(all.part, lane, one.part);
+  dsp::set_lane(all.hold, lane, one.hold);
+  dsp::set_lane(all.integrator, lane, one.integrator);
+}
+
 /// A comparator pulse a carrier cycle becomes one level: it holds for a bit more than a cycle.
 template <class T>
 class PulseHold {
  public:
-  explicit PulseHold(T samples) : samples_(samples) {}
+  explicit PulseHold(const DemodulatorDesignOf<T>& d) : length_(d.hold), sample_(d.sample) {}
 
-  /// The share of this sample that the level lasts, 0 to 1: a hold need not be whole samples.
-  T operator()(dsp::Mask<T> pulse) {
-    left_ = dsp::choose(pulse, samples_, left_ - T(1.0f));
-    return dsp::smaller(dsp::larger(left_, T(0.0f)), T(1.0f));
+  /// The part of this sample that the level lasts: a hold need not be whole samples.
+  dsp::Words<T> operator()(dsp::Mask<T> pulse) {
+    left_ = dsp::larger_signed(left_ - sample_, dsp::kept(pulse, length_));
+    return dsp::smaller_signed(left_, sample_);
   }
 
  private:
-  T samples_;
-  T left_ = T(0.0f);
+  dsp::Words<T> length_, sample_;
+  dsp::Words<T> left_ = dsp::Words<T>(0u);
 };
 
 /// Counts up in light and down in dark between two stops; the output switches at the stops.
 template <class T>
 class PulseIntegrator {
  public:
-  explicit PulseIntegrator(T samples) : top_(samples) {}
+  explicit PulseIntegrator(const DemodulatorDesignOf<T>& d)
+      : top_(d.integrator),
+        below_top_(d.integrator - dsp::Words<T>(1u)),
+        sample_(d.sample),
+        switch_(below_top_) {}
 
-  /// `light`: the lit share of the sample. True while the output reports light.
-  dsp::Mask<T> operator()(T light) {
-    const T change = dsp::fused(light, T(2.0f), T(-1.0f));
-    level_ = dsp::smaller(dsp::larger(level_ + change, T(0.0f)), top_);
-    output_ = dsp::choose(level_ >= top_, dsp::Mask<T>(true), output_ & (level_ > T(0.0f)));
-    return output_;
+  /// `light`: the lit part of the sample. True while the output reports light.
+  dsp::Mask<T> operator()(dsp::Words<T> light) {
+    const dsp::Words<T> counted = level_ + (light + light - sample_);
+    level_ = dsp::smaller_signed(dsp::larger_signed(counted, dsp::Words<T>(0u)), top_);
+    const dsp::Mask<T> output = dsp::exceeds(level_, switch_);
+    switch_ = dsp::kept(!output, below_top_);
+    return output;
   }
-  T level() const { return level_; }
+  dsp::Words<T> level() const { return level_; }
 
  private:
-  T top_;
-  T level_ = T(0.0f);
-  dsp::Mask<T> output_ = dsp::Mask<T>(false);
+  dsp::Words<T> top_, below_top_, sample_;
+  dsp::Words<T> level_ = dsp::Words<T>(0u);
+  dsp::Words<T> switch_;  // the output reports light above this level
 };
 
 }  // namespace channel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -65,6 +66,22 @@ SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
           .samples_per_tick = std::max(1, static_cast<int>(cycle))};
 }
 
+/// Parts of a sample, so many that the longest time takes 30 bits.
+DemodulatorDesign design_demodulator(const ModuleData& data, dsp::Hertz sample_rate) {
+  const double cycle = sample_rate.value / data.centre_hz;
+  const double hold = data.comparator_hold_cycles * cycle;
+  const double integrator = data.integrator_cycles * cycle;
+  const double longest = std::max({hold, integrator, cycle, 1.0});
+  const double sample = std::exp2(std::min(16.0, std::floor(30 - std::log2(longest))));
+  const auto parts = [&](double samples) {
+    return static_cast<std::uint32_t>(std::lround(samples * sample));
+  };
+  return {.sample = parts(1),
+          .part = static_cast<float>(1 / sample),
+          .hold = parts(hold),
+          .integrator = parts(integrator)};
+}
+
 }  // namespace
 
 BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_rate,
@@ -87,7 +104,6 @@ double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient)
 
 ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
                            dsp::Hertz sample_rate) {
-  const double cycle = sample_rate.value / data.centre_hz;
   const double level = emin_in_ambient(data, ambient) / emin_over_level(data);
   const double atc_samples = data.atc_release_ms * 1e-3 * sample_rate.value;
   const double front_end = 1 - std::exp(-2 * pi * data.front_end_hz / sample_rate.value);
@@ -99,8 +115,7 @@ ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambi
       .threshold = static_cast<float>(fundamental * level),
       .atc_fraction = static_cast<float>(data.atc_fraction),
       .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
-      .hold = static_cast<float>(data.comparator_hold_cycles * cycle),
-      .integrator = static_cast<float>(data.integrator_cycles * cycle),
+      .demodulator = design_demodulator(data, sample_rate),
       .agc = design_agc(data, sample_rate)};
 }
 

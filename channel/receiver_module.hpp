@@ -82,7 +82,7 @@ struct ModuleDesignOf {
   T limit;      // irradiance at which the input clips
   T threshold;  // amplitude of the fixed comparator, slow AGC at rest
   T atc_fraction, atc_decay;
-  T hold, integrator;
+  DemodulatorDesignOf<T> demodulator;
   SlowAgcDesignOf<T> agc;
 };
 using ModuleDesign = ModuleDesignOf<float>;
@@ -95,8 +95,7 @@ void set_lane(ModuleDesignOf<T>& all, int lane, const ModuleDesign& one) {
   dsp::set_lane(all.threshold, lane, one.threshold);
   dsp::set_lane(all.atc_fraction, lane, one.atc_fraction);
   dsp::set_lane(all.atc_decay, lane, one.atc_decay);
-  dsp::set_lane(all.hold, lane, one.hold);
-  dsp::set_lane(all.integrator, lane, one.integrator);
+  set_lane(all.demodulator, lane, one.demodulator);
   set_lane(all.agc, lane, one.agc);
 }
 
@@ -132,50 +131,63 @@ class ReceiverModule {
         limit_(d.limit),
         threshold_(d.threshold),
         margin_(d.agc.margin),
-        fixed_(d.threshold),
+        part_(d.demodulator.part),
         ticks_(d.agc.samples_per_tick),
         to_tick_(ticks_),
         band_pass_(d.band_pass),
         follower_(d.atc_fraction, d.atc_decay),
-        signal_(d.hold),
-        activity_(d.hold),
-        integrator_(d.integrator),
-        agc_(d.agc) {}
-
-  /// One sample of irradiance in, the pin's level out: false (low) while light is reported.
-  dsp::Mask<T> operator()(T irradiance) {
-    light_ = dsp::fused(front_end_, irradiance - light_, light_);
-    const T u = band_pass_(dsp::smaller(dsp::larger(light_, -limit_), limit_));
-    const T peak = band_pass_.peak();
-    const T following = follower_(peak);
-    const T level = dsp::larger(fixed_, following);
-    active_ = active_ + activity_(peak > dsp::larger(fixed_ * margin_, following));
-    if (--to_tick_ == 0) tick();
-    const dsp::Mask<T> reported = integrator_(signal_(peak > level));
-    taps_ = {u, level, integrator_.level(), gain_};
-    return !reported;
+        signal_(d.demodulator),
+        activity_(d.demodulator),
+        integrator_(d.demodulator),
+        agc_(d.agc) {
+    set_gain(T(1.0f));
   }
-  const ModuleTaps<T>& taps() const { return taps_; }
+
+  /// One sample, in two steps: irradiance to the largest output of the band-pass in the sample, and
+  /// that to the pin's level: false (low) while light is reported. The first needs nothing that the
+  /// second gives, so a block of samples is two loops, which need not wait for each other.
+  T filtered(T irradiance) {
+    light_ = dsp::fused(front_end_, irradiance - light_, light_);
+    band_pass_(dsp::smaller(dsp::larger(light_, -limit_), limit_));
+    return band_pass_.peak();
+  }
+  dsp::Mask<T> demodulated(T peak) {
+    const T following = follower_(peak);
+    level_ = dsp::larger(fixed_, following);
+    active_ = active_ + activity_(peak > dsp::larger(sensed_, following));
+    if (--to_tick_ == 0) tick();
+    return !integrator_(signal_(peak > level_));
+  }
+
+  ModuleTaps<T> taps() const {
+    return {band_pass_.output(), level_, dsp::to_float(integrator_.level()) * part_, gain_};
+  }
 
  private:
   void tick() {
     to_tick_ = ticks_;
-    gain_ = agc_(active_);
-    active_ = T(0.0f);
-    fixed_ = threshold_ * gain_;
+    set_gain(agc_(dsp::to_float(active_) * part_));
+    active_ = dsp::Words<T>(0u);
   }
 
-  T front_end_, limit_, threshold_, margin_, fixed_;
-  T light_ = T(0.0f);  // what the front end makes of the irradiance
-  T gain_ = T(1.0f);
-  T active_ = T(0.0f);  // samples of activity since the last tick
+  void set_gain(T gain) {
+    gain_ = gain;
+    fixed_ = threshold_ * gain;
+    sensed_ = fixed_ * margin_;
+  }
+
+  T front_end_, limit_, threshold_, margin_, part_;
+  T light_ = T(0.0f);                         // what the front end makes of the irradiance
+  T gain_, fixed_;                            // of the slow AGC; the threshold with it
+  T sensed_;                                  // where activity begins
+  T level_ = T(0.0f);                         // of the comparator
+  dsp::Words<T> active_ = dsp::Words<T>(0u);  // activity since the last tick, in parts of a sample
   int ticks_, to_tick_;
   BandPass<T> band_pass_;
   PeakFollower<T> follower_;
   PulseHold<T> signal_, activity_;
   PulseIntegrator<T> integrator_;
   SlowAgc<T> agc_;
-  ModuleTaps<T> taps_;
 };
 
 }  // namespace channel

@@ -90,6 +90,42 @@ inline bool choose(bool m, bool a, bool b) { return m ? a : b; }
 inline Lanes8 choose(Mask8 m, Lanes8 a, Lanes8 b) { return Lanes8(m.v ? a.v : b.v); }
 inline Mask8 choose(Mask8 m, Mask8 a, Mask8 b) { return Mask8((m.v & a.v) | (~m.v & b.v)); }
 
+/// The word where `m` holds, else 0.
+inline std::uint32_t kept(bool m, std::uint32_t w) { return m ? w : 0; }
+inline Words8 kept(Mask8 m, Words8 w) {
+  return Words8(__builtin_bit_cast(Words8::Vector, m.v) & w.v);
+}
+
+// Words read as signed integers.
+inline std::int32_t as_signed(std::uint32_t w) { return static_cast<std::int32_t>(w); }
+inline Mask8::Vector as_signed(Words8 w) { return __builtin_bit_cast(Mask8::Vector, w.v); }
+inline bool exceeds(std::uint32_t a, std::uint32_t b) { return as_signed(a) > as_signed(b); }
+inline Mask8 exceeds(Words8 a, Words8 b) { return Mask8(as_signed(a) > as_signed(b)); }
+inline std::uint32_t larger_signed(std::uint32_t a, std::uint32_t b) {
+  return exceeds(a, b) ? a : b;
+}
+inline std::uint32_t smaller_signed(std::uint32_t a, std::uint32_t b) {
+  return exceeds(b, a) ? a : b;
+}
+inline Words8 larger_signed(Words8 a, Words8 b) {
+#ifdef __AVX2__
+  return Words8(__builtin_bit_cast(
+      Words8::Vector,
+      _mm256_max_epi32(__builtin_bit_cast(__m256i, a.v), __builtin_bit_cast(__m256i, b.v))));
+#else
+  return Words8(as_signed(a) > as_signed(b) ? a.v : b.v);
+#endif
+}
+inline Words8 smaller_signed(Words8 a, Words8 b) {
+#ifdef __AVX2__
+  return Words8(__builtin_bit_cast(
+      Words8::Vector,
+      _mm256_min_epi32(__builtin_bit_cast(__m256i, a.v), __builtin_bit_cast(__m256i, b.v))));
+#else
+  return Words8(as_signed(a) < as_signed(b) ? a.v : b.v);
+#endif
+}
+
 /// Bit i tells lane i.
 inline std::uint32_t bits(bool m) { return m; }
 inline std::uint32_t bits(Mask8 m) {

@@ -43,6 +43,10 @@ ModuleDesign module_design() {
   return channel::design_module(channel::ModuleData{}, dsp::WattsPerSquareMetre(0.6), sample_rate);
 }
 
+channel::DemodulatorDesignOf<Lanes8> demodulator() {
+  return channel::in_all_lanes<Lanes8>(module_design()).demodulator;
+}
+
 /// Runs `stage(x)` over the block again and again; every result is used.
 template <class Stage>
 void run(benchmark::State& state, Stage stage, const Block& x) {
@@ -101,12 +105,11 @@ void follower_comparators_hold(benchmark::State& state) {
   run(
       state,
       [=, follower = channel::PeakFollower<Lanes8>(d.atc_fraction, d.atc_decay),
-       signal = channel::PulseHold<Lanes8>(d.hold),
-       activity = channel::PulseHold<Lanes8>(d.hold)](Lanes8 u) mutable {
+       signal = channel::PulseHold<Lanes8>(demodulator()),
+       activity = channel::PulseHold<Lanes8>(demodulator())](Lanes8 u) mutable {
         const Lanes8 following = follower(u);
-        return dsp::to_bits(
-            signal(u > dsp::larger(Lanes8(d.threshold), following)) +
-            activity(u > dsp::larger(Lanes8(d.threshold * d.agc.margin), following)));
+        return signal(u > dsp::larger(Lanes8(d.threshold), following)) +
+               activity(u > dsp::larger(Lanes8(d.threshold * d.agc.margin), following));
       },
       noise(2 * d.threshold));
 }
@@ -115,9 +118,8 @@ BENCHMARK(follower_comparators_hold);
 void integrator(benchmark::State& state) {
   run(
       state,
-      [stage = channel::PulseIntegrator<Lanes8>(module_design().integrator)](Lanes8 x) mutable {
-        return stage(dsp::choose(x > Lanes8(0.0f), Lanes8(1.0f), Lanes8(0.0f)));
-      },
+      [stage = channel::PulseIntegrator<Lanes8>(demodulator()), sample = demodulator().sample](
+          Lanes8 x) mutable { return stage(dsp::kept(x > Lanes8(0.0f), sample)); },
       noise(1));
 }
 BENCHMARK(integrator);
@@ -136,11 +138,14 @@ BENCHMARK(slow_agc_tick);
 
 void receiver_module(benchmark::State& state) {
   const ModuleDesign d = module_design();
-  run(
-      state,
-      [module = channel::ReceiverModule<Lanes8>(channel::in_all_lanes<Lanes8>(d))](
-          Lanes8 x) mutable { return module(x); },
-      noise(10 * d.threshold));
+  channel::ReceiverModule<Lanes8> module(channel::in_all_lanes<Lanes8>(d));
+  const Block x = noise(10 * d.threshold);
+  std::array<std::uint8_t, block> pins;
+  for (auto _ : state) {
+    channel::receive(module, x.data(), block, pins.data(), channel::NoProbe{});
+    benchmark::DoNotOptimize(pins);
+  }
+  report(state, samples_per_block);
 }
 BENCHMARK(receiver_module);
 

@@ -67,6 +67,23 @@ TEST_F(LanesAgree, Words) {
   expect_equal([](auto a, auto, auto) { return to_float(arithmetic_shift(to_bits(a), 23)); });
 }
 
+TEST_F(LanesAgree, SignedWords) {
+  const auto float_of = [](auto w) { return from_bits(w); };
+  expect_equal([](auto a, auto b, auto) { return exceeds(to_bits(a), to_bits(b)); });
+  expect_equal(
+      [=](auto a, auto b, auto) { return float_of(larger_signed(to_bits(a), to_bits(b))); });
+  expect_equal(
+      [=](auto a, auto b, auto) { return float_of(smaller_signed(to_bits(a), to_bits(b))); });
+  expect_equal([=](auto a, auto b, auto c) { return float_of(kept(a < b, to_bits(c))); });
+}
+
+TEST(Lanes, SignedWordsKnowTheirSign) {
+  const std::uint32_t minus_one = 0xFFFFFFFFu;
+  EXPECT_TRUE(exceeds(1u, minus_one));
+  EXPECT_EQ(larger_signed(1u, minus_one), 1u);
+  EXPECT_EQ(smaller_signed(1u, minus_one), minus_one);
+}
+
 TEST(Lanes, AnySeesEveryLane) {
   EXPECT_FALSE(any(Mask8(false)));
   for (int i = 0; i < 8; ++i) {

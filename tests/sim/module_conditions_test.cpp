@@ -82,9 +82,9 @@ TEST(Population, UnitsSpanTheTolerancesOfTheSheet) {
     ASSERT_TRUE(unit);
     most_sensitive = std::min(most_sensitive, static_cast<double>(unit->threshold));
     least_sensitive = std::max(least_sensitive, static_cast<double>(unit->threshold));
-    // Of the integrator's length in samples only f0 decides.
-    lowest = std::min(lowest, 1 / static_cast<double>(unit->integrator));
-    highest = std::max(highest, 1 / static_cast<double>(unit->integrator));
+    // Of the integrator's length only f0 decides.
+    lowest = std::min(lowest, 1.0 / unit->demodulator.integrator);
+    highest = std::max(highest, 1.0 / unit->demodulator.integrator);
   }
   EXPECT_NEAR(highest / lowest, 1.05 / 0.95, 0.002);
   // 0.12 to 0.25 mW/m2 in the dark; the ambient light of the default adds to both in squares.
