@@ -146,12 +146,15 @@ TEST_F(NormalSample, NeighboursAreUncorrelated) {
   }
 }
 
-TEST(NaturalLog, AgreesWithTheLibrary) {
+TEST(SquaredRadius, IsMinusTwiceTheLogarithm) {
+  constexpr float whole = 0x1p31f;
   for (int i = 1; i <= 200000; ++i) {
-    const float u = static_cast<float>(i) / 200000.0f;
-    ASSERT_NEAR(natural_log(u), std::log(static_cast<double>(u)),
-                6e-7 * (1 + std::fabs(std::log(u))));
+    const float n = std::nearbyint(static_cast<float>(i) / 200000.0f * whole);
+    const double exact = -2 * std::log(static_cast<double>(n / whole));
+    ASSERT_NEAR(squared_radius(n), exact, 1.2e-6 * (1 + exact / 2));
   }
+  EXPECT_GT(squared_radius(1.0f), 42.9f);  // 6.5 sigma
+  EXPECT_EQ(squared_radius(whole), 0.0f);
 }
 
 }  // namespace
