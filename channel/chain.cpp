@@ -92,20 +92,11 @@ struct PreparedGroup {
   }
 };
 
-using Kernel = void (*)(const ChainKernelInput&);
-
-Kernel best_kernel() {
+void run_kernel(const ChainKernelInput& input, InstructionSet set) {
 #ifdef COSYS_HAVE_V3
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-      __builtin_cpu_supports("bmi2"))
-    return run_lanes_v3;
+  if (runs_v3(set)) return run_lanes_v3(input);
 #endif
-  return run_lanes_baseline;
-}
-
-Kernel kernel_for(InstructionSet set) {
-  static const Kernel best = best_kernel();
-  return set == InstructionSet::best ? best : run_lanes_baseline;
+  run_lanes_baseline(input);
 }
 
 /// Runs the kernel, under a clock if there is one.
@@ -115,7 +106,7 @@ void run(ChainKernelInput& input, InstructionSet set, StageClock* clock) {
     input.stage_context = clock;
     clock->start();
   }
-  kernel_for(set)(input);
+  run_kernel(input, set);
 }
 
 std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {

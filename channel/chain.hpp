@@ -10,6 +10,7 @@
 
 #include "channel/disturbance.hpp"
 #include "channel/ideal_receiver.hpp"
+#include "channel/instruction_set.hpp"
 #include "channel/keyed_carrier.hpp"
 #include "channel/receiver_module.hpp"
 #include "channel/stage_clock.hpp"
@@ -54,10 +55,6 @@ struct ChainInput {
 };
 
 constexpr int lanes_per_group = 8;
-
-/// Which of the kernels runs: the best that this processor has, or the one that every processor
-/// has.
-enum class InstructionSet { best, baseline };
 
 /// The module's pin for each of up to eight trials, all at once. Gives up soon after `*stop` has
 /// become true; the pins are then worth nothing. `clock`, if given, is told where the time goes.

@@ -29,11 +29,25 @@ bool says_light(const IdealDesign& design, const SlotSums& sums, std::int64_t sa
   return 2 * sum > design.threshold * static_cast<double>(samples);
 }
 
+void SlotPin::decide(bool light) {
+  const BitSlot& slot = (*slots_)[decided_];
+  // Ends and begins of neighbours may differ by a rounding error; flips must not go back in time.
+  const dsp::Seconds before = decided_ == 0 ? slot.begin : (*slots_)[decided_ - 1].end;
+  pin_.set_at(std::max(slot.begin, before) + delay_, !light);
+  pin_.set_at(slot.end + delay_, true);
+  ++decided_;
+}
+
+dsp::LogicTrace SlotPin::take(dsp::Seconds end) {
+  pin_.observe_until(end + delay_);
+  return std::move(pin_);
+}
+
 SlotWriter::SlotWriter(const IdealDesign& design, std::span<const BitSlots> slots,
                        dsp::Hertz sample_rate, const std::atomic<bool>* stop)
     : design_(design), stop_(stop) {
   for (const BitSlots& of_lane : slots) {
-    Lane& lane = lanes_.emplace_back(Lane{.slots = &of_lane, .samples = {}});
+    Lane& lane = lanes_.emplace_back(Lane{.pin = {of_lane, design_.delay}});
     for (const BitSlot& slot : of_lane)
       lane.samples.push_back(
           {first_centre_from(slot.begin, sample_rate), first_centre_from(slot.end, sample_rate)});
@@ -52,32 +66,20 @@ void SlotWriter::attach_to(ChainKernelInput& kernel) {
 
 std::vector<dsp::LogicTrace> SlotWriter::take(std::span<const dsp::Seconds> ends) {
   std::vector<dsp::LogicTrace> pins;
-  for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    lanes_[i].pin.observe_until(ends[i] + design_.delay);
-    pins.push_back(std::move(lanes_[i].pin));
-  }
+  for (std::size_t i = 0; i < lanes_.size(); ++i) pins.push_back(lanes_[i].pin.take(ends[i]));
   return pins;
 }
 
 void SlotWriter::write(void* self, int lane, const SlotSums& sums) {
   SlotWriter& writer = *static_cast<SlotWriter*>(self);
-  writer.decide(writer.lanes_[static_cast<std::size_t>(lane)], sums);
+  auto& [pin, samples] = writer.lanes_[static_cast<std::size_t>(lane)];
+  const SlotSamples& slot = samples[pin.decided()];
+  pin.decide(says_light(writer.design_, sums, slot.end - slot.begin));
 }
 
 bool SlotWriter::stopped(void* self) {
   const std::atomic<bool>* stop = static_cast<SlotWriter*>(self)->stop_;
   return stop != nullptr && stop->load(std::memory_order_relaxed);
-}
-
-void SlotWriter::decide(Lane& lane, const SlotSums& sums) const {
-  const BitSlot& slot = (*lane.slots)[lane.decided];
-  const SlotSamples& samples = lane.samples[lane.decided];
-  const bool light = says_light(design_, sums, samples.end - samples.begin);
-  // Ends and begins of neighbours may differ by a rounding error; flips must not go back in time.
-  const dsp::Seconds before = lane.decided == 0 ? slot.begin : (*lane.slots)[lane.decided - 1].end;
-  lane.pin.set_at(std::max(slot.begin, before) + design_.delay, !light);
-  lane.pin.set_at(slot.end + design_.delay, true);
-  ++lane.decided;
 }
 
 }  // namespace channel

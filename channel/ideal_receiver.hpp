@@ -39,7 +39,26 @@ double amplitude_deviation(double sample, dsp::Hertz sample_rate, dsp::Hertz bau
 /// Whether sums over a slot of so many samples say light.
 bool says_light(const IdealDesign& design, const SlotSums& sums, std::int64_t samples);
 
-/// Eight pins being written, bit by bit, each bit late by the design's delay; idle between them.
+/// A pin being written bit by bit, each late by `delay`; idle between them.
+class SlotPin {
+ public:
+  /// The slots must outlive this.
+  SlotPin(const BitSlots& slots, dsp::Seconds delay) : slots_(&slots), delay_(delay) {}
+
+  /// Decides the next bit.
+  void decide(bool light);
+  std::size_t decided() const { return decided_; }
+  /// The pin, observed until `end` of its drive wire and the delay.
+  dsp::LogicTrace take(dsp::Seconds end);
+
+ private:
+  const BitSlots* slots_;
+  dsp::Seconds delay_;
+  std::size_t decided_ = 0;
+  dsp::LogicTrace pin_{true};
+};
+
+/// Eight pins being written by what a kernel correlates.
 class SlotWriter {
  public:
   SlotWriter(const IdealDesign& design, std::span<const BitSlots> slots, dsp::Hertz sample_rate,
@@ -47,20 +66,17 @@ class SlotWriter {
 
   /// Makes the kernel correlate and report to this. The lanes' other inputs are the caller's.
   void attach_to(ChainKernelInput& kernel);
-  /// The pins, each observed until `end` of its drive wire and the delay.
+  /// The pins, given the ends of their drive wires.
   std::vector<dsp::LogicTrace> take(std::span<const dsp::Seconds> ends);
 
  private:
   struct Lane {
-    const BitSlots* slots;
-    std::vector<SlotSamples> samples;
-    std::size_t decided = 0;
-    dsp::LogicTrace pin{true};
+    SlotPin pin;
+    std::vector<SlotSamples> samples{};
   };
 
   static void write(void* self, int lane, const SlotSums& sums);
   static bool stopped(void* self);
-  void decide(Lane& lane, const SlotSums& sums) const;
 
   IdealDesign design_;
   const std::atomic<bool>* stop_;

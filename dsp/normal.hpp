@@ -82,16 +82,28 @@ class NormalSource {
     words_.seed(which_lane, words);
   }
 
-  std::pair<T, T> operator()() {
-    const Words<T> sign = Words<T>(0x80000000u);
-    const T n = to_float((words_() >> 1) | Words<T>(1u));
-    const Words<T> w = words_();
+  /// What a pair of normals is made of: its radius is sqrt(-2 ln(uniform / 2^31)), `uniform` being a
+  /// whole number in [1, 2^31].
+  struct Draw {
+    T uniform;
+    Words<T> angle;
+  };
+
+  Draw draw() {
+    const T uniform = to_float((words_() >> 1) | Words<T>(1u));
+    return {uniform, words_()};
+  }
+
+  static std::pair<T, T> normals_of(const Draw& draw) {
+    const Words<T> sign = Words<T>(0x80000000u), w = draw.angle;
     const auto [sine, cosine] = quarter_turn(to_float(w >> 8) * T(0x1p-24f));
-    const T radius = square_root(squared_radius(n));
+    const T radius = square_root(squared_radius(draw.uniform));
     const T x = radius * cosine;
     const T y = radius * sine;
     return {from_bits(to_bits(x) ^ (w << 31)), from_bits(to_bits(y) ^ ((w << 30) & sign))};
   }
+
+  std::pair<T, T> operator()() { return normals_of(draw()); }
 
   /// The next `n` normals, n even, in the order of the calls that would give them.
   void fill(T* normals, int n) {

@@ -16,6 +16,14 @@ bool is_physics(const Key& key) {
          key.name() != "simulation.seed" && !key.name().starts_with("stop.");
 }
 
+/// Keys that are younger than results of their default, which must stay results of equal input:
+/// they are written only where they are not at it.
+bool is_younger_default(const Key& key, Scenario& s) {
+  if (key.name() != "simulation.fidelity") return false;
+  Scenario defaults;
+  return key.text(s) == key.text(defaults);
+}
+
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
 
 std::string curve_text(const std::string& name, const channel::Curve& curve) {
@@ -70,7 +78,7 @@ std::string canonical_text(const Scenario& scenario) {
   Scenario s = scenario;  // keys give access for writing
   std::string lines;
   for (const Key& key : scenario_keys())
-    if (is_physics(key))
+    if (is_physics(key) && !is_younger_default(key, s))
       lines += fmt::format("{} = {}\n", key.name(),
                            key.is_number() ? exact(key.number(s)) : toml_string(key.text(s)));
   return lines + disturbances_text(s) + choices_text(module_keys(), s.module) +

@@ -24,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t group_size = channel::lanes_per_group;
 
+/// Groups that a thread takes at once where one is over in a microsecond, which a lock takes too.
+constexpr std::uint64_t quick_groups = 64;
+
 /// What the workers of one point share.
 class Pool {
  public:
@@ -33,16 +36,16 @@ class Pool {
         rule_(stop),
         profiled_(options.profiled),
         end_(options.first_trial + stop.max_frames),
-        ahead_(4 * static_cast<std::uint64_t>(options.threads)),
+        batch_(link.decisions ? quick_groups : 1),
+        ahead_(4 * batch_ * static_cast<std::uint64_t>(options.threads)),
         next_((options.first_trial + before.tally.n_frames) / group_size),
         merged_(next_),
         sum_{before.tally, before.simulated_s, before.n_samples, before.profile} {}
 
   void work() {
-    while (const auto group = take()) {
+    while (const auto first = take()) {
       try {
-        give(*group, run_group(link_, static_cast<std::uint32_t>(*group * group_size),
-                               size_of(*group), &over_, profiled_));
+        give(*first, run_batch(*first));
       } catch (...) {
         fail(std::current_exception());
       }
@@ -74,26 +77,43 @@ class Pool {
     return static_cast<int>(std::min(group_size, end_ - group * group_size));
   }
 
-  /// The next group to run, not too far ahead of the sum.
+  std::vector<GroupResult> run_batch(std::uint64_t first) {
+    std::vector<GroupResult> results;
+    for (std::uint64_t group = first; group < first + batch_ && group * group_size < end_; ++group)
+      results.push_back(run_group(link_, static_cast<std::uint32_t>(group * group_size),
+                                  size_of(group), &over_, profiled_));
+    return results;
+  }
+
+  /// The first group of the next batch to run, not too far ahead of the sum.
   std::optional<std::uint64_t> take() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
     if (over_ || next_ * group_size >= end_) return std::nullopt;
-    return next_++;
+    return std::exchange(next_, next_ + batch_);
   }
 
-  void give(std::uint64_t group, const GroupResult& result) {
+  void give(std::uint64_t first, std::vector<GroupResult> results) {
     const std::lock_guard lock(mutex_);
-    waiting_[group] = result;
+    waiting_[first] = std::move(results);
     while (!over_ && waiting_.contains(merged_)) {
-      sum_ += waiting_[merged_];
-      waiting_.erase(merged_++);
-      if (const auto reason = stop_reason(rule_, sum_.tally)) {
-        over_ = true;
-        reason_ = *reason;
-      }
+      add(waiting_[merged_]);
+      waiting_.erase(merged_);
+      merged_ += batch_;
     }
     changed_.notify_all();
+  }
+
+  /// Adds groups in the order of their numbers, up to where the rule stops.
+  void add(const std::vector<GroupResult>& results) {
+    for (const GroupResult& result : results) {
+      sum_ += result;
+      const auto reason = stop_reason(rule_, sum_.tally);
+      if (!reason) continue;
+      over_ = true;
+      reason_ = *reason;
+      return;
+    }
   }
 
   void end(StopReason reason) {
@@ -112,14 +132,15 @@ class Pool {
   const Link& link_;
   const StopRule rule_;
   const bool profiled_;
-  const std::uint64_t end_;  // of the trials
+  const std::uint64_t end_;    // of the trials
+  const std::uint64_t batch_;  // groups that a thread takes at once
   const std::uint64_t ahead_;
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t next_;    // group to be taken next
-  std::uint64_t merged_;  // groups in the sum
-  std::map<std::uint64_t, GroupResult> waiting_;
+  std::uint64_t next_;                                         // group to be taken next
+  std::uint64_t merged_;                                       // groups in the sum
+  std::map<std::uint64_t, std::vector<GroupResult>> waiting_;  // by the first of their groups
   GroupResult sum_;
   std::atomic<bool> over_ = false;  // written under the mutex; groups under way look at it
   StopReason reason_ = StopReason::interrupted;

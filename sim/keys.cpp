@@ -6,6 +6,7 @@
 #include "channel/conditions.hpp"
 #include "protocol/uart.hpp"
 #include "sim/disturbance_keys.hpp"
+#include "sim/fidelity.hpp"
 
 namespace sim {
 namespace {
@@ -187,6 +188,11 @@ std::vector<Key> run_keys() {
   constexpr auto run = &Scenario::simulation;
   constexpr auto stop = &Scenario::stop;
   return {
+      text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
+           "what is computed between LED and pin",
+           "every sample; or, for the ideal receivers without other lights, one decision a bit "
+           "(`sim/README.md`)",
+           names_of(fidelities())),
       number("simulation.sample_rate_hz", "Hz", from(2e5, 2e7), run,
              &SimulationSettings::sample_rate_hz, "sample rate of the light",
              "the default agrees with four times as much"),

@@ -10,6 +10,7 @@
 #include "protocol/cosys.hpp"
 #include "sim/canonical_text.hpp"
 #include "sim/disturbance.hpp"
+#include "sim/fidelity.hpp"
 #include "sim/matched.hpp"
 #include "sim/validity.hpp"
 
@@ -132,6 +133,8 @@ Link make_link(const Scenario& scenario) {
     link.ideal = matched->design;
     link.delay = matched->design.delay;
     link.operating.ber_theory = matched->ber;
+    if (fidelity_of(s.simulation) == Fidelity::decision)
+      link.decisions = make_decision_link(link, matched->output);
   }
   return link;
 }

@@ -10,6 +10,7 @@
 #include "channel/geometry.hpp"
 #include "dsp/units.hpp"
 #include "protocol/uart.hpp"
+#include "sim/decision_link.hpp"
 #include "sim/result.hpp"
 #include "sim/scenario.hpp"
 
@@ -25,6 +26,7 @@ struct Link {
   // Light and module.
   channel::ChainDesign chain;
   std::optional<channel::IdealDesign> ideal;  // a matched receiver instead of the module
+  std::optional<DecisionLink> decisions;      // where no waveform is made
   dsp::Seconds delay;                         // constant part, light to pin
   channel::ModuleData module;                 // under the point's conditions
   dsp::WattsPerSquareMetre ambient;

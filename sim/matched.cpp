@@ -63,15 +63,15 @@ std::optional<MatchedReceiver> matched_receiver(const channel::ModuleData& modul
                                                 const channel::ChainDesign& chain, dsp::Hertz baud,
                                                 const protocol::Bytes& bytes) {
   if (!channel::is_matched(module)) return std::nullopt;
-  const double amplitude = channel::fundamental_of(light.signal.value * 1e3, light.duty);
-  const double deviation =
-      channel::amplitude_deviation(static_cast<double>(chain.noise_dark), chain.sample_rate, baud);
-  const double ebn0 = std::pow(amplitude / deviation / 2, 2);
+  const channel::CorrelatorOutput output = channel::correlator_output(chain, light, baud);
+  const double deviation = output.deviation_dark;
+  const double ebn0 = std::pow(output.amplitude / deviation / 2, 2);
   const double threshold = threshold_of(module, ebn0);
   using enum channel::IdealDesign::Statistic;
   return MatchedReceiver{.design = {.statistic = is_coherent(module) ? in_phase : envelope,
                                     .threshold = threshold * deviation,
                                     .delay = dsp::period(baud)},
+                         .output = output,
                          .ber = chain.disturbances.empty()
                                     ? ber_of(module, ebn0, {threshold, lit_share(bytes)})
                                     : std::numeric_limits<double>::quiet_NaN()};

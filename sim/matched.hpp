@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "channel/chain.hpp"
+#include "channel/decision.hpp"
 #include "channel/noise.hpp"
 #include "protocol/uart.hpp"
 
@@ -22,6 +23,7 @@ double ebn0_of(const channel::ModuleData& module, const channel::LightSettings& 
 
 struct MatchedReceiver {
   channel::IdealDesign design;
+  channel::CorrelatorOutput output;
   double ber;  // of theory, for these bytes' share of light; NaN where others' light disturbs
 };
 

@@ -34,19 +34,23 @@ double frames_for_target(const Pilot& pilot) {
   return 3.3 * 3.3 * p * (1 - p) / ((p - target) * (p - target));
 }
 
+/// Frames of a pilot for each thread: where a trial takes a microsecond, enough to see more of them
+/// than of starting threads.
+std::uint64_t pilot_frames(const Link& link) { return (link.decisions ? 1024 : 4) * group; }
+
 double in_groups(double frames) { return std::ceil(frames / group) * group; }
 
 }  // namespace
 
 std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
                               const std::atomic<bool>& interrupt) {
-  const StopRule few{.max_frames = 4 * group * static_cast<std::uint64_t>(threads)};
   std::vector<Pilot> pilots;
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
     std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
     const Scenario point = point_scenario(scenario, coordinates);
-    const PointResult counted =
-        run_point(make_link(point), few, {.threads = threads, .interrupt = &interrupt});
+    const Link link = make_link(point);
+    const StopRule few{.max_frames = pilot_frames(link) * static_cast<std::uint64_t>(threads)};
+    const PointResult counted = run_point(link, few, {.threads = threads, .interrupt = &interrupt});
     if (interrupt) break;
     pilots.push_back({std::move(coordinates), share_of(rule_of(point.stop), shard), counted.tally,
                       counted.elapsed_s / static_cast<double>(counted.tally.n_frames)});

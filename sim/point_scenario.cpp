@@ -8,6 +8,7 @@
 
 #include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
+#include "sim/fidelity.hpp"
 #include "sim/keys.hpp"
 #include "sim/part_slot.hpp"
 #include "sim/sweep.hpp"
@@ -134,6 +135,7 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& pl
   check_current(s, places);
   check_ebn0(s, places);
   check_temperature(s, places);
+  check_fidelity(s, places);
 }
 
 using Setters = std::vector<const Key*>;

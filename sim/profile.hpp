@@ -11,12 +11,14 @@ namespace sim {
 struct Profile {
   double messages_s = 0;                   // steps 1-2, and drawing what steps 3-7 need
   channel::StageClock::Seconds chain_s{};  // steps 3-7
+  double decisions_s = 0;                  // the same where each bit is one decision variable
   double decoding_s = 0;                   // steps 8-10
 
   Profile& operator+=(const Profile& other);
 };
 
-/// A line for each stage: seconds of all threads together, share, and time for a sample of a trial.
+/// A line for each stage: seconds of all threads together, share, and time for a sample of a trial
+/// where samples were made.
 std::string profile_lines(const Profile& profile, std::uint64_t n_samples);
 
 }  // namespace sim

@@ -85,6 +85,7 @@ std::string closing_text(const PointResult& point, bool known) {
 std::string real_time_factor(const PointResult& p) {
   const double factor = p.simulated_s / p.elapsed_s;
   if (!std::isfinite(factor)) return "-";
+  if (factor >= 1e6) return scientific(factor, 2) + "x";
   return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
 }
 

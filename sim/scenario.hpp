@@ -85,6 +85,7 @@ struct NoiseSettings {
 };
 
 struct SimulationSettings {
+  std::string fidelity = "waveform";  // of sim::fidelities()
   double sample_rate_hz = 600e3;
   double warmup_messages = 4;  // whole number
   double seed = 1;             // whole number

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/decision_trial.hpp"
 #include "sim/link.hpp"
 #include "sim/trial.hpp"
 
@@ -22,6 +23,15 @@ constexpr Tap all_taps[] = {
     {"agc_gain", "1", "factor by which the slow AGC has raised the fixed threshold",
      &Recording::agc_gain}};
 
+/// The module's pin, or a matched receiver's, from the waveform, whose taps it fills.
+dsp::LogicTrace pin_of(const Link& link, std::uint32_t trial, const Transmission& sent,
+                       Recording& taps) {
+  const auto unit = draw_unit(link, trial);
+  const channel::ChainInput input = chain_input(link, trial, sent, unit);
+  if (!link.ideal) return channel::propagate_alone(link.chain, input, &taps);
+  return channel::detect_alone(link.chain, *link.ideal, input, bit_slots(link, sent), &taps);
+}
+
 }  // namespace
 
 std::span<const Tap> analogue_taps() { return all_taps; }
@@ -29,13 +39,10 @@ std::span<const Tap> analogue_taps() { return all_taps; }
 TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   const Link link = make_link(scenario);
   Transmission sent = transmit(link, trial);
-  const auto unit = draw_unit(link, trial);
   TracedTrial traced;
   traced.sample_rate = link.chain.sample_rate;
-  const channel::ChainInput input = chain_input(link, trial, sent, unit);
-  traced.rx = link.ideal ? channel::detect_alone(link.chain, *link.ideal, input,
-                                                 bit_slots(link, sent), &traced.taps)
-                         : channel::propagate_alone(link.chain, input, &traced.taps);
+  traced.rx =
+      link.decisions ? decided_pin(link, trial, sent) : pin_of(link, trial, sent, traced.taps);
   traced.tx = std::move(sent.line);
   return traced;
 }

@@ -22,8 +22,8 @@ struct TraceOrigin {
 };
 
 struct TracedTrial {
-  dsp::LogicTrace tx, rx;  // the wire that keys the LED, and the module's pin
-  channel::Recording taps;
+  dsp::LogicTrace tx, rx;   // the wire that keys the LED, and the module's pin
+  channel::Recording taps;  // empty where no samples are made (sim/fidelity)
   dsp::Hertz sample_rate;
   TraceOrigin origin{};
 };

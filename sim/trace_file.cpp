@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/existing_file.hpp"
+#include "sim/fidelity.hpp"
 #include "sim/key_check.hpp"
 #include "sim/new_file.hpp"
 #include "sim/trace_netcdf.hpp"
@@ -55,11 +56,12 @@ struct Format {
   const char* ending;
   std::string (*text)(const TracedTrial&);
   bool (*is_own)(const std::filesystem::path&);  // whether a file was written by `text`
+  bool has_taps;
 };
 
-constexpr Format formats[] = {{".vcd", to_vcd, is_own_vcd},
-                              {".csv", to_csv, is_own_csv},
-                              {".h5", trace_as_netcdf, is_netcdf_trace}};
+constexpr Format formats[] = {{".vcd", to_vcd, is_own_vcd, false},
+                              {".csv", to_csv, is_own_csv, true},
+                              {".h5", trace_as_netcdf, is_netcdf_trace, true}};
 
 const Format& format_of(const std::filesystem::path& path) {
   std::vector<const char*> known;
@@ -76,6 +78,14 @@ const Format& format_of(const std::filesystem::path& path) {
 void check_trace_path(const std::filesystem::path& path) {
   refuse_to_lose(path, format_of(path).is_own, "a trace of cosys-sim");
   const NewFile probe(path);
+}
+
+void check_traceable(const std::filesystem::path& path, const Scenario& scenario) {
+  if (!format_of(path).has_taps || fidelity_of(scenario.simulation) == Fidelity::waveform) return;
+  throw bad_input(
+      "cannot trace into " + path.string(),
+      "no samples are made at simulation.fidelity = \"" + scenario.simulation.fidelity + "\"",
+      "end the name in .vcd, which has the wires");
 }
 
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial) {

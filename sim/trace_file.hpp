@@ -15,4 +15,7 @@ void write_trace(const std::filesystem::path& path, const TracedTrial& trial);
 /// refuses to replace a file that is no trace in this format.
 void check_trace_path(const std::filesystem::path& path);
 
+/// Throws Failure(bad_input) where the file's format has taps, and the scenario's fidelity none.
+void check_traceable(const std::filesystem::path& path, const Scenario& scenario);
+
 }  // namespace sim

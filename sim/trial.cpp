@@ -7,6 +7,7 @@
 
 #include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
+#include "sim/decision_trial.hpp"
 #include "sim/disturbance.hpp"
 
 namespace sim {
@@ -215,6 +216,19 @@ Transmission transmit(const Link& link, std::uint32_t trial) {
   return sent;
 }
 
+dsp::Seconds mean_length(const Link& link) {
+  const double pauses = link.warmup_messages, messages = pauses + 1;
+  const auto characters = static_cast<double>(link.bytes.size());
+  const dsp::Seconds bit = dsp::period(link.device_baud);
+  const dsp::Seconds character = bit * protocol::bits_per_byte + 0.5 * link.start_jitter;
+  return lead_in + 0.5 * bit + messages * characters * character +
+         0.5 * pauses * (link.interval_min + link.interval_max) + lead_out;
+}
+
+std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial) {
+  return address(link, trial, Purpose::noise).block(0);
+}
+
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial) {
   if (!link.population) return std::nullopt;
   const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
@@ -226,7 +240,7 @@ channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Tra
                                 const std::optional<channel::ModuleDesign>& unit) {
   return {.drive = &sent.line,
           .carrier_phase = address(link, trial, Purpose::carrier_phase).block(0)[0],
-          .noise_seed = address(link, trial, Purpose::noise).block(0),
+          .noise_seed = noise_seed(link, trial),
           .unit = unit ? &*unit : nullptr,
           .disturbances = draw_disturbances(link, trial, sent.line.end())};
 }
@@ -265,6 +279,7 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
 
 GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
                       bool profiled) {
+  if (link.decisions) return decide_group(link, first, n, profiled);
   const Clock::time_point began = Clock::now();
   const Group group = draw_group(link, first, n);
   const Clock::time_point drawn = Clock::now();
@@ -273,7 +288,9 @@ GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::a
   const Clock::time_point heard = Clock::now();
   GroupResult result = count_group(link, first, group, std::move(pins));
   if (profiled)
-    result.profile = {seconds(drawn - began), clock.seconds(), seconds(Clock::now() - heard)};
+    result.profile = {.messages_s = seconds(drawn - began),
+                      .chain_s = clock.seconds(),
+                      .decoding_s = seconds(Clock::now() - heard)};
   return result;
 }
 

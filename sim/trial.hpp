@@ -14,7 +14,8 @@
 //   9 frames      COSYS decode                                    frame or a reason    CosysFrame
 //  10 count       sent against heard                              counters             Tally
 //
-// Steps 3-7 are channel::propagate, per sample, for one trial or eight. Inside step 6
+// Steps 3-7 are channel::propagate, per sample, for one trial or eight; for a matched receiver they
+// can be one draw a bit (sim/decision_trial). Inside step 6
 // (channel/receiver_module): the light passes the front end's bandwidth, is clipped at the limiter
 // and rings up a band-pass at the module's own f0; a comparator fires once a carrier cycle while
 // that exceeds max(fixed threshold, fraction of the tracked peak); an integrator counts up while it
@@ -24,6 +25,7 @@
 //
 // A trial sends `warmup_messages` first, so that the module's AGC is where repetition takes it, and
 // counts the last message only: one trial is one frame.
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -69,6 +71,12 @@ struct Reception {
 
 /// Steps 1-2: the trial's messages, at its own random instants.
 Transmission transmit(const Link& link, std::uint32_t trial);
+
+/// How long that is on average, dark before and behind included.
+dsp::Seconds mean_length(const Link& link);
+
+/// Seed of all noise of a trial.
+std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial);
 
 /// The trial's own unit of the module, where each trial has one.
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial);

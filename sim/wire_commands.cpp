@@ -107,6 +107,7 @@ ExitCode trace_command(const TraceRequest& request) {
                     fmt::format("use one from 0 to {}", points - 1));
   check_trace_path(request.output);
   const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, request.point));
+  check_traceable(request.output, point);
   refuse_without_memory(point, request.trial);
   TracedTrial traced = trace_trial(point, request.trial);
   traced.origin = {.program = request.program,
