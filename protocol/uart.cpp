@@ -77,7 +77,11 @@ namespace {
 class AtmegaReceiver {
  public:
   AtmegaReceiver(const LogicTrace& line, Hertz baud, double clock_phase)
-      : line_(line), falls_(line), tick_rate_(samples_per_bit * baud.value), phase_(clock_phase) {
+      : line_(line),
+        falls_(line),
+        votes_(line),
+        tick_rate_(samples_per_bit * baud.value),
+        phase_(clock_phase) {
     assert(clock_phase >= 0 && clock_phase < 1);
     assert(line.end().value * tick_rate_ < 0x1p53);
   }
@@ -107,12 +111,14 @@ class AtmegaReceiver {
   bool level(double tick) const { return line_.level_at(time(tick)); }
   bool falls_at(double tick) const { return level(tick - 1) && !level(tick); }
 
-  bool vote(double start, int slot) const {
-    const double eighth = sample(start, slot, 8);
-    return int{level(eighth)} + int{level(eighth + 1)} + int{level(eighth + 2)} >= 2;
+  bool vote(double start, int slot) {
+    int high = 0;
+    for (int number = 8; number <= 10; ++number)
+      high += votes_.level_at(time(sample(start, slot, number)));
+    return high >= 2;
   }
 
-  UartByte read_byte(double start) const {
+  UartByte read_byte(double start) {
     const auto value = read_data([&](int slot) { return vote(start, slot); });
     return {time(start), value, !vote(start, stop_slot)};
   }
@@ -136,6 +142,7 @@ class AtmegaReceiver {
 
   const LogicTrace& line_;
   dsp::TraceReader falls_;
+  dsp::TraceReader votes_;
   double tick_rate_;
   double phase_;
 };

@@ -55,7 +55,7 @@ class Pool {
   /// Waits for the end or a moment; true at the end.
   bool wait_a_moment() {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return over_.load(); });
+    ended_.wait_for(lock, std::chrono::milliseconds(100), [this] { return over_.load(); });
     return over_;
   }
 
@@ -88,7 +88,7 @@ class Pool {
   /// The first group of the next batch to run, not too far ahead of the sum.
   std::optional<std::uint64_t> take() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
+    room_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
     if (over_ || next_ * group_size >= end_) return std::nullopt;
     return std::exchange(next_, next_ + batch_);
   }
@@ -101,7 +101,8 @@ class Pool {
       waiting_.erase(merged_);
       merged_ += batch_;
     }
-    changed_.notify_all();
+    room_.notify_all();
+    if (over_) ended_.notify_all();
   }
 
   /// Adds groups in the order of their numbers, up to where the rule stops.
@@ -120,7 +121,8 @@ class Pool {
     const std::lock_guard lock(mutex_);
     if (!over_) reason_ = reason;
     over_ = true;
-    changed_.notify_all();
+    room_.notify_all();
+    ended_.notify_all();
   }
 
   void fail(std::exception_ptr failure) {
@@ -137,9 +139,10 @@ class Pool {
   const std::uint64_t ahead_;
 
   std::mutex mutex_;
-  std::condition_variable changed_;
-  std::uint64_t next_;                                         // group to be taken next
-  std::uint64_t merged_;                                       // groups in the sum
+  std::condition_variable room_;   // for further groups, or the point is over
+  std::condition_variable ended_;  // the point is over: to be heard apart, not at each group
+  std::uint64_t next_;             // group to be taken next
+  std::uint64_t merged_;           // groups in the sum
   std::map<std::uint64_t, std::vector<GroupResult>> waiting_;  // by the first of their groups
   GroupResult sum_;
   std::atomic<bool> over_ = false;  // written under the mutex; groups under way look at it
