@@ -82,8 +82,8 @@ class NormalSource {
     words_.seed(which_lane, words);
   }
 
-  /// What a pair of normals is made of: its radius is sqrt(-2 ln(uniform / 2^31)), `uniform` being a
-  /// whole number in [1, 2^31].
+  /// What a pair of normals is made of: its radius is sqrt(-2 ln(uniform / 2^31)), `uniform` being
+  /// a whole number in [1, 2^31].
   struct Draw {
     T uniform;
     Words<T> angle;

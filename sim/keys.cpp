@@ -189,7 +189,7 @@ std::vector<Key> run_keys() {
   constexpr auto stop = &Scenario::stop;
   return {
       text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
-           "what is computed between LED and pin",
+           "fidelity of light and receiver",
            "every sample; or, for the ideal receivers without other lights, one decision a bit "
            "(`sim/README.md`)",
            names_of(fidelities())),

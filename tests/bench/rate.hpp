@@ -13,4 +13,12 @@ inline void report(benchmark::State& state, double samples) {
   state.counters["rate"] = Counter(all, Counter::kIsRate);
 }
 
+/// The same of bits: `bit` is the time of one.
+inline void report_bits(benchmark::State& state, double bits) {
+  using benchmark::Counter;
+  const double all = bits * static_cast<double>(state.iterations());
+  state.counters["bit"] = Counter(all, Counter::kIsRate | Counter::kInvert);
+  state.counters["rate"] = Counter(all, Counter::kIsRate);
+}
+
 }  // namespace bench

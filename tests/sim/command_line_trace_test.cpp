@@ -72,6 +72,25 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
 }
 
+// Decisions make no samples: there are wires to trace, but no taps.
+TEST_F(CommandLine, TraceOfDecisionsHasTheWires) {
+  write_scenario("s.toml", "receiver.ebn0_db = [20, 40]");
+  const auto trace = [](const char* file) {
+    return Words{"trace", "s.toml",
+                 "-o",    file,
+                 "--set", "simulation.fidelity=decision",
+                 "--set", "receiver.module=ideal-coherent"};
+  };
+  ASSERT_EQ(program(trace("t.vcd")).code, 0);
+  const std::string line = program({"decode", "t.vcd"}).out;
+  EXPECT_TRUE(line.ends_with(" s  ok              IND 011111 OK\n")) << line;
+  for (const char* file : {"t.csv", "t.h5"})
+    expect_refused(trace(file), bad_input,
+                   std::string("cannot trace into ") + file +
+                       " (no samples are made at simulation.fidelity = \"decision\") end the name "
+                       "in .vcd, which has the wires");
+}
+
 TEST_F(CommandLine, CsvHasARowASample) {
   write_scenario("s.toml", sweep);
   ASSERT_EQ(program(trace_to("t.csv")).code, 0);

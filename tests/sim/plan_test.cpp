@@ -65,6 +65,19 @@ TEST_F(CommandLine, PlanRunsNothing) {
   EXPECT_EQ(files(), std::set<std::string>{"s.toml"});
 }
 
+// A trial of a microsecond is timed over enough of them.
+TEST_F(CommandLine, PlanOfDecisionsExpectsARunOfSeconds) {
+  write_scenario("s.toml", "receiver.ebn0_db = [12, 14]");
+  const Outcome o =
+      program({"run", "s.toml", "--plan", "-n", "1e7", "-t", "2", "--set",
+               "simulation.fidelity=decision", "--set", "receiver.module=ideal-coherent"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("\n2 points: about "), std::string::npos) << o.out;
+  EXPECT_EQ(o.out.find(" days"), std::string::npos) << o.out;
+  for (const char* nonsense : {"inf", "nan", " 0 s"})
+    EXPECT_EQ(o.out.find(nonsense), std::string::npos) << o.out;
+}
+
 // What the budget chose is in the result, so the run can be repeated.
 TEST_F(CommandLine, TimeBudgetChoosesTheFrames) {
   write_scenario("s.toml", "receiver.range_m = [1, 3]");

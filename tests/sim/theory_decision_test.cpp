@@ -1,0 +1,115 @@
+// Matched receivers by one draw a bit (simulation.fidelity = "decision") against the closed forms,
+// as theory_waveform_test.cpp does from the waveform, and against that waveform.
+#include <cmath>
+#include <string>
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/comparison.hpp"
+#include "sim/engine.hpp"
+#include "sim/matched.hpp"
+#include "sim/statistics.hpp"
+#include "sim/theory.hpp"
+
+namespace sim {
+namespace {
+
+double ratio_of(double db) { return std::pow(10, db / 10); }
+
+Link decision_link(const std::string& module, double db, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"receiver.module=" + module, "receiver.ebn0_db=" + std::to_string(db),
+                             "simulation.warmup_messages=0", "simulation.fidelity=decision"});
+  return link_of(more);
+}
+
+Tally tally_of(const Link& link, std::uint64_t frames) {
+  return run_point(link, {.max_frames = frames}, {.threads = 2}).tally;
+}
+
+/// More where errors are rare, which costs little.
+std::uint64_t frames_at(double db) { return db < 9 ? 3000 : 300000; }
+
+/// Whether a 99.9 % interval around what was measured holds the theory: errors are independent.
+void expect_ber(const Link& link, std::uint64_t frames, double theory) {
+  const double db = link.operating.ebn0_db;
+  const Tally tally = tally_of(link, frames);
+  const auto [low, high] = clopper_pearson(static_cast<double>(tally.n_bit_errors),
+                                           static_cast<double>(tally.n_bits), 0.999);
+  EXPECT_LE(low, theory) << db << " dB: " << tally.n_bit_errors << " of " << tally.n_bits;
+  EXPECT_GE(high, theory) << db << " dB: " << tally.n_bit_errors << " of " << tally.n_bits;
+  EXPECT_NEAR(link.operating.ber_theory / theory, 1, 1e-4) << db << " dB";
+}
+
+TEST(TheoryDecision, Coherent) {
+  for (int db = 0; db <= 14; ++db)
+    expect_ber(decision_link("ideal-coherent", db), frames_at(db), coherent_ook_ber(ratio_of(db)));
+}
+
+TEST(TheoryDecision, NoncoherentAtTheOptimum) {
+  for (int db = 0; db <= 14; ++db) {
+    const Link link = decision_link("ideal-noncoherent", db);
+    const double ebn0 = ratio_of(db);
+    expect_ber(
+        link, frames_at(db),
+        noncoherent_ook_ber(ebn0, {optimum_envelope_threshold(ebn0), lit_share(link.bytes)}));
+  }
+}
+
+TEST(TheoryDecision, ThresholdsOffTheOptimum) {
+  for (const double share : {0.3, 0.65, 1.2})
+    for (const int db : {0, 6, 10}) {
+      const std::vector<std::string> fixed{"module.detector_threshold=" + std::to_string(share)};
+      const Link coherent = decision_link("ideal-coherent", db, fixed);
+      const Link noncoherent = decision_link("ideal-noncoherent", db, fixed);
+      const OokThreshold threshold{share * lit_amplitude(ratio_of(db)), lit_share(coherent.bytes)};
+      expect_ber(coherent, 3000, coherent_ook_ber(ratio_of(db), threshold));
+      expect_ber(noncoherent, 3000, noncoherent_ook_ber(ratio_of(db), threshold));
+    }
+}
+
+/// Whether chance alone makes two shares differ so much in more than one of a hundred times.
+void expect_same(std::uint64_t some, std::uint64_t of, std::uint64_t others,
+                 std::uint64_t of_others, const std::string& what) {
+  EXPECT_GT(fisher_exact(some, of, others, of_others), 0.01)
+      << what << ": " << some << " of " << of << " and " << others << " of " << of_others;
+}
+
+/// The same link as waveform and as decision, a fixed seed each.
+void expect_agreement(const std::string& module, double db, int warmups) {
+  const std::vector<std::string> keys{"receiver.module=" + module,
+                                      "receiver.ebn0_db=" + std::to_string(db),
+                                      "simulation.sample_rate_hz=250000",
+                                      "simulation.warmup_messages=" + std::to_string(warmups),
+                                      "device.interval_min_ms=10",
+                                      "device.interval_max_ms=20",
+                                      "simulation.seed=5"};
+  std::vector<std::string> decided = keys;
+  decided.emplace_back("simulation.fidelity=decision");
+  const Tally a = tally_of(link_of(keys), 800), b = tally_of(link_of(decided), 16000);
+  const std::string what = module + " at " + std::to_string(db) + " dB: ";
+  expect_same(a.n_bit_errors, a.n_bits, b.n_bit_errors, b.n_bits, what + "bits");
+  expect_same(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames, what + "frames");
+  expect_same(a.n_frames_unended, a.n_frames, b.n_frames_unended, b.n_frames, what + "unended");
+  expect_same(a.n_rejected_checksum, a.n_frames, b.n_rejected_checksum, b.n_frames,
+              what + "checksums");
+}
+
+// Bit error ratios of about 1e-1, 1e-2 and 1e-3.
+TEST(TheoryDecision, AgreesWithTheWaveform) {
+  for (const double db : {2.2, 7.3, 9.8}) expect_agreement("ideal-coherent", db, 0);
+  for (const double db : {4.2, 8.4, 10.5}) expect_agreement("ideal-noncoherent", db, 0);
+}
+
+// A message whose end is missed spoils the next: the decoder remembers, if the receiver does not.
+TEST(TheoryDecision, MessagesBeforeTheCountedOneMatter) {
+  expect_agreement("ideal-coherent", 9.8, 1);
+  const auto lost = [](const char* warmups) {
+    const Tally tally = tally_of(decision_link("ideal-coherent", 9.8, {warmups}), 20000);
+    return static_cast<double>(tally.n_frames_lost);
+  };
+  EXPECT_NEAR(lost("simulation.warmup_messages=1") / lost("simulation.warmup_messages=0"), 1.12,
+              0.06);
+}
+
+}  // namespace
+}  // namespace sim
