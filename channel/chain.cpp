@@ -92,7 +92,7 @@ struct PreparedGroup {
   }
 };
 
-void run_kernel(const ChainKernelInput& input, InstructionSet set) {
+void run_kernel(const ChainKernelInput& input, [[maybe_unused]] InstructionSet set) {
 #ifdef COSYS_HAVE_V3
   if (runs_v3(set)) return run_lanes_v3(input);
 #endif

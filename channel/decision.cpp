@@ -43,7 +43,7 @@ DecisionKernelInput kernel_input(const DecisionDesign& design, const NoiseSeed* 
           .wrong = wrong.data()};
 }
 
-void run(const DecisionKernelInput& input, InstructionSet set) {
+void run(const DecisionKernelInput& input, [[maybe_unused]] InstructionSet set) {
 #ifdef COSYS_HAVE_V3
   if (runs_v3(set)) return decide_lanes_v3(input);
 #endif
