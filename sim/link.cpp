@@ -127,7 +127,7 @@ Link make_link(const Scenario& scenario) {
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);
   link.point = point_hash(scenario);
   link.operating = operating_point(s, light);
-  link.outside = outside_validity(scenario, link.operating.irradiance_mw_per_m2);
+  link.outside = outside_validity(scenario, link.operating);
   if (const auto matched =
           matched_receiver(s.module, light, link.chain, link.device_baud, link.bytes)) {
     link.ideal = matched->design;

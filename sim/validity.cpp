@@ -10,6 +10,8 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/disturbance.hpp"
+#include "sim/fidelity.hpp"
+#include "sim/theory.hpp"
 
 namespace sim {
 namespace {
@@ -19,11 +21,11 @@ bool beyond(const channel::Curve& curve, double at, double typical) {
   return at < curve.x.front() || at > curve.x.back();
 }
 
-bool too_near(const Scenario& s, double) { return s.receiver.range_m < 0.05; }
+bool too_near(const Scenario& s, const OperatingPoint&) { return s.receiver.range_m < 0.05; }
 
 /// Light of the floor's mirror image meets the direct one within their coherence length (29 um of
 /// an LED 30 nm wide), and a fringe of the two is wider than the module's lens.
-bool fringes(const Scenario& s, double) {
+bool fringes(const Scenario& s, const OperatingPoint&) {
   if (s.floor.refractive_index == 1 && s.floor.metal_reflectance == 0) return false;
   const double heights = (s.led.height_mm + s.receiver.height_mm) * 1e-3;
   const double difference =
@@ -34,25 +36,45 @@ bool fringes(const Scenario& s, double) {
 }
 
 /// The peaks of all carriers together.
-bool above_emax(const Scenario& s, double irradiance) {
-  double peak = irradiance * 1e-3;
+bool above_emax(const Scenario& s, const OperatingPoint& at) {
+  double peak = at.irradiance_mw_per_m2 * 1e-3;
   for (const auto& [name, disturbance] : s.disturbances)
     if (is_keyed(disturbance)) peak += disturbance.irradiance_w_per_m2;
   return peak > s.module.emax_w_per_m2;
 }
 
-bool too_bright(const Scenario& s, double) { return ambient_of(s).value > 100; }
+bool too_bright(const Scenario& s, const OperatingPoint&) { return ambient_of(s).value > 100; }
 
 bool is_far_from_f0(const Scenario& s, double hertz) {
   return std::abs(hertz / s.module.centre_hz - 1) > 0.2;
 }
 
-bool carrier_far_from_f0(const Scenario& s, double) {
-  return is_far_from_f0(s, s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6));
+double true_carrier_hz(const Scenario& s) {
+  return s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6);
+}
+
+bool carrier_far_from_f0(const Scenario& s, const OperatingPoint&) {
+  return is_far_from_f0(s, true_carrier_hz(s));
+}
+
+/// The cycles of a bit do not reach all places between two samples, and there are few samples in
+/// one. From 16 a cycle on the threshold moves by less than 2 % (channel.Chain, CarrierPhase...).
+bool on_the_grid(const Scenario& s, const OperatingPoint&) {
+  const double a_cycle = s.simulation.sample_rate_hz / true_carrier_hz(s);
+  const double drift = std::abs(a_cycle - std::round(a_cycle));
+  return a_cycle < 16 && drift * true_carrier_hz(s) / s.device.baud < 1;
+}
+
+/// Normals end at 6.5 deviations: at 5.7 from the threshold 2 % of the errors are missing.
+bool beyond_tail(const Scenario& s, const OperatingPoint& at) {
+  if (fidelity_of(s.simulation) != Fidelity::decision) return false;
+  const double lit = lit_amplitude(std::pow(10, at.ebn0_db / 10));
+  const double share = s.module.detector_threshold > 0 ? s.module.detector_threshold : 0.5;
+  return std::min(share, 1 - share) * lit > 5.7;
 }
 
 /// How far down the module's skirts are. Slow lamps are what it is made to reject.
-bool disturbed_far_from_f0(const Scenario& s, double) {
+bool disturbed_far_from_f0(const Scenario& s, const OperatingPoint&) {
   return std::ranges::any_of(s.disturbances, [&](const auto& named) {
     const DisturbanceSettings& d = named.second;
     return is_keyed(d) ? is_far_from_f0(s, d.carrier_hz)
@@ -60,11 +82,11 @@ bool disturbed_far_from_f0(const Scenario& s, double) {
   });
 }
 
-bool beyond_temperature(const Scenario& s, double) {
+bool beyond_temperature(const Scenario& s, const OperatingPoint&) {
   return beyond(s.module.emin_against_temperature, s.receiver.temperature_c, 25);
 }
 
-bool beyond_supply(const Scenario& s, double) {
+bool beyond_supply(const Scenario& s, const OperatingPoint&) {
   const double volt = s.receiver.supply_v;
   if (std::isnan(volt)) return false;
   const channel::Curve& curve = s.module.emin_against_supply;
@@ -72,18 +94,18 @@ bool beyond_supply(const Scenario& s, double) {
   return volt < least || volt > s.module.supply_max_v;
 }
 
-bool without_spread(const Scenario& s, double) {
+bool without_spread(const Scenario& s, const OperatingPoint&) {
   return s.receiver.population != 0 && s.module.emin_max_mw_per_m2 <= s.module.emin_mw_per_m2;
 }
 
-bool beyond_ripple(const Scenario& s, double) {
+bool beyond_ripple(const Scenario& s, const OperatingPoint&) {
   const auto& at = channel::ripple_frequency(s.receiver.supply_ripple_at);
   return beyond(s.module.*at.emin, s.receiver.supply_ripple_mv, 0);
 }
 
 /// Without a curve a module is known at 940 nm only; within 15 nm of it no sheet shows more than a
 /// few percent of change.
-bool beyond_colour(const Scenario& s, double) {
+bool beyond_colour(const Scenario& s, const OperatingPoint&) {
   const double nm = channel::wavelength(s.emitter, s.led.temperature_c).value * 1e9;
   if (s.module.spectral.empty()) return std::abs(nm - channel::emin_nm) > 15;
   return beyond(s.module.spectral, nm, channel::emin_nm);
@@ -99,26 +121,26 @@ double longest_burst_cycles(const Scenario& s) {
   return longest * s.device.carrier_hz / s.device.baud;
 }
 
-bool beyond_agc_figure(const Scenario& s, double) {
+bool beyond_agc_figure(const Scenario& s, const OperatingPoint&) {
   const double pinned = s.module.agc_pinned_cycles;
   return s.module.agc_attack_db_per_ms > 0 && pinned > 0 && longest_burst_cycles(s) > pinned;
 }
 
-bool unbearable_current(const Scenario& s, double) {
+bool unbearable_current(const Scenario& s, const OperatingPoint&) {
   return s.led.current_ma < s.emitter.intensity_mw_per_sr.x.front() ||
          s.led.current_ma * s.device.carrier_duty > s.emitter.continuous_ma;
 }
 
 /// What the geometry has to do with it: nothing, where Eb/N0 sets the light.
-template <bool (*left)(const Scenario&, double)>
-bool unless_ebn0(const Scenario& s, double irradiance) {
-  return std::isnan(s.receiver.ebn0_db) && left(s, irradiance);
+template <bool (*left)(const Scenario&, const OperatingPoint&)>
+bool unless_ebn0(const Scenario& s, const OperatingPoint& at) {
+  return std::isnan(s.receiver.ebn0_db) && left(s, at);
 }
 
 /// A matched receiver has no threshold, band-pass, AGC or supply.
-template <bool (*left)(const Scenario&, double)>
-bool of_module(const Scenario& s, double irradiance) {
-  return !channel::is_matched(s.module) && left(s, irradiance);
+template <bool (*left)(const Scenario&, const OperatingPoint&)>
+bool of_module(const Scenario& s, const OperatingPoint& at) {
+  return !channel::is_matched(s.module) && left(s, at);
 }
 
 constexpr std::array limits{
@@ -152,16 +174,24 @@ constexpr std::array limits{
                   of_module<beyond_agc_figure>},
     ValidityLimit{"current", "a current that the LED's sheet does not show or that it cannot bear",
                   unless_ebn0<unbearable_current>},
+    ValidityLimit{
+        "grid",
+        "the sample rate is about a whole multiple of the carrier: the threshold moves by "
+        "up to 7 % with the carrier's phase",
+        of_module<on_the_grid>},
+    ValidityLimit{"tail",
+                  "decisions are drawn without noise beyond 6.5 deviations: errors are missing",
+                  beyond_tail},
 };
 
 }  // namespace
 
 std::span<const ValidityLimit> validity_limits() { return limits; }
 
-std::uint64_t outside_validity(const Scenario& scenario, double irradiance_mw_per_m2) {
+std::uint64_t outside_validity(const Scenario& scenario, const OperatingPoint& at) {
   std::uint64_t mask = 0;
   for (std::size_t i = 0; i < limits.size(); ++i)
-    if (limits[i].left(scenario, irradiance_mw_per_m2)) mask |= std::uint64_t{1} << i;
+    if (limits[i].left(scenario, at)) mask |= std::uint64_t{1} << i;
   return mask;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/result.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -12,12 +13,12 @@ namespace sim {
 struct ValidityLimit {
   const char* name;     // "near", as the table and the result file call it
   const char* meaning;  // one line: what is not known there
-  bool (*left)(const Scenario& scenario, double irradiance_mw_per_m2);
+  bool (*left)(const Scenario& scenario, const OperatingPoint& at);
 };
 
 std::span<const ValidityLimit> validity_limits();
 
 /// The limits that a point leaves.
-std::uint64_t outside_validity(const Scenario& scenario, double irradiance_mw_per_m2);
+std::uint64_t outside_validity(const Scenario& scenario, const OperatingPoint& at);
 
 }  // namespace sim

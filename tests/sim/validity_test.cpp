@@ -47,10 +47,24 @@ TEST(Validity, EachLimitIsNamedWhereItIsLeftAndOnlyThere) {
   EXPECT_EQ(names_at({"module.agc_pinned_cycles=591"}), "");
   EXPECT_EQ(names_at({"module.agc_pinned_cycles=589", "device.baud=601"}), "agc");
   EXPECT_EQ(names_at({"module.agc_pinned_cycles=589", "module.agc_attack_db_per_ms=0"}), "");
+  EXPECT_EQ(names_at({"simulation.sample_rate_hz=472e3"}), "grid");
+  EXPECT_EQ(names_at({"device.carrier_hz=60e3"}), "grid");
+  EXPECT_EQ(names_at({"device.carrier_hz=60e3", "simulation.sample_rate_hz=960e3"}), "");
+  EXPECT_EQ(names_at({"simulation.sample_rate_hz=472e3", "receiver.module=ideal-coherent"}), "");
   EXPECT_EQ(names_at({"led.current_ma=250"}), "current");
   EXPECT_EQ(names_at({"led.current_ma=150"}), "");
   EXPECT_EQ(names_at({"led.current_ma=150", "device.carrier_duty=0.9"}), "current");
   EXPECT_EQ(names_at({"led.current_ma=0.5"}), "current");
+}
+
+TEST(Validity, DecisionsEndWhereTheirNormalsDo) {
+  const auto names_decided = [](const std::string& ebn0_db, const std::string& fidelity) {
+    return names_at({"receiver.module=ideal-coherent", "simulation.fidelity=" + fidelity,
+                     "receiver.ebn0_db=" + ebn0_db});
+  };
+  EXPECT_EQ(names_decided("15", "decision"), "");
+  EXPECT_EQ(names_decided("15.2", "decision"), "tail");
+  EXPECT_EQ(names_decided("16", "waveform"), "");
 }
 
 std::string names_beside(const std::string& disturbance) {
