@@ -230,7 +230,7 @@ bool is_alone() {
 
 ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("run")) return run_command(requests.run);
-  if (!is_alone()) return ExitCode::bad_input;
+  if (!is_alone()) return ExitCode::done;
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);

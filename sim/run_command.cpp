@@ -200,13 +200,13 @@ ExitCode run_command(const RunRequest& request) {
   const std::unique_ptr<Team> team = join_team();
   std::vector<Run> runs;
   const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
-  if (!ready) return ExitCode::bad_input;
+  if (!ready) return ExitCode::done;
   const ExperimentOptions options{.threads = threads_of(request),
                                   .profiled = request.profile,
                                   .team = team.get(),
                                   .interrupt = &heed_stop_signals()};
   if (request.plan) return plan(request, runs, *options.interrupt);
-  if (!agree(team.get(), start_of(runs))) return ExitCode::environment;
+  if (!agree(team.get(), start_of(runs))) return ExitCode::done;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
     if (speaks(team.get()))

@@ -31,10 +31,11 @@ class Team {
 };
 
 /// Does a step that may fail: true if no member failed. If any did, the first of them throws its
-/// Failure and the others give false; all of them then have to end. Alone: simply the step.
+/// Failure and the others give false; all of them then have to end, the others as if all were well:
+/// a job is over once a member has ended badly, said or not. Alone: simply the step.
 bool together(Team* team, const std::function<void()>& step);
 
-/// Whether all hold the same text; of those that do not, the first throws Failure(environment).
+/// Whether all hold the same text; if not, the first throws Failure(environment), as in together().
 bool agree(Team* team, const std::string& text);
 
 /// The job that this process was started in; null if it is alone, or built without MPI.
