@@ -201,6 +201,9 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
 
 bool is_resumable(const PointResult& point) { return point.tally.n_frames % group_size == 0; }
 
-int default_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int threads_for(int asked) {
+  if (asked > 0) return asked;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace sim

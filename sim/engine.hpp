@@ -37,7 +37,7 @@ PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, 
 /// Whether a point can be gone on with: only whole groups of trials can.
 bool is_resumable(const PointResult& point);
 
-/// Threads to use when the user names none: one per processor this process may run on.
-int default_threads();
+/// As many threads as asked for, or if 0 one per processor that this process may run on.
+int threads_for(int asked);
 
 }  // namespace sim

@@ -153,7 +153,7 @@ class Finds {
       if (due) keeper_.keep(result());
     };
     const EngineOptions engine{
-        .threads = request_.threads > 0 ? request_.threads : default_threads(),
+        .threads = threads_for(request_.threads),
         .interrupt = &interrupt_,
         .on_progress = [&](const PointResult& p) { keep(p, keeper_.is_due()); }};
     keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);

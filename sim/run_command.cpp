@@ -1,20 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-
 #include "sim/closing_lines.hpp"
 #include "sim/commands.hpp"
 #include "sim/engine.hpp"
 #include "sim/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/keeper.hpp"
-#include "sim/plan.hpp"
-#include "sim/plan_report.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
 #include "sim/resume.hpp"
+#include "sim/run_plan.hpp"
 #include "sim/scenario.hpp"
 #include "sim/standard_output.hpp"
 #include "sim/stop_signals.hpp"
@@ -74,10 +70,6 @@ void print_row(const ExperimentResult& result, std::size_t point, bool theory, K
   }
 }
 
-int threads_of(const RunRequest& request) {
-  return request.threads > 0 ? request.threads : default_threads();
-}
-
 /// Nothing counted yet; or what the result file has, where there is one to go on with.
 ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenario,
                         const fs::path& output) {
@@ -130,34 +122,6 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
                      : missing_lines(result) + closing_lines(result, run.output));
 }
 
-ExitCode plan(const RunRequest& request, const std::vector<Run>& runs,
-              const std::atomic<bool>& interrupt) {
-  for (const Run& run : runs) {
-    const int threads = threads_of(request);
-    const std::vector<Pilot> pilots = run_pilots(run.scenario, request.shard, threads, interrupt);
-    print(plan_table(run.scenario.sweep, pilots, threads));
-    if (interrupt) return ExitCode::interrupted;
-  }
-  return ExitCode::done;
-}
-
-/// The scenario with as many frames a point as there is time for.
-LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario) {
-  const std::string key = "stop.max_frames";
-  const auto is_of_frames = [&](const Axis& axis) { return axis.key == key; };
-  if (std::ranges::any_of(scenario.sweep, is_of_frames))
-    throw bad_input("--time-budget", key + " is swept in " + scenario.path.string(),
-                    "leave one of the two out");
-  const std::vector<Pilot> pilots =
-      run_pilots(scenario, {}, threads_of(request), heed_stop_signals());
-  if (heed_stop_signals()) return scenario;
-  const std::uint64_t frames = frames_within(pilots, request.time_budget_s);
-  ScenarioOptions options = request.options;
-  options.overrides.push_back(fmt::format("{}={}", key, frames));
-  say(fmt::format("cosys-sim: {}: --max-frames {} chosen\n", scenario.path.string(), frames));
-  return load_with(options, scenario.path);
-}
-
 /// Everything that can be refused before the first trial.
 std::vector<Run> prepare(const RunRequest& request, Team* team) {
   if (team != nullptr && (request.plan || request.time_budget_s > 0))
@@ -175,7 +139,8 @@ std::vector<Run> prepare(const RunRequest& request, Team* team) {
     for (const Run& run : runs) check_writable(run.output);
   }
   for (Run& run : runs) {
-    if (request.time_budget_s > 0) run.scenario = within_budget(request, run.scenario);
+    if (request.time_budget_s > 0)
+      run.scenario = within_budget(request, run.scenario, heed_stop_signals());
     run.result = so_far(request, run.scenario, run.output);
   }
   return runs;
@@ -201,11 +166,15 @@ ExitCode run_command(const RunRequest& request) {
   std::vector<Run> runs;
   const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
   if (!ready) return ExitCode::done;
-  const ExperimentOptions options{.threads = threads_of(request),
+  const ExperimentOptions options{.threads = threads_for(request.threads),
                                   .profiled = request.profile,
                                   .team = team.get(),
                                   .interrupt = &heed_stop_signals()};
-  if (request.plan) return plan(request, runs, *options.interrupt);
+  if (request.plan) {
+    for (const Run& run : runs)
+      if (!print_plan(request, run.scenario, *options.interrupt)) return ExitCode::interrupted;
+    return ExitCode::done;
+  }
   if (!agree(team.get(), start_of(runs))) return ExitCode::done;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
