@@ -27,6 +27,28 @@ struct NoProbe {
 constexpr int block = 256;
 static_assert(block <= longest_interference_block);
 
+/// Samples [from, to) of a carrier's block, no edge in them: noise of the lit or the dark strength,
+/// and the light.
+template <class T>
+void add_steady_light(KeyedCarrier<T>& carrier, T dark, T lit, int from, int to, T* x) {
+  const dsp::Mask<T> is_lit = carrier.lit_at(from);
+  const T strength = dsp::choose(is_lit, lit, dark);
+  for (int i = from; i < to; ++i) x[i] = dsp::fused(x[i], strength, carrier.steady(is_lit));
+}
+
+/// The same for a block with edges.
+template <class T>
+void add_keyed_light(KeyedCarrier<T>& carrier, T dark, T lit, T* x, int n) {
+  for (int i = 0; i < n; ++i) {
+    const int edge = carrier.next_edge(i, n);
+    add_steady_light(carrier, dark, lit, i, edge, x);
+    i = edge;
+    if (i == n) return;
+    const auto light = carrier(i);
+    x[i] = dsp::fused(x[i], dsp::choose(light.lit, lit, dark), light.irradiance);
+  }
+}
+
 /// Turns white noise into irradiance: noise of the lit or the dark strength, and the light.
 template <class T>
 void add_light(KeyedCarrier<T>& carrier, T dark, T lit, std::int64_t first, T* x, int n) {
@@ -37,10 +59,7 @@ void add_light(KeyedCarrier<T>& carrier, T dark, T lit, std::int64_t first, T* x
       for (int i = 0; i < length; ++i) part[i] = dsp::fused(part[i], dark, T(0.0f));
       carrier.skip(length);
     } else {
-      for (int i = 0; i < length; ++i) {
-        const auto light = carrier(i);
-        part[i] = dsp::fused(part[i], dsp::choose(light.lit, lit, dark), light.irradiance);
-      }
+      add_keyed_light(carrier, dark, lit, part, length);
     }
     done += length;
   }

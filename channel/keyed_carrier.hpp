@@ -80,19 +80,49 @@ class KeyedCarrier {
     phase_ = phase_ + dsp::Words<T>(step_ * static_cast<std::uint32_t>(length));
   }
 
-  /// Sample `i` of the block; to be called for each in turn.
+  /// The first sample of [from, length) in which a lane's burst begins or ends, or `length`.
+  int next_edge(int from, int length) const {
+    const T begin(static_cast<float>(from)), end(static_cast<float>(length));
+    const T edge = dsp::choose(on_ >= begin, on_, dsp::choose(off_ >= begin, off_, end));
+    int next = length;
+    for (int i = 0; i < dsp::lanes<T>; ++i)
+      next = std::min(next, static_cast<int>(dsp::lane(edge, i)));
+    return next;
+  }
+
+  /// The lanes that are lit all through sample `i`, where none has an edge.
+  dsp::Mask<T> lit_at(int i) const {
+    const T start(static_cast<float>(i));
+    return (on_ <= start) & (off_ > start);
+  }
+
+  /// Irradiance of the next sample in which no lane has an edge, `lit` being lit_at(): that of
+  /// operator(), to the bit.
+  T steady(dsp::Mask<T> lit) {
+    const T phase = next_phase();
+    const T light = lit_time(phase + cycles_) - dsp::smaller(phase, duty_);
+    return dsp::choose(lit, amplitude_ * light, T(0.0f));
+  }
+
+  /// Sample `i` of the block; to be called for each in turn, or steady() instead.
   Sample operator()(int i) {
     const T zero(0.0f), one(1.0f), start(static_cast<float>(i));
     const T from = dsp::smaller(dsp::larger(on_ - start, zero), one);
     const T to = dsp::smaller(dsp::larger(off_ - start, zero), one);
-    const T phase = dsp::to_float(phase_ >> 8) * T(0x1p-24f);
-    phase_ = phase_ + dsp::Words<T>(step_);
+    const T phase = next_phase();
     const T light =
         lit_time(dsp::fused(to, cycles_, phase)) - lit_time(dsp::fused(from, cycles_, phase));
     return {amplitude_ * light, from < to};
   }
 
  private:
+  /// In cycles, 0 to 1: that of a sample's start; counts on.
+  T next_phase() {
+    const T phase = dsp::to_float(phase_ >> 8) * T(0x1p-24f);
+    phase_ = phase_ + dsp::Words<T>(step_);
+    return phase;
+  }
+
   /// Cycles of light from phase 0 to phase p, p in [0, 2): the integral of the square wave.
   T lit_time(T p) const {
     const T second = dsp::larger(p - T(1.0f), T(0.0f));  // the part in the second cycle

@@ -113,6 +113,45 @@ TEST(KeyedCarrier, FoldedHarmonicsAreWeak) {
   EXPECT_LT(most / least, 1.09);
 }
 
+/// Steady stretches of a block, and the samples with an edge between them.
+template <class Edge, class Stretch>
+void walk(const KeyedCarrier<float>& carrier, int length, Stretch stretch, Edge edge) {
+  for (int i = 0; i < length; ++i) {
+    const int next = carrier.next_edge(i, length);
+    for (; i < next; ++i) stretch(i);
+    if (i < length) edge(i);
+  }
+}
+
+TEST(KeyedCarrier, SteadyStretchesAreTheSamplesBetweenTheEdges) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(0, 64);
+  int edges = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const double a = edge_at(u(random) - 16);  // begun before the block, too
+    const Burst burst{a, edge_at(a + 1 + u(random))};
+    const CarrierDesign d = design(0.0983, 0.3);
+    KeyedCarrier<float> steady(d);
+    steady.load(0, {&burst, 1}, static_cast<std::uint32_t>(random()));
+    const int length = steady.begin_block(0, 64);
+    KeyedCarrier<float> general = steady;
+    const auto same = [&](int i, float irradiance) {
+      const auto sample = general(i);
+      ASSERT_EQ(dsp::to_bits(irradiance), dsp::to_bits(sample.irradiance)) << trial << " " << i;
+      ASSERT_TRUE(i == std::floor(burst.on) || i == std::floor(burst.off) ||
+                  sample.lit == steady.lit_at(i));
+    };
+    walk(
+        steady, length, [&](int i) { same(i, steady.steady(steady.lit_at(i))); },
+        [&](int i) {
+          same(i, steady(i).irradiance);
+          ++edges;
+        });
+  }
+  EXPECT_GT(edges, 500);
+  EXPECT_LT(edges, 1000);
+}
+
 TEST(KeyedCarrier, LanesAreIndependentAndEqualToFloat) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(0, 1);
