@@ -146,9 +146,8 @@ class Irradiance {
   dsp::NormalSource<T> noise_;
 };
 
-/// A block of light to the module's pins, bit i of each being lane i's. Two loops, one for what
-/// only goes forward and one for what its own output acts on: in one they would wait for each
-/// other. A probe wants to see both after each sample.
+/// A block of light to the module's pins, bit i of each being lane i's. A probe looks behind each
+/// sample, so its loops are one long.
 template <class T, class Probe>
 void receive(ReceiverModule<T>& module, const T* x, int length, std::uint8_t* pins, Probe probe) {
   constexpr int step = Probe::looks ? 1 : block;
