@@ -83,8 +83,15 @@ struct PreparedGroup {
     for (const ChainInput& input : inputs) {
       ChainKernelInput::Lane& lane = kernel.lane[bursts.size()];
       bursts.push_back(bursts_of(*input.drive, design.sample_rate));
-      lane = {bursts.back().data(), bursts.back().size(), input.carrier_phase, input.noise_seed,
-              input.unit != nullptr ? input.unit : &design.module};
+      lane.bursts = bursts.back().data();
+      lane.n_bursts = bursts.back().size();
+      lane.carrier_phase = input.carrier_phase;
+      lane.noise_seed = input.noise_seed;
+      if (input.unit != nullptr) lane.module = input.unit;
+      lane.noise_windows = input.noise_windows.data();
+      lane.n_noise_windows = input.noise_windows.size();
+      lane.margin_windows = input.margin_windows.data();
+      lane.n_margin_windows = input.margin_windows.size();
       kernel.samples = std::max(kernel.samples, samples_of(*input.drive, design.sample_rate));
       disturbances.add_lane(design.disturbances, input.disturbances, design.sample_rate);
     }

@@ -12,6 +12,7 @@
 #include "channel/ideal_receiver.hpp"
 #include "channel/instruction_set.hpp"
 #include "channel/keyed_carrier.hpp"
+#include "channel/noise_window.hpp"
 #include "channel/receiver_module.hpp"
 #include "channel/stage_clock.hpp"
 #include "dsp/logic_trace.hpp"
@@ -52,6 +53,8 @@ struct ChainInput {
   std::array<std::uint32_t, 4> noise_seed;
   const ModuleDesign* unit = nullptr;  // a module of the trial's own instead of the design's
   std::vector<DisturbanceInput> disturbances{};  // one for each of the design's
+  std::span<const NoiseWindow> noise_windows{};
+  std::span<const MarginWindow> margin_windows{};  // filled by propagate()
 };
 
 constexpr int lanes_per_group = 8;

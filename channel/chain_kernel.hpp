@@ -10,6 +10,8 @@ namespace channel {
 
 struct Burst;
 struct CarrierDesign;
+struct MarginWindow;
+struct NoiseWindow;
 struct SlotSamples;
 struct SlotSums;
 struct ToneDesign;
@@ -29,6 +31,10 @@ struct ChainKernelInput {
     const ModuleDesignOf<float>* module = nullptr;
     const SlotSamples* slots = nullptr;  // for on_slot
     std::size_t n_slots = 0;
+    const NoiseWindow* noise_windows = nullptr;
+    std::size_t n_noise_windows = 0;
+    const MarginWindow* margin_windows = nullptr;
+    std::size_t n_margin_windows = 0;
   };
   Lane lane[8];
   const CarrierDesign* carrier = nullptr;

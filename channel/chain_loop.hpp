@@ -10,6 +10,7 @@
 #include "channel/correlator.hpp"
 #include "channel/interference.hpp"
 #include "channel/keyed_carrier.hpp"
+#include "channel/noise_window.hpp"
 #include "channel/receiver_module.hpp"
 #include "dsp/lanes.hpp"
 #include "dsp/normal.hpp"
@@ -116,6 +117,29 @@ ReceiverModule<T> modules_of(const ChainKernelInput& in) {
   return ReceiverModule<T>(units);
 }
 
+/// What samples [first, first + n) and a window have in common.
+struct Overlap {
+  std::int64_t from, to;  // empty unless from < to
+};
+template <class Window>
+Overlap overlap(std::int64_t first, int n, const Window& window) {
+  return {std::max(first, window.first), std::min(first + n, window.first + window.n)};
+}
+
+/// Puts prescribed normals of the samples [first, first + n) into the place of drawn ones.
+template <class T>
+void prescribe(const ChainKernelInput& in, std::int64_t first, T* normals, int n) {
+  for (int i = 0; i < dsp::lanes<T>; ++i) {
+    const ChainKernelInput::Lane& lane = in.lane[i];
+    for (std::size_t w = 0; w < lane.n_noise_windows; ++w) {
+      const NoiseWindow& window = lane.noise_windows[w];
+      const Overlap both = overlap(first, n, window);
+      for (std::int64_t at = both.from; at < both.to; ++at)
+        dsp::set_lane(normals[at - first], i, window.normals[at - window.first]);
+    }
+  }
+}
+
 /// Noise, light and the light of others, which are the same for any receiver.
 template <class T>
 class Irradiance {
@@ -131,6 +155,7 @@ class Irradiance {
   /// The block that begins at sample `first`; to be called for each in turn.
   void fill(std::int64_t first, T* x, int length) {
     noise_.fill(x, block);
+    prescribe(in_, first, x, block);
     done<T>(in_, ChainStage::noise);
     add_light(carrier_, dark_, lit_, first, x, length);
     done<T>(in_, ChainStage::light);
@@ -161,6 +186,48 @@ void receive(ReceiverModule<T>& module, const T* x, int length, std::uint8_t* pi
   }
 }
 
+/// Keeps the margins of a block.
+template <class T>
+struct MarginProbe {
+  static constexpr bool looks = true;
+  T* next;
+  void operator()(T, const ModuleTaps<T>& taps) { *next++ = taps.peak - taps.threshold; }
+};
+
+/// Whether any lane wants margins of the samples [first, first + n).
+template <class T>
+bool wants_margins(const ChainKernelInput& in, std::int64_t first, int n) {
+  for (int i = 0; i < dsp::lanes<T>; ++i) {
+    for (std::size_t w = 0; w < in.lane[i].n_margin_windows; ++w) {
+      const Overlap both = overlap(first, n, in.lane[i].margin_windows[w]);
+      if (both.from < both.to) return true;
+    }
+  }
+  return false;
+}
+
+template <class T>
+void give_margins(const ChainKernelInput& in, std::int64_t first, const T* margins, int n) {
+  for (int i = 0; i < dsp::lanes<T>; ++i) {
+    const ChainKernelInput::Lane& lane = in.lane[i];
+    for (std::size_t w = 0; w < lane.n_margin_windows; ++w) {
+      const MarginWindow& window = lane.margin_windows[w];
+      const Overlap both = overlap(first, n, window);
+      for (std::int64_t at = both.from; at < both.to; ++at)
+        window.margins[at - window.first] = dsp::lane(margins[at - first], i);
+    }
+  }
+}
+
+/// A block as in receive(), with the margins that somebody wants of it.
+template <class T>
+void receive_with_margins(const ChainKernelInput& in, ReceiverModule<T>& module, std::int64_t first,
+                          const T* x, int length, std::uint8_t* pins) {
+  T margins[block];
+  receive(module, x, length, pins, MarginProbe<T>{margins});
+  give_margins(in, first, margins, length);
+}
+
 /// Tells of each change of the pins in a block, of which most have none: eight samples a look.
 template <class T>
 void report_flips(const ChainKernelInput& in, std::int64_t first, const std::uint8_t* pins,
@@ -188,7 +255,10 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
   for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
     const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
     irradiance.fill(first, x, length);
-    receive(module, x, length, pins, probe);
+    if (!Probe::looks && wants_margins<T>(in, first, length))
+      receive_with_margins(in, module, first, x, length, pins);
+    else
+      receive(module, x, length, pins, probe);
     done<T>(in, ChainStage::receiver);
     report_flips<T>(in, first, pins, length, before);
     done<T>(in, ChainStage::pin);
@@ -212,7 +282,7 @@ void run_correlator(const ChainKernelInput& in, Probe probe) {
     correlator(first, x, length,
                [&](int lane, const SlotSums& sums) { in.on_slot(in.context, lane, sums); });
     done<T>(in, ChainStage::receiver);
-    for (int i = 0; i < length; ++i) probe(x[i], ModuleTaps<T>{none, none, none, none});
+    for (int i = 0; i < length; ++i) probe(x[i], ModuleTaps<T>{none, none, none, none, none});
   }
 }
 

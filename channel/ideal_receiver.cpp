@@ -29,6 +29,10 @@ bool says_light(const IdealDesign& design, const SlotSums& sums, std::int64_t sa
   return 2 * sum > design.threshold * static_cast<double>(samples);
 }
 
+SlotSamples slot_samples(const BitSlot& slot, dsp::Hertz sample_rate) {
+  return {first_centre_from(slot.begin, sample_rate), first_centre_from(slot.end, sample_rate)};
+}
+
 void SlotPin::decide(bool light) {
   const BitSlot& slot = (*slots_)[decided_];
   // Ends and begins of neighbours may differ by a rounding error; flips must not go back in time.
@@ -48,9 +52,7 @@ SlotWriter::SlotWriter(const IdealDesign& design, std::span<const BitSlots> slot
     : design_(design), stop_(stop) {
   for (const BitSlots& of_lane : slots) {
     Lane& lane = lanes_.emplace_back(Lane{.pin = {of_lane, design_.delay}});
-    for (const BitSlot& slot : of_lane)
-      lane.samples.push_back(
-          {first_centre_from(slot.begin, sample_rate), first_centre_from(slot.end, sample_rate)});
+    for (const BitSlot& slot : of_lane) lane.samples.push_back(slot_samples(slot, sample_rate));
   }
 }
 

@@ -39,6 +39,9 @@ double amplitude_deviation(double sample, dsp::Hertz sample_rate, dsp::Hertz bau
 /// Whether sums over a slot of so many samples say light.
 bool says_light(const IdealDesign& design, const SlotSums& sums, std::int64_t samples);
 
+/// The samples of a slot.
+SlotSamples slot_samples(const BitSlot& slot, dsp::Hertz sample_rate);
+
 /// A pin being written bit by bit, each late by `delay`; idle between them.
 class SlotPin {
  public:

@@ -121,6 +121,7 @@ dsp::Seconds nominal_delay(const ModuleData& data);
 template <class T>
 struct ModuleTaps {
   T band_pass, threshold, integrator, agc_gain;
+  T peak;  // of the band-pass's output in the sample
 };
 
 template <class T>
@@ -160,7 +161,8 @@ class ReceiverModule {
   }
 
   ModuleTaps<T> taps() const {
-    return {band_pass_.output(), level_, dsp::to_float(integrator_.level()) * part_, gain_};
+    return {band_pass_.output(), level_, dsp::to_float(integrator_.level()) * part_, gain_,
+            band_pass_.peak()};
   }
 
  private:

@@ -12,6 +12,6 @@ for object; do
     exit 1
   fi
 done
-for kernel in run_lanes decide_lanes; do
+for kernel in run_lanes decide_lanes fill_lanes; do
   nm --demangle "$@" | grep " T .*${kernel}_$isa" >/dev/null || { echo "no object defines ${kernel}_$isa"; exit 1; }
 done
