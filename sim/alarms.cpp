@@ -32,6 +32,22 @@ bool beats_theory(const PointResult& p) {
   return sure_ber(p).high < std::min(coherent_ook_ber(2 * ebn0), 0.1);
 }
 
+/// Nothing that was drawn makes a dark bit light: where noise does so this much more rarely than
+/// frames are lost, that does not show.
+constexpr double harmless_share = 0.01;
+
+bool leaves_dark_bits_out(const PointResult& p) {
+  const Weighted& weighted = p.tally.weighted;
+  return weighted.n_groups > 0 &&
+         weighted.dark_likelihood > harmless_share * weighted.frames_lost.sum;
+}
+
+bool has_uneven_weights(const PointResult& p) {
+  const Weighted& weighted = p.tally.weighted;
+  return weighted.n_groups > 0 &&
+         !(weighted.bit_errors.is_sound() && weighted.frames_lost.is_sound());
+}
+
 constexpr std::array table{
     Alarm{"half", "bit error ratio above 0.5: silence reads as ones, so the link is dead",
           above_half},
@@ -40,8 +56,13 @@ constexpr std::array table{
           beats_theory},
     Alarm{"monotone", "frame loss rises and falls along the sweep by more than its intervals",
           nullptr},
+    Alarm{"weights",
+          "importance sampling drew too few failures, or a few of them weigh too much: no estimate",
+          has_uneven_weights},
+    Alarm{"dark", "noise may make dark bits light, which importance sampling did not draw",
+          leaves_dark_bits_out},
 };
-constexpr std::uint64_t monotone = std::uint64_t{1} << (table.size() - 1);
+constexpr std::uint64_t monotone = 1 << 3;
 
 }  // namespace
 

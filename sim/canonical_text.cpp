@@ -16,10 +16,9 @@ bool is_physics(const Key& key) {
          key.name() != "simulation.seed" && !key.name().starts_with("stop.");
 }
 
-/// Keys that are younger than results of their default, which must stay results of equal input:
-/// they are written only where they are not at it.
+/// Of texts, as no number is younger yet.
 bool is_younger_default(const Key& key, Scenario& s) {
-  if (key.name() != "simulation.fidelity") return false;
+  if (!key.younger) return false;
   Scenario defaults;
   return key.text(s) == key.text(defaults);
 }

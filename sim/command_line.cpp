@@ -23,6 +23,13 @@ void add_run(CLI::App& app, RunRequest& request) {
   add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
                  "relative half width of the bit error ratio's interval at which a point is "
                  "finished, such as 0.1; 0 for no such rule");
+  run.add_option_function<std::string>(
+         "--method",
+         [&request](const std::string& name) {
+           request.options.overrides.push_back("simulation.method=" + name);
+         },
+         "brute-force, or importance for errors too rare to wait for (the key simulation.method)")
+      ->type_name("METHOD");
   add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
                  "frame loss ratio; a point is finished when its own is surely below or above");
   run.add_flag("--resume", request.resume,

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
+
+#include "sim/statistics.hpp"
 
 namespace sim {
 namespace {
@@ -37,6 +41,28 @@ void mark_different(std::vector<PointComparison>& points, double alpha) {
   }
 }
 
+/// Of a frame loss that is not 0; infinite where nothing is known.
+double coefficient_of_variation(const Tally& t) {
+  if (t.weighted.n_groups == 0) return std::sqrt(1 / real(t.n_frames_lost) - 1 / real(t.n_frames));
+  if (!t.weighted.frames_lost.is_sound()) return std::numeric_limits<double>::infinity();
+  return t.weighted.frames_lost.coefficient_of_variation(t.weighted.n_groups);
+}
+
+/// Two-sided, that two losses of which one is weighted are one: by the logarithm of their ratio.
+double weighted_p_value(const Tally& a, const Tally& b) {
+  const double deviation = std::hypot(coefficient_of_variation(a), coefficient_of_variation(b));
+  if (!std::isfinite(deviation)) return 1;
+  constexpr double any = 0.95;
+  const double difference =
+      std::log(frame_loss_ratio(a, any).value / frame_loss_ratio(b, any).value);
+  return std::erfc(std::abs(difference) / deviation / std::numbers::sqrt2);
+}
+
+double p_value(const Tally& a, const Tally& b) {
+  if (a.weighted.n_groups > 0 || b.weighted.n_groups > 0) return weighted_p_value(a, b);
+  return fisher_exact(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames);
+}
+
 }  // namespace
 
 double fisher_exact(std::uint64_t lost_a, std::uint64_t frames_a, std::uint64_t lost_b,
@@ -65,9 +91,7 @@ ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, d
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Tally &one = a.points[i].tally, &other = b.points[i].tally;
     if (one.n_frames == 0 || other.n_frames == 0) continue;
-    const double p =
-        fisher_exact(one.n_frames_lost, one.n_frames, other.n_frames_lost, other.n_frames);
-    comparison.points.push_back({i, p, false});
+    comparison.points.push_back({i, p_value(one, other), false});
   }
   mark_different(comparison.points, alpha);
   return comparison;

@@ -18,6 +18,7 @@
 #include "sim/keys.hpp"
 #include "sim/link.hpp"
 #include "sim/list_text.hpp"
+#include "sim/method.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
@@ -85,6 +86,8 @@ Over over_of(const std::string& text, const LoadedScenario& scenario) {
 
 /// What the search runs: the user's scenario, with points stopped as soon as their side is told.
 LoadedScenario load_for_search(const FindRequest& request) {
+  refuse_weighted(load_with(request.options, request.scenario).base,
+                  "find tells losses from a level frame by frame");
   ScenarioOptions options{{fmt::format("stop.max_frames={}", enough_frames(request.flr)),
                            "stop.max_frame_errors=0", "stop.rel_ci=0"},
                           request.options.parts};

@@ -7,6 +7,7 @@
 #include "protocol/uart.hpp"
 #include "sim/disturbance_keys.hpp"
 #include "sim/fidelity.hpp"
+#include "sim/method.hpp"
 
 namespace sim {
 namespace {
@@ -44,6 +45,11 @@ Key text(KeyType type, std::string name, Group Scenario::*group, std::string Gro
           {},
           [=](Scenario& s) -> std::string& { return s.*group.*member; },
           std::move(choices)};
+}
+
+Key younger(Key key) {
+  key.younger = true;
+  return key;
 }
 
 Key title_key() {
@@ -188,11 +194,17 @@ std::vector<Key> run_keys() {
   constexpr auto run = &Scenario::simulation;
   constexpr auto stop = &Scenario::stop;
   return {
-      text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
-           "fidelity of light and receiver",
-           "every sample; or, for the ideal receivers without other lights, one decision a bit "
-           "(`sim/README.md`)",
-           names_of(fidelities())),
+      younger(
+          text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
+               "fidelity of light and receiver",
+               "every sample; or, for the ideal receivers without other lights, one decision a bit "
+               "(`sim/README.md`)",
+               names_of(fidelities()))),
+      younger(text(KeyType::choice, "simulation.method", run, &SimulationSettings::method,
+                   "method of counting errors",
+                   "trials as they come; or, for rare errors, trials drawn to fail, with weights "
+                   "(`sim/README.md`)",
+                   names_of(methods()))),
       number("simulation.sample_rate_hz", "Hz", from(2e5, 2e7), run,
              &SimulationSettings::sample_rate_hz, "sample rate of the light",
              "the default agrees with four times as much"),

@@ -38,6 +38,9 @@ struct Key {
   std::function<double&(Scenario&)> number;
   std::function<std::string&(Scenario&)> text;
   std::vector<std::string> choices;  // of KeyType::choice
+  /// Younger than results of its default, which must stay results of equal input: the text that
+  /// tells points apart has it only where it is not at that.
+  bool younger = false;
 
   const std::string& name() const { return facts.name; }
   bool is_number() const { return static_cast<bool>(number); }

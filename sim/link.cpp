@@ -11,7 +11,9 @@
 #include "sim/canonical_text.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/fidelity.hpp"
+#include "sim/importance_link.hpp"
 #include "sim/matched.hpp"
+#include "sim/method.hpp"
 #include "sim/validity.hpp"
 
 namespace sim {
@@ -102,6 +104,10 @@ channel::ReceivedLight light_of(const Scenario& s) {
                                  s.led.temperature_c);
 }
 
+dsp::Hertz carrier_of(const Link& link) {
+  return link.chain.carrier.step * 0x1p-32 * link.chain.sample_rate;
+}
+
 Link make_link(const Scenario& scenario) {
   Scenario s = scenario;
   s.module = module_of(scenario);
@@ -135,6 +141,10 @@ Link make_link(const Scenario& scenario) {
     link.operating.ber_theory = matched->ber;
     if (fidelity_of(s.simulation) == Fidelity::decision)
       link.decisions = make_decision_link(link, matched->output);
+    if (method_of(s.simulation) == Method::importance)
+      link.importance = make_importance_link(matched->output);
+  } else if (method_of(s.simulation) == Method::importance) {
+    link.importance = make_importance_link(link);
   }
   return link;
 }

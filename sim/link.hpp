@@ -2,6 +2,7 @@
 // Link: one operating point with everything worked out that its trials share, from the bytes of the
 // message to the numbers per sample. Built once a point from a Scenario; constant from then on.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@
 
 namespace sim {
 
+struct ImportanceLink;
+
 struct Link {
   // Device.
   std::string message;     // as the user knows it
@@ -25,10 +28,11 @@ struct Link {
   int warmup_messages = 1;
   // Light and module.
   channel::ChainDesign chain;
-  std::optional<channel::IdealDesign> ideal;  // a matched receiver instead of the module
-  std::optional<DecisionLink> decisions;      // where no waveform is made
-  dsp::Seconds delay;                         // constant part, light to pin
-  channel::ModuleData module;                 // under the point's conditions
+  std::optional<channel::IdealDesign> ideal;         // a matched receiver instead of the module
+  std::optional<DecisionLink> decisions;             // where no waveform is made
+  std::shared_ptr<const ImportanceLink> importance;  // where trials are weighted
+  dsp::Seconds delay;                                // constant part, light to pin
+  channel::ModuleData module;                        // under the point's conditions
   dsp::WattsPerSquareMetre ambient;
   std::vector<DisturbanceSettings> disturbances;  // in the order of the chain's
   bool population = false;                        // each trial has a unit of its own
@@ -42,6 +46,9 @@ struct Link {
   OperatingPoint operating;
   std::uint64_t outside = 0;  // of the models' validity, as sim/validity has it
 };
+
+/// The carrier's true frequency, as the chain has it.
+dsp::Hertz carrier_of(const Link& link);
 
 Link make_link(const Scenario& scenario);
 

@@ -75,6 +75,12 @@ NetcdfReader::NetcdfReader(const std::filesystem::path& path) try
 }
 NetcdfReader::~NetcdfReader() = default;
 
+bool NetcdfReader::has(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) {
+    return checked(H5Lexists(file, variable.c_str(), H5P_DEFAULT)) > 0;
+  });
+}
+
 std::vector<std::int64_t> NetcdfReader::integers(const std::string& variable) const {
   return state_->get(variable, [&](hid_t file) {
     return cells_of<std::int64_t>(file, variable, H5T_NATIVE_INT64);

@@ -19,6 +19,7 @@ class NetcdfReader {
   NetcdfReader(const NetcdfReader&) = delete;
   NetcdfReader& operator=(const NetcdfReader&) = delete;
 
+  bool has(const std::string& variable) const;
   /// All cells of a variable, row-major.
   std::vector<std::int64_t> integers(const std::string& variable) const;
   std::vector<double> reals(const std::string& variable) const;

@@ -10,6 +10,7 @@
 #include "sim/failure.hpp"
 #include "sim/fidelity.hpp"
 #include "sim/keys.hpp"
+#include "sim/method.hpp"
 #include "sim/part_slot.hpp"
 #include "sim/sweep.hpp"
 
@@ -136,6 +137,7 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& pl
   check_ebn0(s, places);
   check_temperature(s, places);
   check_fidelity(s, places);
+  check_method(s, places);
 }
 
 using Setters = std::vector<const Key*>;

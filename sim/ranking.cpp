@@ -211,6 +211,7 @@ std::string list(const ExperimentResult& result, const Ranking& ranking) {
 }  // namespace
 
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
+  if (is_weighted(result)) return {};  // fits are to counts
   Ranking ranking = axes_of(result.axes, question);
   if (ranking.abscissa == Ranking::none) return ranking;
   for (Row& row : rows_of(result, ranking))

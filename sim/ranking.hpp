@@ -38,6 +38,7 @@ struct Ranking {
 /// pass the level, then by the crossing (its middle, where only a bracket is known), the one that
 /// is reached last first; then those of which no crossing can be told, and last those beyond the
 /// level at all points. Of equals the ones that no limit of validity flags come first.
+/// Empty for weighted results.
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question = {});
 
 /// The ranking in words, one line a row; empty where there is nothing to say.

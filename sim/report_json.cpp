@@ -21,6 +21,10 @@ nlohmann::ordered_json json_value(const Column& column, const PointResult& p, do
     double level;
     Json operator()(std::uint64_t Tally::*count) const { return p.tally.*count; }
     Json operator()(std::uint64_t PointResult::*count) const { return p.*count; }
+    Json operator()(Column::Sum sum) const {
+      Weighted weighted = p.tally.weighted;
+      return sum(weighted);
+    }
     Json operator()(Column::Real real) const { return real(p, level); }
     Json operator()(StopReason PointResult::*flag) const {
       return measured(p) ? Json(stop_reason_name(p.*flag)) : Json(nullptr);
@@ -91,9 +95,8 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
   }
   point["outside"] = raised_json(validity_limits(), p.outside);
   point["alarm_names"] = raised_json(alarms(), p.alarms);
-  for (const Column& column : columns()) {
-    point[column.name] = json_value(column, p, result.ci_level);
-  }
+  for (const Column* column : columns_of(result))
+    point[column->name] = json_value(*column, p, result.ci_level);
   return point;
 }
 

@@ -121,7 +121,24 @@ std::string mark_notes(const ExperimentResult& result) {
          raised_notes(alarms(), alarming, alarm_sign);
 }
 
+namespace {
+
+std::string weighted_note(const ExperimentResult& result) {
+  std::uint64_t frames = 0, lost = 0;
+  for (const PointResult& p : result.points) {
+    frames += p.tally.n_frames;
+    lost += p.tally.n_frames_lost;
+  }
+  return fmt::format(
+      "importance sampling: {} of {} frames lost as drawn; ratios are weighted to what comes by "
+      "nature\n",
+      lost, frames);
+}
+
+}  // namespace
+
 std::string loss_reasons(const ExperimentResult& result) {
+  if (is_weighted(result)) return weighted_note(result);
   Tally all;
   for (const PointResult& p : result.points) all += p.tally;
   if (all.n_frames_lost == 0) return "";

@@ -2,6 +2,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
@@ -26,6 +27,25 @@ double operating(const PointResult& p, double) {
 template <double PointResult::*member>
 double cost(const PointResult& p, double) {
   return p.*member;
+}
+
+template <WeightedSum Weighted::*sum>
+double cov(const PointResult& p, double) {
+  const Weighted& weighted = p.tally.weighted;
+  return (weighted.*sum).coefficient_of_variation(weighted.n_groups);
+}
+
+template <WeightedSum Weighted::*sum>
+double ess(const PointResult& p, double) {
+  return (p.tally.weighted.*sum).effective_size();
+}
+
+double& groups(Weighted& weighted) { return weighted.n_groups; }
+double& dark_likelihood(Weighted& weighted) { return weighted.dark_likelihood; }
+
+template <WeightedSum Weighted::*sum, double WeightedSum::*part>
+double& sum_of(Weighted& weighted) {
+  return weighted.*sum.*part;
 }
 
 constexpr const char* ber_low = "lower end of the interval of ber";
@@ -95,6 +115,30 @@ const std::array table{
     Column{"elapsed_s", "s", "wall-clock time", cost<&PointResult::elapsed_s>},
     Column{"simulated_s", "s", "simulated time of the link", cost<&PointResult::simulated_s>},
     Column{"n_samples", "1", "waveform samples simulated", &PointResult::n_samples},
+    Column{"ber_cov", "1", "coefficient of variation of ber", cov<&Weighted::bit_errors>, true},
+    Column{"ber_ess", "1", "effective sample size of ber", ess<&Weighted::bit_errors>, true},
+    Column{"flr_cov", "1", "coefficient of variation of flr", cov<&Weighted::frames_lost>, true},
+    Column{"flr_ess", "1", "effective sample size of flr", ess<&Weighted::frames_lost>, true},
+    Column{"n_groups", "1", "groups of frames drawn together", groups, true},
+    Column{"sum_weighted_bit_errors", "1", "sum over runs of bit errors, weighted",
+           sum_of<&Weighted::bit_errors, &WeightedSum::sum>, true},
+    Column{"sum_weighted_bit_errors_squared", "1", "sum over runs of their squares",
+           sum_of<&Weighted::bit_errors, &WeightedSum::squares>, true},
+    Column{"sum_group_bit_errors_squared", "1", "sum over groups of the squared sum in each",
+           sum_of<&Weighted::bit_errors, &WeightedSum::group_squares>, true},
+    Column{"max_weighted_bit_errors", "1", "the largest of the runs",
+           sum_of<&Weighted::bit_errors, &WeightedSum::largest>, true},
+    Column{"sum_weighted_frames_lost", "1", "sum over runs of frames lost, weighted",
+           sum_of<&Weighted::frames_lost, &WeightedSum::sum>, true},
+    Column{"sum_weighted_frames_lost_squared", "1", "sum over runs of their squares",
+           sum_of<&Weighted::frames_lost, &WeightedSum::squares>, true},
+    Column{"sum_group_frames_lost_squared", "1", "sum over groups of the squared sum in each",
+           sum_of<&Weighted::frames_lost, &WeightedSum::group_squares>, true},
+    Column{"max_weighted_frames_lost", "1", "the largest of the runs",
+           sum_of<&Weighted::frames_lost, &WeightedSum::largest>, true},
+    Column{"sum_dark_likelihood", "1",
+           "sum over frames of about the probability of light in a dark bit", dark_likelihood,
+           true},
 };
 
 // Little-endian whatever the machine, so that digests compare between machines.
@@ -116,6 +160,12 @@ void append_point(std::string& bytes, const PointResult& p) {
     const auto* counter = std::get_if<std::uint64_t Tally::*>(&column.value);
     if (counter) append(bytes, p.tally.**counter);
   }
+  Weighted weighted = p.tally.weighted;
+  if (weighted.n_groups == 0) return;
+  for (const Column& column : table) {
+    const auto* sum = std::get_if<Column::Sum>(&column.value);
+    if (sum) append(bytes, std::bit_cast<std::uint64_t>((*sum)(weighted)));
+  }
 }
 
 }  // namespace
@@ -123,6 +173,19 @@ void append_point(std::string& bytes, const PointResult& p) {
 std::span<const Column> columns() { return table; }
 
 bool measured(const PointResult& point) { return point.tally.n_frames > 0; }
+
+bool is_weighted(const ExperimentResult& result) {
+  return std::ranges::any_of(result.points,
+                             [](const PointResult& p) { return p.tally.weighted.n_groups > 0; });
+}
+
+std::vector<const Column*> columns_of(const ExperimentResult& result) {
+  const bool weighted = is_weighted(result);
+  std::vector<const Column*> all;
+  for (const Column& column : table)
+    if (weighted || !column.weighted) all.push_back(&column);
+  return all;
+}
 
 std::string result_digest(const ExperimentResult& result) {
   std::string bytes;

@@ -56,13 +56,21 @@ struct ExperimentResult {
 /// digest too, which covers every column that is a member of Tally.
 struct Column {
   using Real = double (*)(const PointResult&, double ci_level);
+  using Sum = double& (*)(Weighted&);
   const char* name;
   const char* unit;
   const char* long_name;
   std::variant<std::uint64_t Tally::*, std::uint64_t PointResult::*, StopReason PointResult::*,
-               Real>
+               Real, Sum>
       value;
+  bool weighted = false;  // only of results of importance sampling
 };
+
+/// Whether trials of any point have weights.
+bool is_weighted(const ExperimentResult& result);
+
+/// The table's columns that a result has.
+std::vector<const Column*> columns_of(const ExperimentResult& result);
 
 /// The table. At a point never reached the rates and the operating point are NaN.
 std::span<const Column> columns();

@@ -85,7 +85,8 @@ struct NoiseSettings {
 };
 
 struct SimulationSettings {
-  std::string fidelity = "waveform";  // of sim::fidelities()
+  std::string fidelity = "waveform";   // of sim::fidelities()
+  std::string method = "brute-force";  // of sim::methods()
   double sample_rate_hz = 600e3;
   double warmup_messages = 4;  // whole number
   double seed = 1;             // whole number

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace sim {
@@ -40,6 +41,18 @@ double effective_bits(const Tally& t, double r, double level) {
   return effective / std::max(1.0, widening * widening);
 }
 
+/// Log-normal interval of a weighted mean, by Student's t for so many groups; nothing where a few
+/// groups make the mean.
+Estimate weighted_ratio(const WeightedSum& x, double groups, std::uint64_t whole, double level) {
+  if (!x.is_sound()) return {nothing, nothing, nothing};
+  const double value = x.sum / as_real(whole);
+  const double cov = x.coefficient_of_variation(groups);
+  const double width = student_quantile(groups - 1, level) * std::sqrt(std::log1p(cov * cov));
+  const auto at_most_1 = [](double rate) { return std::min(rate, 1.0); };
+  return {at_most_1(value), at_most_1(value * std::exp(-width)),
+          at_most_1(value * std::exp(width))};
+}
+
 Estimate estimate(double value, Interval ci) { return {value, ci.low, ci.high}; }
 
 Estimate frame_ratio(std::uint64_t part, std::uint64_t frames, double level) {
@@ -74,14 +87,21 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
 
 Estimate bit_error_ratio(const Tally& tally, double level) {
   if (tally.n_bits == 0) return {nothing, nothing, nothing};
+  const Weighted& weighted = tally.weighted;
+  if (weighted.n_groups > 0)
+    return weighted_ratio(weighted.bit_errors, weighted.n_groups, tally.n_bits, level);
   return estimate(ratio(tally.n_bit_errors, tally.n_bits), bit_error_interval(tally, level));
 }
 
 Estimate frame_loss_ratio(const Tally& tally, double level) {
+  const Weighted& weighted = tally.weighted;
+  if (weighted.n_groups > 0)
+    return weighted_ratio(weighted.frames_lost, weighted.n_groups, tally.n_frames, level);
   return frame_ratio(tally.n_frames_lost, tally.n_frames, level);
 }
 
 Estimate undetected_error_ratio(const Tally& tally, double level) {
+  if (tally.weighted.n_groups > 0) return {nothing, nothing, nothing};
   return frame_ratio(tally.n_frames_undetected, tally.n_frames, level);
 }
 

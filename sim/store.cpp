@@ -48,6 +48,9 @@ struct ColumnWriter {
       return measured(p) ? static_cast<std::int16_t>(p.*flag) : missing_int16;
     });
   }
+  void operator()(Column::Sum sum) const {
+    write<double>([=](PointResult p) { return sum(p.tally.weighted); });
+  }
   void operator()(Column::Real real) const {
     const double level = to.result.ci_level;
     write<double>([=](const PointResult& p) { return real(p, level); });
@@ -112,7 +115,8 @@ void write_root(Target& to) {
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
   Target to{result, NetcdfFile(filetype, program), {}};
   for (const Axis& axis : result.axes) write_axis(to, axis);
-  for (const Column& column : columns()) std::visit(ColumnWriter{to, column}, column.value);
+  for (const Column* column : columns_of(result))
+    std::visit(ColumnWriter{to, *column}, column->value);
   explain_stop_reason(to.file);
   explain_flags(to.file, "outside_validity", validity_limits());
   explain_flags(to.file, "alarms", alarms());

@@ -35,6 +35,13 @@ struct ColumnReader {
       p.*flag = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
     });
   }
+  /// Only files of importance sampling have them.
+  void operator()(Column::Sum sum) const {
+    if (!file.has(name)) return;
+    const std::vector<double> values = file.reals(name);
+    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
+      sum(points[i].tally.weighted) = values[i];
+  }
   /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
   void operator()(Column::Real) const {}
 

@@ -23,6 +23,7 @@ Tally& Tally::operator+=(const Tally& o) {
   sum_bit_errors_squared += o.sum_bit_errors_squared;
   sum_bits_squared += o.sum_bits_squared;
   sum_bit_errors_times_bits += o.sum_bit_errors_times_bits;
+  weighted += o.weighted;
   return *this;
 }
 

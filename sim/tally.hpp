@@ -1,7 +1,10 @@
 #pragma once
 // Tally: what was sent against what was heard, in integers, so that the order of adding cannot
-// change a result. Names and meanings are those of the result file.
+// change a result; but for weighted trials, which are added in their order. Names and meanings are
+// those of the result file.
 #include <cstdint>
+
+#include "sim/weighted.hpp"
 
 namespace sim {
 
@@ -29,6 +32,8 @@ struct Tally {
   std::uint64_t sum_bit_errors_squared = 0;
   std::uint64_t sum_bits_squared = 0;
   std::uint64_t sum_bit_errors_times_bits = 0;
+  Weighted
+      weighted{};  // where trials have weights: then this, and not the counts, tells the ratios
 
   Tally& operator+=(const Tally& o);
   bool operator==(const Tally&) const = default;

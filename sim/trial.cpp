@@ -2,26 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
 #include "sim/decision_trial.hpp"
 #include "sim/disturbance.hpp"
+#include "sim/importance_trial.hpp"
+#include "sim/trial_group.hpp"
 
 namespace sim {
 namespace {
 
 constexpr dsp::Seconds lead_in(20e-3);   // dark before the first message; the filter is at rest
 constexpr dsp::Seconds lead_out(20e-3);  // dark behind the last: module and UART have finished
-
-dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpose) {
-  return {.seed = link.seed,
-          .point = link.point,
-          .trial = trial,
-          .purpose = static_cast<std::uint32_t>(purpose)};
-}
 
 std::vector<channel::DisturbanceInput> draw_disturbances(const Link& link, std::uint32_t trial,
                                                          dsp::Seconds end) {
@@ -151,45 +145,14 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 
-/// What is drawn for the trials of a group; inputs point to the rest.
-struct Group {
-  std::vector<Transmission> sent;
-  std::vector<std::optional<channel::ModuleDesign>> units;
-  std::vector<channel::ChainInput> inputs;
-};
-
-Group draw_group(const Link& link, std::uint32_t first, int n) {
-  Group group;
-  for (int i = 0; i < n; ++i) {
-    group.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-    group.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
-  }
-  for (std::size_t i = 0; i < group.sent.size(); ++i)
-    group.inputs.push_back(
-        chain_input(link, first + static_cast<std::uint32_t>(i), group.sent[i], group.units[i]));
-  return group;
-}
-
-std::vector<dsp::LogicTrace> pins_of(const Link& link, const Group& group,
-                                     const std::atomic<bool>* stop, channel::StageClock* clock) {
-  constexpr auto best = channel::InstructionSet::best;
-  if (!link.ideal) return channel::propagate(link.chain, group.inputs, stop, best, clock);
-  std::vector<channel::BitSlots> slots;
-  for (const Transmission& trial : group.sent) slots.push_back(bit_slots(link, trial));
-  return channel::detect(link.chain, *link.ideal, group.inputs, slots, stop, best, clock);
-}
-
-GroupResult count_group(const Link& link, std::uint32_t first, const Group& group,
+GroupResult count_group(const Link& link, std::uint32_t first, const TrialGroup& group,
                         std::vector<dsp::LogicTrace> pins) {
   GroupResult result;
   for (std::size_t i = 0; i < group.sent.size(); ++i) {
-    const double duration = group.sent[i].line.end().value;
     const Reception heard =
         receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
     result.tally += count(link, group.sent[i], heard);
-    result.simulated_s += duration;
-    result.n_samples +=
-        static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
+    add_cost(result, link, group.sent[i]);
   }
   return result;
 }
@@ -199,6 +162,13 @@ using Clock = std::chrono::steady_clock;
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 }  // namespace
+
+dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpose) {
+  return {.seed = link.seed,
+          .point = link.point,
+          .trial = trial,
+          .purpose = static_cast<std::uint32_t>(purpose)};
+}
 
 Transmission transmit(const Link& link, std::uint32_t trial) {
   const dsp::RandomAddress timing = address(link, trial, Purpose::timing);
@@ -280,11 +250,13 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
 GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
                       bool profiled) {
   if (link.decisions) return decide_group(link, first, n, profiled);
+  if (link.importance) return run_weighted_group(link, first, n, stop, profiled);
   const Clock::time_point began = Clock::now();
-  const Group group = draw_group(link, first, n);
+  const TrialGroup group = draw_group(link, first, n);
   const Clock::time_point drawn = Clock::now();
   channel::StageClock clock;
-  std::vector<dsp::LogicTrace> pins = pins_of(link, group, stop, profiled ? &clock : nullptr);
+  std::vector<dsp::LogicTrace> pins =
+      pins_of(link, pointers(group.sent), group.inputs, stop, profiled ? &clock : nullptr);
   const Clock::time_point heard = Clock::now();
   GroupResult result = count_group(link, first, group, std::move(pins));
   if (profiled)

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "dsp/logic_trace.hpp"
+#include "dsp/philox.hpp"
 #include "protocol/cosys.hpp"
 #include "sim/link.hpp"
 #include "sim/profile.hpp"
@@ -47,8 +48,16 @@ enum class Purpose : std::uint32_t {
   noise = 4,
   uart_phase = 5,
   unit = 6,
-  disturbance = 7  // and the numbers that end in this byte: one for each
+  disturbance = 7,  // and the numbers that end in this byte: one for each
+  // Of runs of trials by importance sampling.
+  choice = 8,            // of the trial
+  prescribed_noise = 9,  // where bits are decided, before it is changed
+  proposal = 10,         // how it is changed
+  noise_around = 11      // elsewhere
 };
+
+/// The draws of a purpose in one trial of a link.
+dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpose);
 
 /// A message on the wire: when each of its characters starts, and when the last one ends.
 struct SentMessage {

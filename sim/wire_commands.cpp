@@ -8,6 +8,7 @@
 #include "protocol/uart.hpp"
 #include "sim/commands.hpp"
 #include "sim/failure.hpp"
+#include "sim/method.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 #include "sim/sweep.hpp"
@@ -107,6 +108,7 @@ ExitCode trace_command(const TraceRequest& request) {
                     fmt::format("use one from 0 to {}", points - 1));
   check_trace_path(request.output);
   const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, request.point));
+  refuse_weighted(point, "trace shows trials as they come");
   check_traceable(request.output, point);
   refuse_without_memory(point, request.trial);
   TracedTrial traced = trace_trial(point, request.trial);

@@ -15,7 +15,7 @@ protocol/.*          (protocol|sim)/.*
 sim/.*               sim/.*
 immintrin[.]h        dsp/.*
 fftw3[.]h            dsp/spectrum[.]cpp
-Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)|dsp/truncated_orthant[.][ch]pp
+Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)|dsp/truncated_orthant[.][ch]pp|sim/(importance_link|(matched_|module_)?proposal|peak_readings|trial_noise)[.][ch]pp
 armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/(netcdf[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/entries[.]cpp

@@ -13,7 +13,7 @@ class Find : public CommandLine {
 };
 
 TEST_F(Find, TellsWhereTheLossCrosses) {
-  const Outcome o = program({"find", "s.toml", "--over", "receiver.range_m", "-n", "800"});
+  const Outcome o = program({"find", "s.toml", "--over", "receiver.range_m", "-n", "400"});
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_NE(o.out.find("frame loss crosses 1 % "), std::string::npos) << o.out;
   EXPECT_NE(o.out.find("s-find.h5: digest "), std::string::npos);
@@ -23,7 +23,7 @@ TEST_F(Find, TellsWhereTheLossCrosses) {
 // What was looked at is a sweep: its own text, run again, gives the same counts.
 TEST_F(Find, IsASweepThatCanBeRepeated) {
   ASSERT_EQ(program({"find", "s.toml", "--over", "receiver.range_m=1:5", "-t", "1", "--tolerance",
-                     "0.1", "-n", "800"})
+                     "0.1", "-n", "400"})
                 .code,
             0);
   write("again.toml", tool("/usr/bin/python3", {"-c",
@@ -38,12 +38,12 @@ TEST_F(Find, IsASweepThatCanBeRepeated) {
 TEST_F(Find, SearchesForEachValueOfOtherAxes) {
   write_scenario("two.toml", "receiver.range_m = [1, 5]\nled.current_ma = [20, 100]");
   const Outcome o = program(
-      {"find", "two.toml", "--over", "receiver.range_m", "--tolerance", "0.1", "-n", "800"});
+      {"find", "two.toml", "--over", "receiver.range_m", "--tolerance", "0.1", "-n", "400"});
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_NE(o.out.find("receiver.range_m at which frame loss passes 1 %:\n"), std::string::npos)
       << o.out;
   const Outcome current =
-      program({"find", "two.toml", "--over", "led.current_ma", "--tolerance", "0.1", "-n", "800"});
+      program({"find", "two.toml", "--over", "led.current_ma", "--tolerance", "0.1", "-n", "400"});
   EXPECT_NE(current.out.find("led.current_ma at which frame loss passes 1 %:\n"), std::string::npos)
       << current.out;
 }
@@ -63,7 +63,7 @@ TEST_F(Find, InterruptedKeepsWhatWasCounted) {
 // What was counted belongs to the files that were read first.
 TEST_F(Find, FilesThatChangeMeanwhileDoNotMatter) {
   const Words find{"find", "s.toml", "--over",      "receiver.range_m",
-                   "-n",   "800",    "--tolerance", "0.1"};
+                   "-n",   "400",    "--tolerance", "0.1"};
   const std::string digest = digest_of(program(find).out);
   Running running = start_program(find);
   running.line();

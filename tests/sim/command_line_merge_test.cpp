@@ -75,12 +75,12 @@ TEST_F(Merge, AStoppedShardIsToldAndNotOverwritten) {
 }
 
 TEST_F(Merge, AStoppedShardIsGoneOnWith) {
-  run({"-o", "whole.h5"}, "4000");
-  const Words half{"run", "s.toml", "-q", "-n", "4000", "--shard", "2/2", "-t", "1"};
+  run({"-o", "whole.h5"}, "1000");
+  const Words half{"run", "s.toml", "-q", "-n", "1000", "--shard", "2/2", "-t", "1"};
   Running running = start_program(half);
   running.line();
   running.finish(SIGTERM);
-  run({"--shard", "1/2"}, "4000");
+  run({"--shard", "1/2"}, "1000");
   Words again = half;
   again.emplace_back("--resume");
   ASSERT_EQ(program(again).code, 0);

@@ -1,0 +1,139 @@
+#include "sim/importance_trial.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+#include "sim/matched_proposal.hpp"
+#include "sim/module_proposal.hpp"
+#include "sim/trial_group.hpp"
+
+namespace sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+/// A trial that nothing is known against is run this much as often as the average.
+constexpr double least_chance = 0.1;
+
+std::vector<TrialProposal> proposals_of(const Link& link, const TrialGroup& group,
+                                        const std::atomic<bool>* stop, channel::StageClock* clock) {
+  if (!link.ideal) return module_proposals(link, group, stop, clock);
+  std::vector<TrialProposal> proposals;
+  for (std::size_t i = 0; i < group.sent.size(); ++i)
+    proposals.push_back(matched_proposal(link, group.sent[i], group.inputs[i].carrier_phase));
+  return proposals;
+}
+
+/// Which trial of its group is run, and with what weight as against all of them once.
+struct Choice {
+  std::size_t trial;
+  double weight;
+};
+
+class Chooser {
+ public:
+  explicit Chooser(const std::vector<TrialProposal>& proposals) {
+    double sum = 0;
+    for (const TrialProposal& p : proposals) sum += std::min(1.0, p.proposal.likelihood());
+    const auto n = static_cast<double>(proposals.size());
+    for (const TrialProposal& p : proposals) {
+      const double chance = std::min(1.0, p.proposal.likelihood()) + least_chance * sum / n;
+      chances_.push_back(sum > 0 ? chance / (sum * (1 + least_chance)) : 1 / n);
+    }
+  }
+
+  Choice operator()(double uniform) const {
+    std::size_t i = 0;
+    for (; i + 1 < chances_.size() && uniform >= chances_[i]; ++i) uniform -= chances_[i];
+    return {i, 1 / (chances_[i] * static_cast<double>(chances_.size()))};
+  }
+
+ private:
+  std::vector<double> chances_;
+};
+
+/// The runs of a group.
+struct Runs {
+  std::vector<Choice> choices{};
+  std::vector<TrialNoise> noises{};
+  std::vector<const Transmission*> sent{};
+  std::vector<channel::ChainInput> inputs{};
+};
+
+Runs draw_runs(const Link& link, std::uint32_t first, const TrialGroup& group,
+               const std::vector<TrialProposal>& proposals) {
+  const Chooser choose(proposals);
+  Runs runs;
+  for (std::size_t i = 0; i < proposals.size(); ++i) {
+    const std::uint32_t run = first + static_cast<std::uint32_t>(i);
+    const Choice choice = choose(address(link, run, Purpose::choice).uniform(0));
+    const TrialProposal& of = proposals[choice.trial];
+    TrialNoise noise(of.stretches, address(link, run, Purpose::prescribed_noise));
+    of.proposal.draw(noise, address(link, run, Purpose::proposal));
+    channel::ChainInput input = group.inputs[choice.trial];
+    input.noise_seed = address(link, run, Purpose::noise_around).block(0);
+    input.noise_windows = noise.windows();
+    runs.choices.push_back(choice);
+    runs.noises.push_back(std::move(noise));
+    runs.sent.push_back(&group.sent[choice.trial]);
+    runs.inputs.push_back(std::move(input));
+  }
+  return runs;
+}
+
+/// The weight of a run that counts something; of others it does not matter.
+double weight_of(const Tally& counted, const Choice& choice, const TrialProposal& of,
+                 const TrialNoise& noise) {
+  if (counted.n_bit_errors == 0 && counted.n_frames_lost == 0) return 0;
+  return choice.weight / of.proposal.ratio(noise);
+}
+
+GroupResult count_runs(const Link& link, std::uint32_t first, const Runs& runs,
+                       const std::vector<TrialProposal>& proposals,
+                       std::vector<dsp::LogicTrace> pins) {
+  GroupResult result;
+  std::vector<double> bit_errors, frames_lost;
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    const Choice& choice = runs.choices[i];
+    const TrialProposal& of = proposals[choice.trial];
+    const auto trial = first + static_cast<std::uint32_t>(choice.trial);
+    const Tally counted = count(link, *runs.sent[i], receive(link, trial, std::move(pins[i])));
+    const double weight = weight_of(counted, choice, of, runs.noises[i]);
+    bit_errors.push_back(weight * static_cast<double>(counted.n_bit_errors));
+    frames_lost.push_back(weight * static_cast<double>(counted.n_frames_lost));
+    result.tally += counted;
+    result.tally.weighted.dark_likelihood += choice.weight * of.dark_likelihood;
+    add_cost(result, link, *runs.sent[i]);
+  }
+  result.tally.weighted.n_groups = 1;
+  result.tally.weighted.bit_errors = weighted_sum(bit_errors);
+  result.tally.weighted.frames_lost = weighted_sum(frames_lost);
+  return result;
+}
+
+}  // namespace
+
+GroupResult run_weighted_group(const Link& link, std::uint32_t first, int n,
+                               const std::atomic<bool>* stop, bool profiled) {
+  const Clock::time_point began = Clock::now();
+  channel::StageClock clock;
+  channel::StageClock* const timed = profiled ? &clock : nullptr;
+  const TrialGroup group = draw_group(link, first, n);
+  const std::vector<TrialProposal> proposals = proposals_of(link, group, stop, timed);
+  const Runs runs = draw_runs(link, first, group, proposals);
+  std::vector<dsp::LogicTrace> pins = pins_of(link, runs.sent, runs.inputs, stop, timed);
+  const Clock::time_point heard = Clock::now();
+  GroupResult result = count_runs(link, first, runs, proposals, std::move(pins));
+  if (!profiled) return result;
+  double chain = 0;
+  for (const double stage : clock.seconds()) chain += stage;
+  result.profile = {.messages_s = seconds(heard - began) - chain,
+                    .chain_s = clock.seconds(),
+                    .decoding_s = seconds(Clock::now() - heard)};
+  return result;
+}
+
+}  // namespace sim

@@ -1,0 +1,98 @@
+#include "sim/proposal.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sim {
+namespace {
+
+/// Spots below this share of all are left to the noise as it comes.
+constexpr double least_share = 1e-4;
+
+/// More of noise as it comes where that often fails as well.
+double natural_share(double likelihood) { return 0.1 + 0.4 * std::min(1.0, likelihood); }
+
+}  // namespace
+
+Proposal::Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spots,
+                   std::vector<std::vector<float>> coefficients)
+    : coefficients_(std::move(coefficients)), readings_(std::move(readings)) {
+  for (const WeakSpot& spot : spots) likelihood_ += spot.likelihood;
+  double kept = 0;
+  for (WeakSpot& spot : spots) {
+    if (spot.likelihood <= least_share * likelihood_) continue;
+    kept += spot.likelihood;
+    const double likelihood = spot.likelihood;
+    components_.push_back({std::move(spot), likelihood});
+  }
+  if (components_.empty()) return;
+  natural_share_ = natural_share(likelihood_);
+  for (Component& component : components_) component.share *= (1 - natural_share_) / kept;
+}
+
+void Proposal::draw(TrialNoise& noise, const dsp::RandomAddress& draws) const {
+  const WeakSpot* spot = chosen(draws.uniform(0));
+  if (spot == nullptr) return;
+  std::vector<double> uniforms;
+  for (Eigen::Index i = 0; i < spot->lower.size(); ++i)
+    uniforms.push_back(1 - draws.uniform(static_cast<std::uint32_t>(i) + 1));
+  lift(*spot, noise, uniforms);
+}
+
+double Proposal::ratio(const TrialNoise& noise) const {
+  double sum = natural_share_;
+  for (const auto& [spot, share] : components_) {
+    if (noise.value(readings_[spot.reading]) < spot.lower[0]) continue;
+    const Eigen::VectorXd values = values_of(spot, noise);
+    if ((values.array() < spot.lower.array()).any()) continue;
+    const dsp::TruncatedOrthant lifted(cholesky_of(spot), spot.lower, spot.tilt->shift);
+    sum += share * std::exp(lifted.log_ratio(values));
+  }
+  return sum;
+}
+
+/// Null: the noise as it comes.
+const WeakSpot* Proposal::chosen(double uniform) const {
+  double left = uniform - natural_share_;
+  for (const auto& [spot, share] : components_) {
+    if (left < 0) break;
+    left -= share;
+    if (left < 0) return &spot;
+  }
+  return nullptr;
+}
+
+/// Draws the spot's values anew, and the noise given them: what noise has besides these values does
+/// not depend on them and stays.
+void Proposal::lift(const WeakSpot& spot, TrialNoise& noise,
+                    std::span<const double> uniforms) const {
+  const Eigen::MatrixXd cholesky = cholesky_of(spot);
+  const dsp::TruncatedOrthant lifted(cholesky, spot.lower, spot.tilt->shift);
+  Eigen::VectorXd change = lifted.draw(uniforms) - values_of(spot, noise);
+  const auto lower = cholesky.triangularView<Eigen::Lower>();
+  lower.solveInPlace(change);
+  lower.transpose().solveInPlace(change);
+  for (Eigen::Index i = 0; i < change.size(); ++i)
+    noise.add(readings_[spot.reading + static_cast<std::size_t>(i)], change[i]);
+}
+
+Eigen::MatrixXd Proposal::cholesky_of(const WeakSpot& spot) const {
+  const Eigen::Index n = spot.lower.size();
+  Eigen::MatrixXd covariances(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j)
+      covariances(i, j) = covariance(readings_[spot.reading + static_cast<std::size_t>(i)],
+                                     readings_[spot.reading + static_cast<std::size_t>(j)]);
+  return covariances.llt().matrixL();
+}
+
+Eigen::VectorXd Proposal::values_of(const WeakSpot& spot, const TrialNoise& noise) const {
+  Eigen::VectorXd values(spot.lower.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values[i] = noise.value(readings_[spot.reading + static_cast<std::size_t>(i)]);
+  return values;
+}
+
+}  // namespace sim

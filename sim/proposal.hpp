@@ -1,0 +1,59 @@
+#pragma once
+// The proposal of importance sampling for one trial: a mixture of the noise as it comes and of
+// noise that lifts some readings in a row above their levels, one component for each way in which
+// noise makes a bit fail. Its density is known exactly, whatever the levels are: levels that are
+// wrong cost efficiency and never bias. Defensive mixture: Owen & Zhou, "Safe and effective
+// importance sampling", J. Am. Stat. Assoc. 95 (2000), 135-143.
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "dsp/philox.hpp"
+#include "dsp/truncated_orthant.hpp"
+#include "sim/trial_noise.hpp"
+
+namespace sim {
+
+/// `lower.size()` readings in a row, from `reading` on, each at or above its level.
+struct WeakSpot {
+  std::size_t reading = 0;
+  Eigen::VectorXd lower{};
+  const dsp::OrthantTilt* tilt = nullptr;  // of about these levels; must outlive the proposal
+  double likelihood = 0;                   // about the probability of it; its weight in the mixture
+};
+
+class Proposal {
+ public:
+  Proposal() = default;  // the noise as it comes and nothing else
+  /// `coefficients`: what the readings refer to, unless it lives elsewhere.
+  Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spots,
+           std::vector<std::vector<float>> coefficients = {});
+
+  /// About how probable it is by nature that any of the spots fails; may exceed 1.
+  double likelihood() const { return likelihood_; }
+
+  /// Makes of natural noise one that is drawn from this.
+  void draw(TrialNoise& noise, const dsp::RandomAddress& draws) const;
+
+  /// Density of the noise in this over its natural one.
+  double ratio(const TrialNoise& noise) const;
+
+ private:
+  struct Component {
+    WeakSpot spot;
+    double share;
+  };
+
+  Eigen::MatrixXd cholesky_of(const WeakSpot& spot) const;
+  Eigen::VectorXd values_of(const WeakSpot& spot, const TrialNoise& noise) const;
+  void lift(const WeakSpot& spot, TrialNoise& noise, std::span<const double> uniforms) const;
+  const WeakSpot* chosen(double uniform) const;
+
+  std::vector<std::vector<float>> coefficients_;
+  std::vector<NoiseReading> readings_;
+  std::vector<Component> components_;
+  double likelihood_ = 0;
+  double natural_share_ = 1;  // of the noise as it comes; no weight exceeds its inverse
+};
+
+}  // namespace sim

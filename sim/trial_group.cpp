@@ -1,0 +1,42 @@
+#include "sim/trial_group.hpp"
+
+#include <cmath>
+
+namespace sim {
+
+TrialGroup draw_group(const Link& link, std::uint32_t first, int n) {
+  TrialGroup group;
+  for (int i = 0; i < n; ++i) {
+    group.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+    group.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
+  }
+  for (std::size_t i = 0; i < group.sent.size(); ++i)
+    group.inputs.push_back(
+        chain_input(link, first + static_cast<std::uint32_t>(i), group.sent[i], group.units[i]));
+  return group;
+}
+
+std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const Transmission*>& sent,
+                                     const std::vector<channel::ChainInput>& inputs,
+                                     const std::atomic<bool>* stop, channel::StageClock* clock) {
+  constexpr auto best = channel::InstructionSet::best;
+  if (!link.ideal) return channel::propagate(link.chain, inputs, stop, best, clock);
+  std::vector<channel::BitSlots> slots;
+  for (const Transmission* trial : sent) slots.push_back(bit_slots(link, *trial));
+  return channel::detect(link.chain, *link.ideal, inputs, slots, stop, best, clock);
+}
+
+std::vector<const Transmission*> pointers(const std::vector<Transmission>& sent) {
+  std::vector<const Transmission*> all;
+  for (const Transmission& trial : sent) all.push_back(&trial);
+  return all;
+}
+
+void add_cost(GroupResult& result, const Link& link, const Transmission& sent) {
+  const double duration = sent.line.end().value;
+  result.simulated_s += duration;
+  result.n_samples +=
+      static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
+}
+
+}  // namespace sim

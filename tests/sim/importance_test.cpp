@@ -1,0 +1,268 @@
+// The parts of importance sampling, each against what it must be: readings against the chain,
+// weights against 1, sums against their formulas, refusals. Results: rare_events_test.cpp.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/alarms.hpp"
+#include "sim/comparison.hpp"
+#include "sim/engine.hpp"
+#include "sim/exposed_bits.hpp"
+#include "sim/matched_proposal.hpp"
+#include "sim/module_proposal.hpp"
+#include "sim/peak_readings.hpp"
+#include "sim/statistics.hpp"
+#include "sim/trial_group.hpp"
+
+namespace sim {
+namespace {
+
+/// A module that loses about one frame in ten thousand.
+Link rare_link(std::vector<std::string> set = {}) {
+  set.insert(set.begin(), {"receiver.module=TSSP4056", "receiver.ebn0_db=35.6",
+                           "simulation.method=importance", "simulation.warmup_messages=1"});
+  return link_of(set);
+}
+
+/// A trial's first long lit stretch: the start bit of a space is followed by five lit bits.
+dsp::Seconds inside_lit_bit(const Link& link, const Transmission& sent) {
+  const std::vector<ExposedBit> bits = exposed_bits(link, sent).back();
+  for (std::size_t i = 2; i < bits.size(); ++i)
+    if (bits[i].light && bits[i - 1].light) return (bits[i].begin + bits[i].end) * 0.5;
+  ADD_FAILURE() << "no two lit bits in a row";
+  return {};
+}
+
+/// One trial of a link alone, with noise prescribed everywhere.
+struct Bench {
+  Link link = rare_link();
+  Transmission sent = transmit(link, 0);
+  channel::ChainInput input = chain_input(link, 0, sent);
+  PeakReadings peaks{link.chain.module, link.chain.carrier,
+                     channel::fundamental_phase(link.chain.carrier, input.carrier_phase)};
+  std::vector<float> normals = std::vector<float>(
+      static_cast<std::size_t>(sent.line.end().value * link.chain.sample_rate.value) + 1, 1e-4f);
+
+  std::vector<float> band_pass() {
+    const channel::NoiseWindow window{0, static_cast<std::int64_t>(normals.size()), normals.data()};
+    input.noise_windows = {&window, 1};
+    channel::Recording recording;
+    channel::propagate_alone(link.chain, input, &recording);
+    return recording.band_pass;
+  }
+  std::int64_t peak() const {
+    return peaks.first_from(inside_lit_bit(link, sent).value * link.chain.sample_rate.value);
+  }
+};
+
+TEST(PeakReadings, AreWhereTheOutputPeaks) {
+  Bench bench;
+  const std::vector<float> output = bench.band_pass();
+  for (std::int64_t peak = bench.peak(); peak < bench.peak() + 10; ++peak) {
+    const double time = bench.peaks.time_of(peak);
+    const auto first = output.begin() + static_cast<std::int64_t>(time - bench.peaks.cycle() / 2);
+    const auto highest = std::max_element(first, first + 10) - output.begin() + 1;
+    EXPECT_NEAR(static_cast<double>(highest), time, 0.6) << peak;
+  }
+}
+
+TEST(PeakReadings, TellWhatNoiseTakesFromThePeak) {
+  Bench bench;
+  const std::vector<float> before = bench.band_pass();
+  std::int64_t peak = bench.peak();  // one that is at a sample's end, where the output is recorded
+  while (std::abs(bench.peaks.time_of(peak) - std::round(bench.peaks.time_of(peak))) > 0.15) ++peak;
+  const NoiseReading reading = bench.peaks.reading(peak);
+  constexpr float deviations = 3;
+  for (std::size_t i = 0; i < reading.coefficients.size(); ++i)
+    bench.normals[static_cast<std::size_t>(reading.first) + i] +=
+        deviations * reading.coefficients[i];
+  const auto at = static_cast<std::size_t>(std::llround(bench.peaks.time_of(peak))) - 1;
+  const double taken = static_cast<double>(before[at] - bench.band_pass()[at]);
+  EXPECT_NEAR(
+      taken / (static_cast<double>(bench.link.chain.noise_lit) * bench.peaks.deviation(peak)),
+      deviations, 0.01);
+}
+
+TEST(TrialNoise, ReadsWhatWasAdded) {
+  const std::vector<float> tone{0.6f, 0.0f, 0.8f};
+  const NoiseReading reading{105, tone}, apart{400, tone};
+  TrialNoise noise({{100, 50}, {390, 20}}, {.seed = 1});
+  const double before = noise.value(reading), there = noise.value(apart);
+  noise.add(reading, 2);
+  EXPECT_NEAR(noise.value(reading), before + 2, 1e-6);
+  EXPECT_EQ(noise.value(apart), there);
+  EXPECT_NEAR(covariance(reading, {107, tone}), 0.48, 1e-6);
+  EXPECT_EQ(covariance(reading, {108, tone}), 0);
+  ASSERT_EQ(noise.windows().size(), 2u);
+  EXPECT_EQ(noise.windows()[1].first, 390);
+}
+
+/// Mean of a trial's weights over noise drawn from its proposal, in deviations from 1.
+double deviations_from_1(const Link& link, const TrialProposal& trial, std::uint32_t draws) {
+  double sum = 0, squares = 0;
+  for (std::uint32_t i = 0; i < draws; ++i) {
+    TrialNoise noise(trial.stretches, address(link, i, Purpose::prescribed_noise));
+    trial.proposal.draw(noise, address(link, i, Purpose::proposal));
+    const double weight = 1 / trial.proposal.ratio(noise);
+    sum += weight;
+    squares += weight * weight;
+  }
+  const double n = draws, mean = sum / n;
+  EXPECT_GT(squares / n - mean * mean, 0.01) << "nothing was drawn";
+  return (mean - 1) / std::sqrt((squares / n - mean * mean) / n);
+}
+
+TEST(Proposal, WeightsOfAModuleAreOneOnAverage) {
+  const Link link = rare_link({"receiver.ebn0_db=35.1"});
+  const TrialGroup group = draw_group(link, 0, 1);
+  const TrialProposal trial = module_proposals(link, group, nullptr, nullptr).front();
+  EXPECT_GT(trial.proposal.likelihood(), 0.1);
+  EXPECT_LT(std::abs(deviations_from_1(link, trial, 400)), 3);
+}
+
+TEST(Proposal, WeightsOfAMatchedReceiverAreOneOnAverage) {
+  for (const char* receiver : {"ideal-coherent", "ideal-noncoherent"}) {
+    const Link link = rare_link({std::string("receiver.module=") + receiver, "receiver.ebn0_db=8"});
+    const TrialGroup group = draw_group(link, 0, 1);
+    const TrialProposal trial =
+        matched_proposal(link, group.sent[0], group.inputs[0].carrier_phase);
+    EXPECT_LT(std::abs(deviations_from_1(link, trial, 400)), 3) << receiver;
+  }
+}
+
+TEST(Proposal, OfNothingIsTheNoiseAsItComes) {
+  TrialNoise noise({{0, 64}}, {.seed = 3});
+  const std::vector<float> before(noise.windows()[0].normals, noise.windows()[0].normals + 64);
+  const Proposal nothing;
+  nothing.draw(noise, {.seed = 4});
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), noise.windows()[0].normals));
+  EXPECT_EQ(nothing.ratio(noise), 1);
+}
+
+// Hold 1.25 and integrator 8 cycles of 56 kHz are 9.75 of 59 kHz: the tenth pulse comes too late.
+TEST(ModuleProposal, CountsThePulsesThatMustBeMissed) {
+  channel::ModuleData module;
+  module.centre_hz = 56e3;
+  EXPECT_EQ(missed_cycles(module, dsp::Hertz(59e3), false), 9);
+  EXPECT_EQ(missed_cycles(module, dsp::Hertz(56e3), false), 9);
+  EXPECT_EQ(missed_cycles(module, dsp::Hertz(54e3), false), 8);
+  EXPECT_EQ(missed_cycles(module, dsp::Hertz(59e3), true), 9);
+}
+
+TEST(ExposedBits, AreTheMessageAndTheEndOfTheOneBefore) {
+  const Link link = rare_link();
+  const auto parts = exposed_bits(link, transmit(link, 0));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].size(), 10u);
+  EXPECT_EQ(parts[1].size(), 10 * link.bytes.size());
+  EXPECT_TRUE(parts[0].front().light);  // a start bit
+  EXPECT_FALSE(parts[1].back().light);  // a stop bit
+  EXPECT_EQ(exposed_bits(rare_link({"simulation.warmup_messages=0"}),
+                         transmit(rare_link({"simulation.warmup_messages=0"}), 0))
+                .size(),
+            1u);
+}
+
+TEST(EngineDeterminism, WeightedTrialsToo) {
+  const Link link = rare_link({"simulation.sample_rate_hz=250000"});
+  const StopRule stop{.max_frames = 64};
+  const PointResult one = run_point(link, stop, {.threads = 1});
+  EXPECT_GT(one.tally.weighted.frames_lost.sum, 0);
+  EXPECT_EQ(run_point(link, stop, {.threads = 8}).tally, one.tally);
+  const PointResult part = run_point(link, {.max_frames = 24}, {.threads = 2});
+  EXPECT_EQ(run_point(link, stop, {.threads = 2}, part).tally, one.tally);
+}
+
+TEST(WeightedSum, FollowsItsFormulas) {
+  WeightedSum sum = weighted_sum(std::vector<double>{1, 0, 2});
+  sum += weighted_sum(std::vector<double>{0, 0, 1});
+  EXPECT_EQ(sum.sum, 4);
+  EXPECT_NEAR(sum.effective_size(), 16.0 / 6, 1e-12);
+  // Groups 3 and 1: mean 2, deviation sqrt 2, of the mean 1.
+  EXPECT_NEAR(sum.coefficient_of_variation(2), 0.5, 1e-12);
+  EXPECT_FALSE(sum.is_sound());
+  WeightedSum even;
+  for (int i = 0; i < 30; ++i) even += weighted_sum(std::vector<double>{1});
+  EXPECT_TRUE(even.is_sound());
+  even += weighted_sum(std::vector<double>{10});
+  EXPECT_FALSE(even.is_sound());
+}
+
+TEST(WeightedRatio, IsWithheldWhereAFewRunsMakeIt) {
+  Tally tally{.n_bits = 1000, .n_frames = 10};
+  tally.weighted.n_groups = 30;
+  tally.weighted.bit_errors = weighted_sum(std::vector<double>(30, 1e-9));
+  tally.weighted.frames_lost = weighted_sum(std::vector<double>{1e-9});
+  EXPECT_DOUBLE_EQ(bit_error_ratio(tally, 0.95).value, 30e-9 / 1000);
+  EXPECT_TRUE(std::isnan(frame_loss_ratio(tally, 0.95).value));
+  EXPECT_TRUE(std::isnan(undetected_error_ratio(tally, 0.95).value));
+}
+
+std::string raised_by(const Tally& tally) {
+  std::string names;
+  const std::uint64_t mask =
+      own_alarms({.operating = {.ebn0_db = 0}, .tally = tally});  // any errors are possible
+  for (std::size_t i = 0; i < alarms().size(); ++i)
+    if ((mask >> i & 1) != 0) names += std::string(alarms()[i].name) + " ";
+  return names;
+}
+
+TEST(Alarms, OfWeights) {
+  Tally tally{.n_bits = 100, .n_frames = 100};
+  tally.weighted.n_groups = 100;
+  for (int i = 0; i < 100; ++i) {
+    tally.weighted.bit_errors += weighted_sum(std::vector<double>{0.1});
+    tally.weighted.frames_lost += weighted_sum(std::vector<double>{0.1});
+  }
+  EXPECT_EQ(raised_by(tally), "");
+  tally.weighted.dark_likelihood = 0.02 * tally.weighted.frames_lost.sum;
+  EXPECT_EQ(raised_by(tally), "dark ");
+  tally.weighted.dark_likelihood = 0;
+  tally.weighted.bit_errors += weighted_sum(std::vector<double>{3});
+  EXPECT_EQ(raised_by(tally), "weights ");
+}
+
+/// A result of one point.
+ExperimentResult result_of(const Tally& tally) {
+  ExperimentResult result;
+  result.points.push_back({.tally = tally});
+  return result;
+}
+
+TEST(Comparison, OfAWeightedLossByItsVariation) {
+  Tally counted{.n_frames = 10000, .n_frames_lost = 100};  // .01, 10 %
+  Tally drawn{.n_frames = 100};
+  drawn.weighted.n_groups = 100;
+  for (int i = 0; i < 50; ++i) {
+    drawn.weighted.frames_lost += weighted_sum(std::vector<double>{0.02});
+    drawn.weighted.frames_lost += weighted_sum(std::vector<double>{0.0});
+  }
+  EXPECT_NEAR(compare(result_of(counted), result_of(drawn), 0.01).points[0].p_value, 1, 1e-9);
+  counted.n_frames_lost = 400;
+  EXPECT_EQ(compare(result_of(counted), result_of(drawn), 0.01).different(), 1u);
+}
+
+TEST(ScenarioRefusal, OfWhatImportanceSamplingCannotDo) {
+  const std::string method = "simulation.method=importance";
+  EXPECT_EQ(
+      refusal("", {method, "receiver.module=ideal-coherent", "simulation.fidelity=decision"}),
+      "simulation.method = \"importance\" in --set with simulation.fidelity in --set (weights "
+      "are of a waveform's noise) use the fidelity waveform");
+  EXPECT_EQ(refusal("", {method, "noise.scale=0"}),
+            "simulation.method = \"importance\" in --set with noise.scale in --set (without noise "
+            "there is nothing to draw) use the method brute-force");
+  EXPECT_EQ(refusal("", {method, "stop.target_flr=0.1"}),
+            "simulation.method = \"importance\" in --set with stop.target_flr in --set (weighted "
+            "losses cannot be told from a level frame by frame) use --rel-ci or "
+            "--max-frame-errors");
+  EXPECT_EQ(refusal("", {method, "device.baud=10"}),
+            "simulation.method = \"importance\" in --set with device.baud in --set (the noise of a "
+            "message would not fit into memory) raise it, shorten the message or lower "
+            "simulation.sample_rate_hz");
+  EXPECT_EQ(refusal("", {method}), "accepted");
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,89 @@
+// Importance sampling against what is known otherwise: the closed forms of the matched receivers
+// and, where errors can still be counted, trials as they come. Long measurements; the parts are in
+// importance_test.cpp.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/engine.hpp"
+#include "sim/statistics.hpp"
+
+namespace sim {
+namespace {
+
+/// A point whose trials need no more before them than a line that may have lost its end.
+PointResult point(const std::string& module, const std::string& ebn0_db, const std::string& method,
+                  std::uint64_t frames) {
+  const Link link = link_of({"receiver.module=" + module, "receiver.ebn0_db=" + ebn0_db,
+                             "simulation.method=" + method, "simulation.warmup_messages=1"});
+  return run_point(link, {.max_frames = frames}, {.threads = threads_for(0)});
+}
+
+struct Closed {
+  const char* module;
+  const char* ebn0_db;
+  double ber;  // about; 1e-6, 1e-9 and 1e-12 for each receiver
+};
+
+class RareEventsInTheory : public testing::TestWithParam<Closed> {};
+
+TEST_P(RareEventsInTheory, BitErrorRatio) {
+  const Closed at = GetParam();
+  const PointResult measured = point(at.module, at.ebn0_db, "importance", 1600);
+  const double theory = measured.operating.ber_theory;
+  EXPECT_NEAR(std::log10(theory), std::log10(at.ber), 0.3) << theory;
+  EXPECT_NEAR(bit_error_ratio(measured.tally, 0.95).value / theory, 1, 0.2);
+  EXPECT_LT(measured.tally.weighted.bit_errors.coefficient_of_variation(200), 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(, RareEventsInTheory,
+                         testing::Values(Closed{"ideal-coherent", "13.5", 1e-6},
+                                         Closed{"ideal-coherent", "15.5", 1e-9},
+                                         Closed{"ideal-coherent", "16.9", 1e-12},
+                                         Closed{"ideal-noncoherent", "14", 1e-6},
+                                         Closed{"ideal-noncoherent", "15.9", 1e-9},
+                                         Closed{"ideal-noncoherent", "17.2", 1e-12}),
+                         [](const auto& test) {
+                           const std::string name = test.param.module;
+                           return name.substr(name.find('-') + 1) + std::to_string(test.index % 3);
+                         });
+
+struct Counted {
+  const char* module;
+  const char* ebn0_db;
+};
+
+class RareEventsAsCounted : public testing::TestWithParam<Counted> {};
+
+/// Whether two ratios agree at 99 %: their logarithms are about normal.
+void expect_agreement(const Estimate& a, const Estimate& b) {
+  ASSERT_GT(a.low, 0);
+  ASSERT_GT(b.low, 0);
+  const double apart = std::log(a.value / b.value);
+  const double half = std::hypot(std::log(a.high / a.low), std::log(b.high / b.low)) / 2;
+  EXPECT_LT(std::abs(apart), half) << a.value << " and " << b.value;
+}
+
+TEST_P(RareEventsAsCounted, BitErrorsAndLosses) {
+  const Counted at = GetParam();
+  const Tally drawn = point(at.module, at.ebn0_db, "importance", 1200).tally;
+  const Tally counted = point(at.module, at.ebn0_db, "brute-force", 4000).tally;
+  expect_agreement(bit_error_ratio(drawn, 0.99), bit_error_ratio(counted, 0.99));
+  expect_agreement(frame_loss_ratio(drawn, 0.99), frame_loss_ratio(counted, 0.99));
+}
+
+// Bit error ratios of about 1e-3, then 1e-4.
+INSTANTIATE_TEST_SUITE_P(, RareEventsAsCounted,
+                         testing::Values(Counted{"TSSP4056", "35.2"}, Counted{"TSSP4056", "35.33"},
+                                         Counted{"TSSP96056", "37.75"},
+                                         Counted{"TSSP96056", "37.87"}, Counted{"TSOP4156", "48.2"},
+                                         Counted{"TSOP4156", "48.28"}),
+                         [](const auto& test) {
+                           return std::string(test.param.module) +
+                                  (test.index % 2 == 0 ? "at1em3" : "at1em4");
+                         });
+
+}  // namespace
+}  // namespace sim
