@@ -165,10 +165,11 @@ class Builder {
   void add_row(std::size_t reading, const Eigen::VectorXd& levels) {
     const double mean = levels.mean();
     const double rise = std::abs(levels[levels.size() - 1] - levels[0]);
-    if (mean > highest_level || mean < lowest_level || rise > steepest) return;
-    const double about = likelihood(link_.importance->tilts->of(levels));
+    if (mean > highest_level || rise > steepest) return;
+    const Eigen::VectorXd known = levels.cwiseMax(lowest_level);
+    const double about = likelihood(link_.importance->tilts->of(known));
     for (const Component& component : components) {
-      const Eigen::VectorXd lower = levels.array() - component.slack;
+      const Eigen::VectorXd lower = known.array() - component.slack;
       spots_.push_back(
           {reading, lower, &link_.importance->tilts->of(lower), component.share * about});
     }

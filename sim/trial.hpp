@@ -15,7 +15,8 @@
 //  10 count       sent against heard                              counters             Tally
 //
 // Steps 3-7 are channel::propagate, per sample, for one trial or eight; for a matched receiver they
-// can be one draw a bit (sim/decision_trial). Inside step 6
+// can be one draw a bit (sim/decision_trial). For errors too rare to count, step 5 is drawn to make
+// them, and step 10 weighs what comes of it (sim/importance_trial). Inside step 6
 // (channel/receiver_module): the light passes the front end's bandwidth, is clipped at the limiter
 // and rings up a band-pass at the module's own f0; a comparator fires once a carrier cycle while
 // that exceeds max(fixed threshold, fraction of the tracked peak); an integrator counts up while it

@@ -14,11 +14,14 @@ namespace sim {
 namespace {
 
 /// A point whose trials need no more before them than a line that may have lost its end.
-PointResult point(const std::string& module, const std::string& ebn0_db, const std::string& method,
-                  std::uint64_t frames) {
-  const Link link = link_of({"receiver.module=" + module, "receiver.ebn0_db=" + ebn0_db,
-                             "simulation.method=" + method, "simulation.warmup_messages=1"});
+PointResult point(std::vector<std::string> set, const std::string& method, std::uint64_t frames) {
+  set.insert(set.end(), {"simulation.method=" + method, "simulation.warmup_messages=1"});
+  const Link link = link_of(set);
   return run_point(link, {.max_frames = frames}, {.threads = threads_for(0)});
+}
+
+std::vector<std::string> set_of(const std::string& module, const std::string& ebn0_db) {
+  return {"receiver.module=" + module, "receiver.ebn0_db=" + ebn0_db};
 }
 
 struct Closed {
@@ -31,7 +34,7 @@ class RareEventsInTheory : public testing::TestWithParam<Closed> {};
 
 TEST_P(RareEventsInTheory, BitErrorRatio) {
   const Closed at = GetParam();
-  const PointResult measured = point(at.module, at.ebn0_db, "importance", 1600);
+  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 1600);
   const double theory = measured.operating.ber_theory;
   EXPECT_NEAR(std::log10(theory), std::log10(at.ber), 0.3) << theory;
   EXPECT_NEAR(bit_error_ratio(measured.tally, 0.95).value / theory, 1, 0.2);
@@ -66,12 +69,22 @@ void expect_agreement(const Estimate& a, const Estimate& b) {
   EXPECT_LT(std::abs(apart), half) << a.value << " and " << b.value;
 }
 
-TEST_P(RareEventsAsCounted, BitErrorsAndLosses) {
-  const Counted at = GetParam();
-  const Tally drawn = point(at.module, at.ebn0_db, "importance", 1200).tally;
-  const Tally counted = point(at.module, at.ebn0_db, "brute-force", 4000).tally;
+void expect_agreement(const std::vector<std::string>& set) {
+  const Tally drawn = point(set, "importance", 1200).tally;
+  const Tally counted = point(set, "brute-force", 4000).tally;
   expect_agreement(bit_error_ratio(drawn, 0.99), bit_error_ratio(counted, 0.99));
   expect_agreement(frame_loss_ratio(drawn, 0.99), frame_loss_ratio(counted, 0.99));
+}
+
+TEST_P(RareEventsAsCounted, BitErrorsAndLosses) {
+  expect_agreement(set_of(GetParam().module, GetParam().ebn0_db));
+}
+
+// Some units hear everything, some nothing, so those near the edge are run most.
+TEST(RareEvents, OfUnitsThatDiffer) {
+  std::vector<std::string> set = set_of("TSSP4056", "37.5");
+  set.emplace_back("receiver.population=true");
+  expect_agreement(set);
 }
 
 // Bit error ratios of about 1e-3, then 1e-4.
