@@ -1,10 +1,10 @@
 #include "sim/comparison.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "sim/statistics.hpp"
@@ -41,25 +41,36 @@ void mark_different(std::vector<PointComparison>& points, double alpha) {
   }
 }
 
-/// Of a frame loss that is not 0; infinite where nothing is known.
-double coefficient_of_variation(const Tally& t) {
-  if (t.weighted.n_groups == 0) return std::sqrt(1 / real(t.n_frames_lost) - 1 / real(t.n_frames));
-  if (!t.weighted.frames_lost.is_sound()) return std::numeric_limits<double>::infinity();
-  return t.weighted.frames_lost.coefficient_of_variation(t.weighted.n_groups);
+/// Of a count, two-sided, that its loss is a weighted one: of the end of that one's 99 % interval
+/// that is nearest, so it is rather too large.
+double p_value_of_count(const Tally& counted, const Tally& weighted) {
+  const Estimate loss = frame_loss_ratio(weighted, 0.99);
+  if (std::isnan(loss.value)) return 1;
+  const double lost = real(counted.n_frames_lost), frames = real(counted.n_frames);
+  const double nearest = std::clamp(lost / frames, loss.low, loss.high);
+  const boost::math::binomial all(frames, nearest);
+  const double tail = lost < nearest * frames ? cdf(all, lost) : cdf(complement(all, lost - 1));
+  return lost == nearest * frames ? 1 : std::min(1.0, 2 * tail);
 }
 
-/// Two-sided, that two losses of which one is weighted are one: by the logarithm of their ratio.
-double weighted_p_value(const Tally& a, const Tally& b) {
-  const double deviation = std::hypot(coefficient_of_variation(a), coefficient_of_variation(b));
-  if (!std::isfinite(deviation)) return 1;
-  constexpr double any = 0.95;
-  const double difference =
-      std::log(frame_loss_ratio(a, any).value / frame_loss_ratio(b, any).value);
-  return std::erfc(std::abs(difference) / deviation / std::numbers::sqrt2);
+/// Two-sided, that two weighted losses are one: by the logarithm of their ratio, in Student's t of
+/// the one of fewer groups.
+double p_value_of_weighted(const Tally& a, const Tally& b) {
+  const WeightedSum &x = a.weighted.frames_lost, &y = b.weighted.frames_lost;
+  if (!x.is_sound() || !y.is_sound()) return 1;
+  constexpr double rounding = 1e-9;
+  const double deviation = std::hypot(x.coefficient_of_variation(a.weighted.n_groups),
+                                      y.coefficient_of_variation(b.weighted.n_groups), rounding);
+  const double ratio = x.sum / real(a.n_frames) / (y.sum / real(b.n_frames));
+  const boost::math::students_t t(std::min(a.weighted.n_groups, b.weighted.n_groups) - 1);
+  return 2 * cdf(complement(t, std::abs(std::log(ratio)) / deviation));
 }
 
 double p_value(const Tally& a, const Tally& b) {
-  if (a.weighted.n_groups > 0 || b.weighted.n_groups > 0) return weighted_p_value(a, b);
+  const bool weighted_a = a.weighted.n_groups > 0, weighted_b = b.weighted.n_groups > 0;
+  if (weighted_a && weighted_b) return p_value_of_weighted(a, b);
+  if (weighted_a) return p_value_of_count(b, a);
+  if (weighted_b) return p_value_of_count(a, b);
   return fisher_exact(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames);
 }
 

@@ -1,7 +1,12 @@
 #include "sim/exposed_bits.hpp"
 
+#include <algorithm>
+
 namespace sim {
 namespace {
+
+/// As many as it mostly takes to be in step again.
+constexpr std::size_t last_characters = 3;
 
 void add_character(std::vector<ExposedBit>& bits, const Link& link, dsp::Seconds start,
                    std::uint8_t byte) {
@@ -15,11 +20,14 @@ void add_character(std::vector<ExposedBit>& bits, const Link& link, dsp::Seconds
 std::vector<std::vector<ExposedBit>> exposed_bits(const Link& link, const Transmission& sent) {
   std::vector<std::vector<ExposedBit>> parts;
   const std::size_t n = sent.messages.size();
-  if (n > 1)
-    add_character(parts.emplace_back(), link, sent.messages[n - 2].byte_start.back(),
-                  link.bytes.back());
+  const std::size_t end = link.bytes.size();
+  if (n > 1) {
+    std::vector<ExposedBit>& before = parts.emplace_back();
+    for (std::size_t i = end - std::min(end, last_characters); i < end; ++i)
+      add_character(before, link, sent.messages[n - 2].byte_start[i], link.bytes[i]);
+  }
   std::vector<ExposedBit>& counted = parts.emplace_back();
-  for (std::size_t i = 0; i < link.bytes.size(); ++i)
+  for (std::size_t i = 0; i < end; ++i)
     add_character(counted, link, sent.messages.back().byte_start[i], link.bytes[i]);
   return parts;
 }

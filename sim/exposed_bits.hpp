@@ -1,6 +1,7 @@
 #pragma once
-// The bits of a trial whose errors count: all of its last message, and the last character of the
-// message before, since a decoder that missed the end of that line loses the next one with it.
+// The bits of a trial whose errors count: all of its last message, and the last characters of the
+// message before. A decoder that missed the end of that line loses the next one with it; and a UART
+// that missed the start of a character before it reads on out of step and may swallow the end.
 #include <vector>
 
 #include "dsp/units.hpp"

@@ -21,6 +21,9 @@ constexpr int envelope_directions = 16;
 /// differs by up to .3 % from bit to bit, as a slot is not a whole number of carrier cycles.
 constexpr double slack = 0.1;
 
+/// Beyond this, noise is so rare (1e-149) that sums of squared weights would underflow.
+constexpr double highest_level = 26;
+
 /// A carrier over a slot, its cosine and its sine.
 struct Tones {
   Eigen::VectorXf cosine, sine;
@@ -74,6 +77,7 @@ class Builder {
 
   /// Noise of that phase against the carrier's at least at `level`.
   void add_spot(std::int64_t first, const Tones& tones, double phase, double level) {
+    if (level > highest_level) return;
     coefficients_.push_back(tones.at(phase));
     readings_.push_back({first, coefficients_.back()});
     const Eigen::VectorXd levels = Eigen::VectorXd::Constant(1, level - slack);

@@ -25,7 +25,9 @@ constexpr double most_samples = 4e6;
 double message_samples(const Scenario& s) {
   const auto bits =
       static_cast<double>(protocol::line_bits(protocol::cosys_encode(s.device.message)).size());
-  return bits * s.simulation.sample_rate_hz / s.device.baud;
+  const double seconds =
+      bits / s.device.baud + bits / protocol::bits_per_byte * s.device.start_jitter_us * 1e-6;
+  return seconds * s.simulation.sample_rate_hz;
 }
 
 /// What of a scenario importance sampling cannot do; empty if nothing.

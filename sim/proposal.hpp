@@ -6,6 +6,7 @@
 // importance sampling", J. Am. Stat. Assoc. 95 (2000), 135-143.
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "dsp/philox.hpp"

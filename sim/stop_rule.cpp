@@ -1,5 +1,6 @@
 #include "sim/stop_rule.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "sim/statistics.hpp"
@@ -17,6 +18,13 @@ bool is_narrow(const Estimate& e, double relative) {
   return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;
 }
 
+/// Weighted losses are worth as many as would say as much of both ratios.
+double worth_of_losses(const Tally& counted) {
+  const Weighted& weighted = counted.weighted;
+  if (weighted.n_groups == 0) return static_cast<double>(counted.n_frames_lost);
+  return std::min(weighted.bit_errors.effective_size(), weighted.frames_lost.effective_size());
+}
+
 }  // namespace
 
 std::span<const char* const> stop_reason_names() { return reason_names; }
@@ -32,7 +40,8 @@ Side side_of(const Tally& counted, double flr) {
 }
 
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
-  if (rule.max_frame_errors > 0 && counted.n_frames_lost >= rule.max_frame_errors)
+  if (rule.max_frame_errors > 0 &&
+      worth_of_losses(counted) >= static_cast<double>(rule.max_frame_errors))
     return StopReason::max_frame_errors;
   if (rule.rel_ci > 0 && is_narrow(bit_error_ratio(counted, usual_level), rule.rel_ci))
     return StopReason::rel_ci;

@@ -1,7 +1,7 @@
 #pragma once
 // Tally: what was sent against what was heard, in integers, so that the order of adding cannot
-// change a result; but for weighted trials, which are added in their order. Names and meanings are
-// those of the result file.
+// change a result; but for the sums of weighted trials, which an engine adds in their order. Names
+// and meanings are those of the result file.
 #include <cstdint>
 
 #include "sim/weighted.hpp"

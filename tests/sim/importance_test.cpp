@@ -155,7 +155,7 @@ TEST(ExposedBits, AreTheMessageAndTheEndOfTheOneBefore) {
   const Link link = rare_link();
   const auto parts = exposed_bits(link, transmit(link, 0));
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].size(), 10u);
+  EXPECT_EQ(parts[0].size(), 30u);
   EXPECT_EQ(parts[1].size(), 10 * link.bytes.size());
   EXPECT_TRUE(parts[0].front().light);  // a start bit
   EXPECT_FALSE(parts[1].back().light);  // a stop bit
@@ -231,17 +231,35 @@ ExperimentResult result_of(const Tally& tally) {
   return result;
 }
 
-TEST(Comparison, OfAWeightedLossByItsVariation) {
-  Tally counted{.n_frames = 10000, .n_frames_lost = 100};  // .01, 10 %
-  Tally drawn{.n_frames = 100};
-  drawn.weighted.n_groups = 100;
-  for (int i = 0; i < 50; ++i) {
-    drawn.weighted.frames_lost += weighted_sum(std::vector<double>{0.02});
-    drawn.weighted.frames_lost += weighted_sum(std::vector<double>{0.0});
-  }
-  EXPECT_NEAR(compare(result_of(counted), result_of(drawn), 0.01).points[0].p_value, 1, 1e-9);
-  counted.n_frames_lost = 400;
-  EXPECT_EQ(compare(result_of(counted), result_of(drawn), 0.01).different(), 1u);
+/// A loss of `weight` / 2 from 100 groups of one frame, half of them lost.
+Tally drawn(double weight) {
+  Tally tally{.n_frames = 100};
+  tally.weighted.n_groups = 100;
+  for (int i = 0; i < 100; ++i)
+    tally.weighted.frames_lost += weighted_sum(std::vector<double>{i % 2 == 0 ? weight : 0});
+  return tally;
+}
+
+double p_value(const Tally& a, const Tally& b) {
+  return compare(result_of(a), result_of(b), 0.01).points[0].p_value;
+}
+
+TEST(Comparison, OfAWeightedLossWithACount) {
+  EXPECT_EQ(p_value({.n_frames = 10000, .n_frames_lost = 100}, drawn(0.02)), 1);
+  EXPECT_EQ(p_value(drawn(0.02), {.n_frames = 10000, .n_frames_lost = 110}), 1);
+  EXPECT_LT(p_value({.n_frames = 10000, .n_frames_lost = 400}, drawn(0.02)), 1e-6);
+  EXPECT_LT(p_value({.n_frames = 10000}, drawn(0.02)), 1e-6);
+  EXPECT_EQ(p_value({.n_frames = 8, .n_frames_lost = 8}, drawn(2)), 1);
+}
+
+TEST(Comparison, OfTwoWeightedLosses) {
+  EXPECT_NEAR(p_value(drawn(1e-9), drawn(1e-9)), 1, 1e-9);
+  EXPECT_LT(p_value(drawn(1e-9), drawn(2e-9)), 1e-4);
+  Tally dead{.n_frames = 40};
+  dead.weighted.n_groups = 40;
+  for (int i = 0; i < 40; ++i) dead.weighted.frames_lost += weighted_sum(std::vector<double>{1});
+  EXPECT_NEAR(p_value(dead, dead), 1, 1e-9);
+  EXPECT_EQ(p_value(dead, {.n_frames = 8, .n_frames_lost = 8}), 1);
 }
 
 TEST(ScenarioRefusal, OfWhatImportanceSamplingCannotDo) {

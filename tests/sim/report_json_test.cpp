@@ -9,6 +9,7 @@
 
 #include "measured_point.hpp"
 #include "sim/statistics.hpp"
+#include "tally_words.hpp"
 
 namespace {
 
@@ -96,12 +97,12 @@ TEST(Json, NamesEachRateForWhatItIs) {
 
 // Every counter under its own name: words of the tally are numbered.
 TEST(Json, NamesEachCounterForWhatItIs) {
-  std::array<std::uint64_t, sizeof(sim::Tally) / sizeof(std::uint64_t)> words{};
+  sim::Words words{};
   std::iota(words.begin(), words.end(), 1);
   words[0] = words[5] = 1000;  // n_bits and n_frames, no fewer than what went wrong with them
   sim::ExperimentResult result;
   result.points.resize(1);
-  result.points[0].tally = std::bit_cast<sim::Tally>(words);
+  result.points[0].tally = sim::tally_of(words);
   const auto json = nlohmann::json::parse(sim::to_json(result))["points"][0];
   const std::vector<std::string> names{"n_bits",
                                        "n_bit_errors",

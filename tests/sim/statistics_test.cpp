@@ -8,11 +8,14 @@
 #include <random>
 
 #include "sim/result.hpp"
+#include "tally_words.hpp"
 
 namespace {
 
 using sim::Tally;
-using Words = std::array<std::uint64_t, sizeof(Tally) / sizeof(std::uint64_t)>;
+using sim::tally_of;
+using sim::Words;
+using sim::words_of;
 
 void add_frame(Tally& tally, std::uint64_t bits, std::uint64_t errors) {
   Tally frame;
@@ -203,10 +206,24 @@ TEST(TallySum, AddsEveryCounter) {
     a[i] = i + 1;
     b[i] = 1000 * (i + 1);
   }
-  Tally sum = std::bit_cast<Tally>(a);
-  sum += std::bit_cast<Tally>(b);
-  const auto words = std::bit_cast<Words>(sum);
+  Tally sum = tally_of(a);
+  sum += tally_of(b);
+  const auto words = words_of(sum);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(words[i], 1001 * (i + 1)) << i;
+}
+
+TEST(TallySum, AddsEveryWeightedSum) {
+  sim::WeightWords ones{};
+  ones.fill(1);
+  Tally sum{.weighted = std::bit_cast<sim::Weighted>(ones)};
+  ones.fill(2);
+  sum += {.weighted = std::bit_cast<sim::Weighted>(ones)};
+  int largest = 0;
+  for (const double word : std::bit_cast<sim::WeightWords>(sum.weighted)) {
+    largest += word == 2;
+    EXPECT_TRUE(word == 3 || word == 2) << word;
+  }
+  EXPECT_EQ(largest, 2);  // of bit errors and of frames lost
 }
 
 sim::ExperimentResult one_point() {
@@ -214,7 +231,7 @@ sim::ExperimentResult one_point() {
   result.axes = {{"receiver.range_m", "m", "distance", {2.5}}};
   Words words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i;
-  result.points = {{.coordinates = {2.5}, .tally = std::bit_cast<Tally>(words)}};
+  result.points = {{.coordinates = {2.5}, .tally = tally_of(words)}};
   return result;
 }
 
@@ -222,9 +239,9 @@ TEST(Digest, DependsOnEveryCounterAndCoordinate) {
   const std::string digest = sim::result_digest(one_point());
   for (std::size_t i = 0; i < Words{}.size(); ++i) {
     sim::ExperimentResult other = one_point();
-    auto words = std::bit_cast<Words>(other.points[0].tally);
+    auto words = words_of(other.points[0].tally);
     words[i] ^= std::uint64_t{1} << 40;
-    other.points[0].tally = std::bit_cast<Tally>(words);
+    other.points[0].tally = tally_of(words);
     EXPECT_NE(sim::result_digest(other), digest) << i;
   }
   sim::ExperimentResult elsewhere = one_point();
@@ -233,6 +250,20 @@ TEST(Digest, DependsOnEveryCounterAndCoordinate) {
   sim::ExperimentResult longer = one_point();
   longer.points.push_back(longer.points[0]);
   EXPECT_NE(sim::result_digest(longer), digest);
+}
+
+TEST(Digest, DependsOnEveryWeightedSum) {
+  sim::WeightWords sums{};
+  sums.fill(1);
+  sim::ExperimentResult weighted = one_point();
+  weighted.points[0].tally.weighted = std::bit_cast<sim::Weighted>(sums);
+  for (double& sum : sums) {
+    sum = 2;
+    sim::ExperimentResult other = weighted;
+    other.points[0].tally.weighted = std::bit_cast<sim::Weighted>(sums);
+    EXPECT_NE(sim::result_digest(other), sim::result_digest(weighted));
+    sum = 1;
+  }
 }
 
 TEST(Digest, DependsOnNothingElse) {

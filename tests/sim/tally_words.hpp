@@ -1,0 +1,31 @@
+#pragma once
+// The counters of a tally, one after the other, for tests that none of them is forgotten.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/tally.hpp"
+
+namespace sim {
+
+using Words = std::array<std::uint64_t, offsetof(Tally, weighted) / sizeof(std::uint64_t)>;
+using WeightWords = std::array<double, sizeof(Weighted) / sizeof(double)>;
+
+using AllWords = std::array<std::uint64_t, sizeof(Tally) / sizeof(std::uint64_t)>;
+
+inline Tally tally_of(const Words& words) {
+  AllWords all{};  // weights are 0
+  std::ranges::copy(words, all.begin());
+  return std::bit_cast<Tally>(all);
+}
+
+inline Words words_of(const Tally& tally) {
+  const auto all = std::bit_cast<AllWords>(tally);
+  Words words{};
+  std::copy_n(all.begin(), words.size(), words.begin());
+  return words;
+}
+
+}  // namespace sim
