@@ -12,7 +12,7 @@ namespace {
 constexpr double least_share = 1e-4;
 
 /// More of noise as it comes where that often fails as well.
-double natural_share(double likelihood) { return 0.1 + 0.4 * std::min(1.0, likelihood); }
+double natural_share(double likelihood) { return 0.1 + 0.4 * std::sqrt(std::min(1.0, likelihood)); }
 
 }  // namespace
 

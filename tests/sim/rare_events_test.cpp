@@ -34,11 +34,11 @@ class RareEventsInTheory : public testing::TestWithParam<Closed> {};
 
 TEST_P(RareEventsInTheory, BitErrorRatio) {
   const Closed at = GetParam();
-  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 1600);
+  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 2000);
   const double theory = measured.operating.ber_theory;
   EXPECT_NEAR(std::log10(theory), std::log10(at.ber), 0.3) << theory;
   EXPECT_NEAR(bit_error_ratio(measured.tally, 0.95).value / theory, 1, 0.2);
-  EXPECT_LT(measured.tally.weighted.bit_errors.coefficient_of_variation(200), 0.05);
+  EXPECT_LT(measured.tally.weighted.bit_errors.coefficient_of_variation(250), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RareEventsInTheory,
@@ -70,7 +70,7 @@ void expect_agreement(const Estimate& a, const Estimate& b) {
 }
 
 void expect_agreement(const std::vector<std::string>& set) {
-  const Tally drawn = point(set, "importance", 1200).tally;
+  const Tally drawn = point(set, "importance", 1600).tally;
   const Tally counted = point(set, "brute-force", 4000).tally;
   expect_agreement(bit_error_ratio(drawn, 0.99), bit_error_ratio(counted, 0.99));
   expect_agreement(frame_loss_ratio(drawn, 0.99), frame_loss_ratio(counted, 0.99));
@@ -90,9 +90,8 @@ TEST(RareEvents, OfUnitsThatDiffer) {
 // Bit error ratios of about 1e-3, then 1e-4.
 INSTANTIATE_TEST_SUITE_P(, RareEventsAsCounted,
                          testing::Values(Counted{"TSSP4056", "35.2"}, Counted{"TSSP4056", "35.33"},
-                                         Counted{"TSSP96056", "37.75"},
-                                         Counted{"TSSP96056", "37.87"}, Counted{"TSOP4156", "48.2"},
-                                         Counted{"TSOP4156", "48.28"}),
+                                         Counted{"TSOP4156", "48.2"}, Counted{"TSOP4156", "48.28"},
+                                         Counted{"TSSP96056", "37.75"}),
                          [](const auto& test) {
                            return std::string(test.param.module) +
                                   (test.index % 2 == 0 ? "at1em3" : "at1em4");
