@@ -1,18 +1,19 @@
 #include "sim/exposed_bits.hpp"
 
-#include <algorithm>
-
 namespace sim {
 namespace {
 
-/// As many as it mostly takes to be in step again.
+/// Characters before the end of a line that a UART mostly takes to be in step again; errors before
+/// them are drawn, but more rarely.
 constexpr std::size_t last_characters = 3;
+constexpr double early_share = 0.1;
 
 void add_character(std::vector<ExposedBit>& bits, const Link& link, dsp::Seconds start,
-                   std::uint8_t byte) {
+                   std::uint8_t byte, double share) {
   const dsp::Seconds bit = dsp::period(link.device_baud);
   for (int slot = 0; slot < protocol::bits_per_byte; ++slot)
-    bits.push_back({start + bit * slot, start + bit * (slot + 1), !protocol::line_bit(byte, slot)});
+    bits.push_back(
+        {start + bit * slot, start + bit * (slot + 1), !protocol::line_bit(byte, slot), share});
 }
 
 }  // namespace
@@ -23,12 +24,13 @@ std::vector<std::vector<ExposedBit>> exposed_bits(const Link& link, const Transm
   const std::size_t end = link.bytes.size();
   if (n > 1) {
     std::vector<ExposedBit>& before = parts.emplace_back();
-    for (std::size_t i = end - std::min(end, last_characters); i < end; ++i)
-      add_character(before, link, sent.messages[n - 2].byte_start[i], link.bytes[i]);
+    for (std::size_t i = 0; i < end; ++i)
+      add_character(before, link, sent.messages[n - 2].byte_start[i], link.bytes[i],
+                    i + last_characters < end ? early_share : 1);
   }
   std::vector<ExposedBit>& counted = parts.emplace_back();
   for (std::size_t i = 0; i < end; ++i)
-    add_character(counted, link, sent.messages.back().byte_start[i], link.bytes[i]);
+    add_character(counted, link, sent.messages.back().byte_start[i], link.bytes[i], 1);
   return parts;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dsp/truncated_orthant.hpp"
 #include "sim/link.hpp"
 #include "sim/module_proposal.hpp"
 #include "sim/peak_readings.hpp"
@@ -12,8 +13,7 @@
 namespace sim {
 namespace {
 
-/// Tilts are worked out for levels rounded to these, in standard deviations: any tilt is as right,
-/// and near ones are as good.
+/// Likelihoods are worked out for multiples of these, in standard deviations, and interpolated.
 constexpr double level_step = 0.25, slope_step = 0.1;
 
 /// Covariance of so many peaks in a row.
@@ -28,27 +28,33 @@ Eigen::MatrixXd peak_covariance(const Link& link, int n) {
 std::shared_ptr<ImportanceLink> with_readings(const Eigen::MatrixXd& covariances) {
   auto link = std::make_shared<ImportanceLink>();
   link->readings = static_cast<int>(covariances.rows());
-  link->tilts = std::make_unique<TiltTable>(covariances.llt().matrixL());
+  link->likelihoods = std::make_unique<LikelihoodTable>(covariances.llt().matrixL());
   return link;
 }
 
 }  // namespace
 
-const dsp::OrthantTilt& TiltTable::of(const Eigen::VectorXd& levels) {
-  const auto n = static_cast<int>(levels.size());
-  const double rise = n > 1 ? (levels[n - 1] - levels[0]) / (n - 1) : 0;
-  const std::pair key(static_cast<int>(std::lround(levels.mean() / level_step)),
-                      static_cast<int>(std::lround(rise / slope_step)));
+double LikelihoodTable::of(const Eigen::VectorXd& levels) {
+  const auto n = static_cast<double>(levels.size());
+  const double rise = n > 1 ? (levels[levels.size() - 1] - levels[0]) / (n - 1) : 0;
+  const double level = levels.mean() / level_step, slope = rise / slope_step;
+  const int row = static_cast<int>(std::floor(level)), column = static_cast<int>(std::floor(slope));
   const std::lock_guard lock(mutex_);
-  const auto known = tilts_.find(key);
-  if (known != tilts_.end()) return known->second;
-  const Eigen::VectorXd places = Eigen::VectorXd::LinSpaced(n, -0.5 * (n - 1), 0.5 * (n - 1));
-  const Eigen::VectorXd line = (key.second * slope_step * places).array() + key.first * level_step;
-  return tilts_.emplace(key, dsp::minimax_tilt(cholesky_, line)).first->second;
+  const auto between_slopes = [&](int at) {
+    return std::lerp(known(at, column), known(at, column + 1), slope - column);
+  };
+  const double log_p = std::lerp(between_slopes(row), between_slopes(row + 1), level - row);
+  return std::exp(std::min(0.0, log_p));
 }
 
-double likelihood(const dsp::OrthantTilt& tilt) {
-  return std::exp(std::min(0.0, tilt.log_probability));
+double LikelihoodTable::known(int row, int column) {
+  const auto [place, unknown] = known_.try_emplace({row, column});
+  if (!unknown) return place->second;
+  const Eigen::Index n = cholesky_.rows();
+  const double half = 0.5 * static_cast<double>(n - 1);
+  const Eigen::VectorXd places = Eigen::VectorXd::LinSpaced(n, -half, half);
+  const Eigen::VectorXd line = (column * slope_step * places).array() + row * level_step;
+  return place->second = dsp::minimax_tilt(cholesky_, line).log_probability;
 }
 
 std::shared_ptr<const ImportanceLink> make_importance_link(const Link& link) {

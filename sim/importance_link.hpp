@@ -8,34 +8,33 @@
 
 #include "channel/decision.hpp"
 #include "channel/receiver_module.hpp"
-#include "dsp/truncated_orthant.hpp"
 
 namespace sim {
 
 struct Link;
 
-/// Tilts of orthants of equally spaced readings, whose levels are about a straight line. Worked out
-/// once each; safe to use from several threads, and a function of its arguments alone.
-class TiltTable {
+/// About how probable it is that equally spaced readings in a row are all at or above their levels,
+/// which are about a straight line. Safe to use from several threads, and a function of its
+/// arguments alone.
+class LikelihoodTable {
  public:
-  explicit TiltTable(Eigen::MatrixXd cholesky) : cholesky_(std::move(cholesky)) {}
-  const dsp::OrthantTilt& of(const Eigen::VectorXd& levels);
+  explicit LikelihoodTable(Eigen::MatrixXd cholesky) : cholesky_(std::move(cholesky)) {}
+  double of(const Eigen::VectorXd& levels);
 
  private:
+  double known(int row, int column);
+
   const Eigen::MatrixXd cholesky_;
   std::mutex mutex_;
-  std::map<std::pair<int, int>, dsp::OrthantTilt> tilts_;  // by level and slope, rounded
+  std::map<std::pair<int, int>, double> known_;  // ln of the likelihood by level and slope
 };
-
-/// About the probability of an orthant.
-double likelihood(const dsp::OrthantTilt& tilt);
 
 struct ImportanceLink {
   /// Carrier cycles in a row without a comparator's pulse that make a module's pin give light up;
   /// 1: a matched receiver, which decides by one number a bit.
   int readings = 1;
   channel::CorrelatorOutput output{};  // of a matched receiver
-  std::unique_ptr<TiltTable> tilts{};
+  std::unique_ptr<LikelihoodTable> likelihoods{};
 };
 
 /// Of a module's link that is complete but for this.

@@ -59,30 +59,31 @@ class Builder {
         channel::slot_samples({bit.begin, bit.end}, link_.chain.sample_rate);
     const Tones tones(slot, cycles_per_sample_, phase_);
     if (bit.light)
-      add_spot(slot.begin, tones, 0.5, (output.amplitude - threshold) / output.deviation_lit);
+      add_spot(slot.begin, tones, bit.share, 0.5,
+               (output.amplitude - threshold) / output.deviation_lit);
     else if (link_.ideal->statistic == Statistic::in_phase)
-      add_spot(slot.begin, tones, 0, threshold / output.deviation_dark);
+      add_spot(slot.begin, tones, bit.share, 0, threshold / output.deviation_dark);
     else
-      add_ring(slot.begin, tones, threshold / output.deviation_dark);
+      add_ring(slot.begin, tones, bit.share, threshold / output.deviation_dark);
   }
 
   Proposal take() { return {std::move(readings_), std::move(spots_), std::move(coefficients_)}; }
 
  private:
-  void add_ring(std::int64_t first, const Tones& tones, double radius) {
+  void add_ring(std::int64_t first, const Tones& tones, double share, double radius) {
     for (int i = 0; i < envelope_directions; ++i)
-      add_spot(first, tones, static_cast<double>(i) / envelope_directions,
+      add_spot(first, tones, share, static_cast<double>(i) / envelope_directions,
                radius * std::cos(std::numbers::pi / envelope_directions));
   }
 
   /// Noise of that phase against the carrier's at least at `level`.
-  void add_spot(std::int64_t first, const Tones& tones, double phase, double level) {
+  void add_spot(std::int64_t first, const Tones& tones, double share, double phase, double level) {
     if (level > highest_level) return;
     coefficients_.push_back(tones.at(phase));
     readings_.push_back({first, coefficients_.back()});
     const Eigen::VectorXd levels = Eigen::VectorXd::Constant(1, level - slack);
-    const dsp::OrthantTilt& tilt = link_.importance->tilts->of(levels);
-    spots_.push_back({readings_.size() - 1, levels, &tilt, likelihood(tilt)});
+    const double about = link_.importance->likelihoods->of(levels);
+    spots_.push_back({readings_.size() - 1, levels, share * about});
   }
 
   const Link& link_;

@@ -20,14 +20,14 @@ constexpr std::array table{MethodName{"brute-force", Method::brute_force},
                            MethodName{"importance", Method::importance}};
 
 /// Noise and margins of a message are kept, of eight trials in each thread: 100 MB a million.
-constexpr double most_samples = 4e6;
+constexpr double most_samples = 8e6;
 
-double message_samples(const Scenario& s) {
+double drawn_samples(const Scenario& s) {
   const auto bits =
       static_cast<double>(protocol::line_bits(protocol::cosys_encode(s.device.message)).size());
   const double seconds =
       bits / s.device.baud + bits / protocol::bits_per_byte * s.device.start_jitter_us * 1e-6;
-  return seconds * s.simulation.sample_rate_hz;
+  return 2 * seconds * s.simulation.sample_rate_hz;  // the message before it is drawn too
 }
 
 /// What of a scenario importance sampling cannot do; empty if nothing.
@@ -44,7 +44,7 @@ Obstacle obstacle_of(const Scenario& s) {
   if (s.stop.target_flr > 0)
     return {"stop.target_flr", "weighted losses cannot be told from a level frame by frame",
             "use --rel-ci or --max-frame-errors"};
-  if (message_samples(s) > most_samples)
+  if (drawn_samples(s) > most_samples)
     return {"device.baud", "the noise of a message would not fit into memory",
             "raise it, shorten the message or lower simulation.sample_rate_hz"};
   if (channel::is_matched(s.module) && !s.disturbances.empty())

@@ -21,7 +21,10 @@ constexpr float quiet = 1e-4f;
 struct Component {
   double slack, share;
 };
-constexpr std::array components{Component{0.6, 0.15}, Component{0.1, 0.35}, Component{0, 0.5}};
+constexpr std::array components{Component{0.6, 0.1}, Component{0.1, 0.35}, Component{0, 0.55}};
+
+/// About how often a row that is not near makes a bit fail, as against those that are.
+constexpr double far_share = 0.1;
 
 /// Rows that are further above the level than this on average fail too rarely to matter; the
 /// likelihood is then below 1e-30.
@@ -45,15 +48,19 @@ struct Reach {
   double before, behind;
 };
 
-/// The pin is up for as long as the integrator needs to fill again, more if further peaks are
-/// missed meanwhile; a UART, whose clock is another, looks up to an eighth of a bit late.
-Reach reach_of(const Link& link) {
-  constexpr double spare = 12;
+/// The pin is up for as long as the integrator needs to fill again and `spare` cycles; a UART looks
+/// up to `late` of a bit late, and its clock is another.
+Reach reach_within(const Link& link, double spare, double late) {
   const double bit = carrier_of(link) / link.device_baud;
   const double drift =
       protocol::bits_per_byte * bit * std::abs(link.device_baud / link.receiver_baud - 1);
-  return {link.importance->readings + spare + drift, bit / 8 + drift};
+  return {link.importance->readings + spare + drift, bit * late + drift};
 }
+
+/// Nearly all that fail, and all that may: the pin is up for longer if further peaks are missed
+/// meanwhile.
+Reach near_reach(const Link& link) { return reach_within(link, 4, 0.1); }
+Reach far_reach(const Link& link) { return reach_within(link, 12, 0.125); }
 
 /// When the decision of a bit is known at the pin, samples.
 double decision(const Link& link, const ExposedBit& bit) {
@@ -63,7 +70,7 @@ double decision(const Link& link, const ExposedBit& bit) {
 /// Where margins are wanted for bits, within a trial of so many samples.
 Stretch around(const Link& link, const std::vector<ExposedBit>& bits, double cycle,
                std::int64_t end) {
-  const Reach reach = reach_of(link);
+  const Reach reach = far_reach(link);
   const double before = (reach.before + link.importance->readings + 2) * cycle;
   const double behind = (reach.behind + 2) * cycle;
   const auto from = static_cast<std::int64_t>(decision(link, bits.front()) - before);
@@ -105,7 +112,7 @@ std::vector<channel::MarginWindow> margin_windows(std::vector<Part>& parts) {
 class Builder {
  public:
   Builder(const Link& link, const PeakReadings& peaks)
-      : link_(link), peaks_(peaks), reach_(reach_of(link)) {}
+      : link_(link), peaks_(peaks), reach_(far_reach(link)), near_(near_reach(link)) {}
 
   void add(const Part& part) {
     const std::int64_t first = first_peak(part);
@@ -119,7 +126,7 @@ class Builder {
     }
     for (const ExposedBit& bit : part.bits) {
       if (bit.light)
-        add_rows(base, levels, first, decision(link_, bit));
+        add_rows(base, levels, first, bit);
       else
         add_dark_bit(part, decision(link_, bit));
     }
@@ -147,31 +154,34 @@ class Builder {
            (static_cast<double>(link_.chain.noise_lit) * peaks_.deviation(peak));
   }
 
-  /// All rows whose last peak is within reach of `time`. `levels` are of the peaks from `first` on,
+  /// All rows whose last peak is within reach of a bit. `levels` are of the peaks from `first` on,
   /// whose readings begin at `base`.
   void add_rows(std::size_t base, const std::vector<double>& levels, std::int64_t first,
-                double time) {
+                const ExposedBit& bit) {
+    const double time = decision(link_, bit);
     const int n = link_.importance->readings;
     const std::int64_t to = peaks_.first_from(time + reach_.behind * peaks_.cycle());
     std::int64_t peak = peaks_.first_from(time - reach_.before * peaks_.cycle());
     for (; peak < to; ++peak) {
       const std::int64_t from = peak + 1 - n - first;
       if (from < 0 || from + n > static_cast<std::int64_t>(levels.size())) continue;
+      const double behind = (peaks_.time_of(peak) - time) / peaks_.cycle();
+      const bool near = -near_.before <= behind && behind <= near_.behind;
       add_row(base + static_cast<std::size_t>(from),
-              Eigen::Map<const Eigen::VectorXd>(levels.data() + from, n));
+              Eigen::Map<const Eigen::VectorXd>(levels.data() + from, n),
+              near ? bit.share : bit.share * far_share);
     }
   }
 
-  void add_row(std::size_t reading, const Eigen::VectorXd& levels) {
+  void add_row(std::size_t reading, const Eigen::VectorXd& levels, double share) {
     const double mean = levels.mean();
     const double rise = std::abs(levels[levels.size() - 1] - levels[0]);
     if (mean > highest_level || rise > steepest) return;
     const Eigen::VectorXd known = levels.cwiseMax(lowest_level);
-    const double about = likelihood(link_.importance->tilts->of(known));
+    const double about = share * link_.importance->likelihoods->of(known);
     for (const Component& component : components) {
       const Eigen::VectorXd lower = known.array() - component.slack;
-      spots_.push_back(
-          {reading, lower, &link_.importance->tilts->of(lower), component.share * about});
+      spots_.push_back({reading, lower, component.share * about});
     }
   }
 
@@ -187,14 +197,14 @@ class Builder {
         static_cast<double>(link_.chain.noise_dark) * peaks_.deviation(peaks_.first_from(time));
     const double level = -static_cast<double>(*std::max_element(begin, end)) / deviation;
     if (level > highest_level) return;
-    const dsp::OrthantTilt& tilt = link_.importance->tilts->of(
+    const double about = link_.importance->likelihoods->of(
         Eigen::VectorXd::Constant(link_.importance->readings, std::max(level, 0.0)));
-    dark_likelihood_ += (reach_.before + reach_.behind) * phases * likelihood(tilt);
+    dark_likelihood_ += (reach_.before + reach_.behind) * phases * about;
   }
 
   const Link& link_;
   const PeakReadings& peaks_;
-  const Reach reach_;
+  const Reach reach_, near_;
   double dark_likelihood_ = 0;
   std::vector<NoiseReading> readings_;
   std::vector<WeakSpot> spots_;

@@ -8,11 +8,16 @@
 namespace sim {
 namespace {
 
-/// Spots below this share of all are left to the noise as it comes.
-constexpr double least_share = 1e-4;
+/// Spots that are together less than this share of all are left to the noise as it comes.
+constexpr double left_share = 1e-3;
 
 /// More of noise as it comes where that often fails as well.
 double natural_share(double likelihood) { return 0.1 + 0.4 * std::sqrt(std::min(1.0, likelihood)); }
+
+/// With the tilt of just these levels: one of about them makes weights ten times as large.
+dsp::TruncatedOrthant orthant_of(const Eigen::MatrixXd& cholesky, const Eigen::VectorXd& lower) {
+  return {cholesky, lower, dsp::minimax_tilt(cholesky, lower).shift};
+}
 
 }  // namespace
 
@@ -20,9 +25,10 @@ Proposal::Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spo
                    std::vector<std::vector<float>> coefficients)
     : coefficients_(std::move(coefficients)), readings_(std::move(readings)) {
   for (const WeakSpot& spot : spots) likelihood_ += spot.likelihood;
+  const double least = left_share * likelihood_ / static_cast<double>(spots.size());
   double kept = 0;
   for (WeakSpot& spot : spots) {
-    if (spot.likelihood <= least_share * likelihood_) continue;
+    if (spot.likelihood <= least) continue;
     kept += spot.likelihood;
     const double likelihood = spot.likelihood;
     components_.push_back({std::move(spot), likelihood});
@@ -47,7 +53,7 @@ double Proposal::ratio(const TrialNoise& noise) const {
     if (noise.value(readings_[spot.reading]) < spot.lower[0]) continue;
     const Eigen::VectorXd values = values_of(spot, noise);
     if ((values.array() < spot.lower.array()).any()) continue;
-    const dsp::TruncatedOrthant lifted(cholesky_of(spot), spot.lower, spot.tilt->shift);
+    const dsp::TruncatedOrthant lifted = orthant_of(cholesky_of(spot), spot.lower);
     sum += share * std::exp(lifted.log_ratio(values));
   }
   return sum;
@@ -69,7 +75,7 @@ const WeakSpot* Proposal::chosen(double uniform) const {
 void Proposal::lift(const WeakSpot& spot, TrialNoise& noise,
                     std::span<const double> uniforms) const {
   const Eigen::MatrixXd cholesky = cholesky_of(spot);
-  const dsp::TruncatedOrthant lifted(cholesky, spot.lower, spot.tilt->shift);
+  const dsp::TruncatedOrthant lifted = orthant_of(cholesky, spot.lower);
   Eigen::VectorXd change = lifted.draw(uniforms) - values_of(spot, noise);
   const auto lower = cholesky.triangularView<Eigen::Lower>();
   lower.solveInPlace(change);

@@ -19,8 +19,7 @@ namespace sim {
 struct WeakSpot {
   std::size_t reading = 0;
   Eigen::VectorXd lower{};
-  const dsp::OrthantTilt* tilt = nullptr;  // of about these levels; must outlive the proposal
-  double likelihood = 0;                   // about the probability of it; its weight in the mixture
+  double likelihood = 0;  // about the probability of it; its weight in the mixture
 };
 
 class Proposal {

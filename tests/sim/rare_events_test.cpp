@@ -91,7 +91,8 @@ TEST(RareEvents, OfUnitsThatDiffer) {
 INSTANTIATE_TEST_SUITE_P(, RareEventsAsCounted,
                          testing::Values(Counted{"TSSP4056", "35.2"}, Counted{"TSSP4056", "35.33"},
                                          Counted{"TSOP4156", "48.2"}, Counted{"TSOP4156", "48.28"},
-                                         Counted{"TSSP96056", "37.75"}),
+                                         Counted{"TSSP96056", "37.75"},
+                                         Counted{"TSSP96056", "37.87"}),
                          [](const auto& test) {
                            return std::string(test.param.module) +
                                   (test.index % 2 == 0 ? "at1em3" : "at1em4");
