@@ -11,6 +11,9 @@ namespace {
 /// Spots that are together less than this share of all are left to the noise as it comes.
 constexpr double left_share = 1e-3;
 
+/// Where so many spots are expected to fail by nature, noise is drawn as it comes.
+constexpr double surely = 10;
+
 /// More of noise as it comes where that often fails as well.
 double natural_share(double likelihood) { return 0.1 + 0.4 * std::sqrt(std::min(1.0, likelihood)); }
 
@@ -25,6 +28,7 @@ Proposal::Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spo
                    std::vector<std::vector<float>> coefficients)
     : coefficients_(std::move(coefficients)), readings_(std::move(readings)) {
   for (const WeakSpot& spot : spots) likelihood_ += spot.likelihood;
+  if (likelihood_ > surely) return;
   const double least = left_share * likelihood_ / static_cast<double>(spots.size());
   double kept = 0;
   for (WeakSpot& spot : spots) {

@@ -53,6 +53,16 @@ Estimate weighted_ratio(const WeightedSum& x, double groups, std::uint64_t whole
           at_most_1(value * std::exp(width))};
 }
 
+/// The same of losses, of which none is more than a frame: where all frames are lost they do not
+/// vary and yet more frames might not be.
+Estimate weighted_loss(const Weighted& weighted, std::uint64_t frames, double level) {
+  Estimate loss = weighted_ratio(weighted.frames_lost, weighted.n_groups, frames, level);
+  if (std::isnan(loss.value)) return loss;
+  const double lost = weighted.frames_lost.effective_size();
+  loss.low = std::min(loss.low, clopper_pearson(lost, lost / loss.value, level).low);
+  return loss;
+}
+
 Estimate estimate(double value, Interval ci) { return {value, ci.low, ci.high}; }
 
 Estimate frame_ratio(std::uint64_t part, std::uint64_t frames, double level) {
@@ -95,8 +105,7 @@ Estimate bit_error_ratio(const Tally& tally, double level) {
 
 Estimate frame_loss_ratio(const Tally& tally, double level) {
   const Weighted& weighted = tally.weighted;
-  if (weighted.n_groups > 0)
-    return weighted_ratio(weighted.frames_lost, weighted.n_groups, tally.n_frames, level);
+  if (weighted.n_groups > 0) return weighted_loss(weighted, tally.n_frames, level);
   return frame_ratio(tally.n_frames_lost, tally.n_frames, level);
 }
 

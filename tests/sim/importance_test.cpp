@@ -245,6 +245,16 @@ TEST(WeightedRatio, IsWithheldWhereAFewRunsMakeIt) {
   EXPECT_TRUE(std::isnan(undetected_error_ratio(tally, 0.95).value));
 }
 
+// Losses of weight 1 in all of 40 frames do not vary; the next frame may be heard all the same.
+TEST(WeightedRatio, OfAllFramesIsThatOfFrames) {
+  Tally tally{.n_bits = 4000, .n_frames = 40};
+  tally.weighted.n_groups = 5;
+  for (int i = 0; i < 5; ++i) tally.weighted.frames_lost += weighted_sum(std::vector<double>(8, 1));
+  const Estimate loss = frame_loss_ratio(tally, 0.95);
+  EXPECT_EQ(loss.high, 1);
+  EXPECT_NEAR(loss.low, std::pow(0.025, 1.0 / 40), 1e-12);
+}
+
 std::string raised_by(const Tally& tally) {
   std::string names;
   const std::uint64_t mask =
