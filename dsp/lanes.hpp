@@ -29,6 +29,7 @@ struct Lanes8 {
   friend Lanes8 operator+(Lanes8 a, Lanes8 b) { return Lanes8(a.v + b.v); }
   friend Lanes8 operator-(Lanes8 a, Lanes8 b) { return Lanes8(a.v - b.v); }
   friend Lanes8 operator*(Lanes8 a, Lanes8 b) { return Lanes8(a.v * b.v); }
+  friend Lanes8 operator/(Lanes8 a, Lanes8 b) { return Lanes8(a.v / b.v); }
   friend Lanes8 operator-(Lanes8 a) { return Lanes8(-a.v); }
 };
 
