@@ -18,6 +18,9 @@ class PeakFollower {
     return fraction_ * peak_;
   }
 
+  /// Time in which nothing is higher: `share` is what it leaves of the peak.
+  void rest(T share) { peak_ = peak_ * share; }
+
  private:
   T fraction_, decay_;
   T peak_ = T(0.0f);

@@ -47,25 +47,6 @@ double front_end_gain(double share, double cycles) {
   return share / std::sqrt(1 - 2 * keep * std::cos(2 * pi * cycles) + keep * keep);
 }
 
-SlowAgcDesign design_agc(const ModuleData& data, dsp::Hertz sample_rate) {
-  const double cycle = sample_rate.value / data.centre_hz;
-  const double attack = data.agc_attack_db_per_ms * 1e3 / sample_rate.value;
-  const double duty = std::min(data.agc_max_duty, 0.999);
-  const double release = attack * duty / (1.0 - duty);
-  const double ms = sample_rate.value * 1e-3;
-  const double long_burst =
-      data.agc_long_burst_ms > 0 ? data.agc_long_burst_ms * ms : data.agc_long_burst_cycles * cycle;
-  return {.long_burst = static_cast<float>(long_burst),
-          .min_gap = static_cast<float>(data.agc_min_gap_cycles * cycle),
-          .free = static_cast<float>(std::min(data.agc_free_cycles * cycle, long_burst)),
-          .hold = static_cast<float>(data.agc_hold_ms * ms),
-          .attack = static_cast<float>(attack),
-          .release = static_cast<float>(release),
-          .range = static_cast<float>(data.agc_range_db),
-          .margin = static_cast<float>(amplitude_ratio(-data.agc_margin_db)),
-          .samples_per_tick = std::max(1, static_cast<int>(cycle))};
-}
-
 /// Parts of a sample, so many that the longest time takes 30 bits.
 DemodulatorDesign design_demodulator(const ModuleData& data, dsp::Hertz sample_rate) {
   const double cycle = sample_rate.value / data.centre_hz;
@@ -96,15 +77,37 @@ BandPassDesign design_band_pass(dsp::Hertz centre, double q, dsp::Hertz sample_r
           .two_thirds = step_of(centre, q, t * 2 / 3, droop).first};
 }
 
+SlowAgcDesign design_slow_agc(const ModuleData& data, dsp::Hertz sample_rate) {
+  const double cycle = sample_rate.value / data.centre_hz;
+  const double attack = data.agc_attack_db_per_ms * 1e3 / sample_rate.value;
+  const double duty = std::min(data.agc_max_duty, 0.999);
+  const double release = attack * duty / (1.0 - duty);
+  const double ms = sample_rate.value * 1e-3;
+  const double long_burst =
+      data.agc_long_burst_ms > 0 ? data.agc_long_burst_ms * ms : data.agc_long_burst_cycles * cycle;
+  return {.long_burst = static_cast<float>(long_burst),
+          .min_gap = static_cast<float>(data.agc_min_gap_cycles * cycle),
+          .free = static_cast<float>(std::min(data.agc_free_cycles * cycle, long_burst)),
+          .hold = static_cast<float>(data.agc_hold_ms * ms),
+          .attack = static_cast<float>(attack),
+          .release = static_cast<float>(release),
+          .range = static_cast<float>(data.agc_range_db),
+          .margin = static_cast<float>(amplitude_ratio(-data.agc_margin_db)),
+          .samples_per_tick = std::max(1, static_cast<int>(cycle))};
+}
+
 double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient) {
   const double e = ambient.value;
   const double light = data.ambient_k * e * (1.0 + e / data.ambient_es_w_per_m2);
   return std::sqrt(data.emin_mw_per_m2 * data.emin_mw_per_m2 + light);
 }
 
+double comparator_level(const ModuleData& data, dsp::WattsPerSquareMetre ambient) {
+  return fundamental * emin_in_ambient(data, ambient) / emin_over_level(data);
+}
+
 ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
                            dsp::Hertz sample_rate) {
-  const double level = emin_in_ambient(data, ambient) / emin_over_level(data);
   const double atc_samples = data.atc_release_ms * 1e-3 * sample_rate.value;
   const double front_end = 1 - std::exp(-2 * pi * data.front_end_hz / sample_rate.value);
   return {
@@ -112,11 +115,11 @@ ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambi
       .band_pass = design_band_pass(dsp::Hertz(data.centre_hz), data.q, sample_rate,
                                     front_end_gain(front_end, data.centre_hz / sample_rate.value)),
       .limit = static_cast<float>(data.emax_w_per_m2 * 1e3),
-      .threshold = static_cast<float>(fundamental * level),
+      .threshold = static_cast<float>(comparator_level(data, ambient)),
       .atc_fraction = static_cast<float>(data.atc_fraction),
       .atc_decay = static_cast<float>(std::exp(-1.0 / atc_samples)),
       .demodulator = design_demodulator(data, sample_rate),
-      .agc = design_agc(data, sample_rate)};
+      .agc = design_slow_agc(data, sample_rate)};
 }
 
 dsp::Seconds nominal_delay(const ModuleData& data) {

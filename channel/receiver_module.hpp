@@ -111,6 +111,12 @@ ModuleDesignOf<T> in_all_lanes(const ModuleDesign& one) {
 /// rms.
 double emin_in_ambient(const ModuleData& data, dsp::WattsPerSquareMetre ambient);
 
+/// Amplitude behind the band-pass at which the comparator fires, slow AGC at rest, mW/m2.
+double comparator_level(const ModuleData& data, dsp::WattsPerSquareMetre ambient);
+
+/// The slow AGC at so many samples a second.
+SlowAgcDesign design_slow_agc(const ModuleData& data, dsp::Hertz sample_rate);
+
 ModuleDesign design_module(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
                            dsp::Hertz sample_rate);
 

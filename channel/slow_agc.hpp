@@ -66,18 +66,40 @@ class SlowAgc {
     burst_ = dsp::smaller(burst, longest_);
     const T recovered = dsp::smaller(dsp::larger(gap - d_.hold, zero), idle);
     const T risen = dsp::fused(d_.attack, charged, decibels_);
+    const T was = decibels_;
     decibels_ =
         dsp::smaller(dsp::larger(dsp::fused(-d_.release, recovered, risen), zero), d_.range);
-    return dsp::power_of_two(decibels_ * T(log2_of_one_decibel));
+    change_ = decibels_ - was;
+    return gain(decibels_);
+  }
+
+  /// The factor that share of a tick later, if it goes on as in the last one.
+  T ahead(float share) const {
+    return gain(dsp::larger(dsp::fused(T(share), change_, decibels_), T(0.0f)));
+  }
+
+  /// Dark samples, any number: the gain comes back, but not below `least` decibels unless it was
+  /// there before; returns the factor.
+  T rest(T samples, T least) {
+    quiet_ = quiet_ + samples;
+    burst_ = dsp::choose(quiet_ > d_.min_gap, T(0.0f), burst_);
+    const T recovered = dsp::smaller(dsp::larger(quiet_ - d_.hold, T(0.0f)), samples);
+    const T fallen = dsp::fused(-d_.release, recovered, decibels_);
+    decibels_ = dsp::larger(fallen, dsp::smaller(decibels_, least));
+    change_ = T(0.0f);
+    return gain(decibels_);
   }
 
  private:
+  static T gain(T decibels) { return dsp::power_of_two(decibels * T(log2_of_one_decibel)); }
+
   static constexpr float log2_of_one_decibel = 0.16609640474436813f;  // log2(10) / 20
 
   SlowAgcDesignOf<T> d_;
   T tick_, longest_;      // samples
   T burst_ = T(0.0f);     // samples of activity since the last gap
   T quiet_ = T(0.0f);     // samples without, since the last activity
+  T change_ = T(0.0f);    // in the last tick, dB
   T decibels_ = T(0.0f);  // by which the threshold is raised
 };
 

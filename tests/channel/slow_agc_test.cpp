@@ -122,5 +122,43 @@ TEST(SlowAgc, LongBurstsBalanceAtOneDutyWhateverTheirLength) {
     }
 }
 
+/// An AGC with the gain up and its last activity some ticks ago.
+SlowAgc<float> charged(const SlowAgcDesign& d) {
+  SlowAgc<float> agc(d);
+  for (int i = 0; i < 400; ++i) agc(tick);
+  for (int i = 0; i < 7; ++i) agc(0);
+  return agc;
+}
+
+TEST(SlowAgc, RestsAsItTicksInTheDark) {
+  SlowAgcDesign held = design;
+  held.hold = 900;
+  for (const SlowAgcDesign& d : {design, held})
+    for (const int ticks : {1, 20, 200, 5000}) {
+      SlowAgc<float> ticked = charged(d), rested = charged(d);
+      float gain = 1;
+      for (int i = 0; i < ticks; ++i) gain = ticked(0);
+      EXPECT_NEAR(in_db(rested.rest(static_cast<float>(ticks * tick), 0)), in_db(gain), 2e-3);
+      for (int i = 0; i < 200; ++i) gain = ticked(tick);
+      for (int i = 0; i < 199; ++i) rested(tick);
+      EXPECT_NEAR(in_db(rested(tick)), in_db(gain), 2e-3) << "bursts and gaps are remembered";
+    }
+}
+
+TEST(SlowAgc, RestsNoLowerThanItIsTold) {
+  SlowAgc<float> agc = charged(design);
+  EXPECT_NEAR(in_db(agc.rest(1e6f, 3)), 3, 1e-3);
+  EXPECT_NEAR(in_db(agc.rest(1e6f, 5)), 3, 1e-3);
+  EXPECT_NEAR(in_db(agc.rest(1e6f, 0)), 0, 1e-3);
+}
+
+TEST(SlowAgc, LooksAheadAtItsSlope) {
+  SlowAgc<float> agc(design);
+  for (int i = 0; i < 400; ++i) agc(tick);
+  const double now = in_db(agc.ahead(0)), half = in_db(agc.ahead(0.5f));
+  EXPECT_NEAR(half - now, 0.5 * tick * static_cast<double>(design.attack), 1e-4);
+  EXPECT_NEAR(in_db(agc(tick)), 2 * half - now, 1e-4);
+}
+
 }  // namespace
 }  // namespace channel

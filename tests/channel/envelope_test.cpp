@@ -1,0 +1,174 @@
+// The chain as its envelope: lanes, instruction sets and stretches; single edges against the
+// waveform. Whole links: tests/sim/envelope_test.cpp.
+#include "channel/envelope.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "channel/chain.hpp"
+#include "channel/noise.hpp"
+#include "channel/receiver_module.hpp"
+#include "gtest/gtest.h"
+
+namespace channel {
+namespace {
+
+constexpr dsp::Hertz rate(600e3);
+
+LightSettings light_of(double mw_per_m2, double noise_scale = 1) {
+  return {.signal = dsp::WattsPerSquareMetre(mw_per_m2 * 1e-3),
+          .ambient = dsp::WattsPerSquareMetre(0.6),
+          .carrier = dsp::Hertz(59e3),
+          .noise_scale = noise_scale};
+}
+
+struct Chains {
+  ChainDesign waveform;
+  EnvelopeChain envelope;
+
+  Chains(const ModuleData& module, const LightSettings& light)
+      : waveform(design_chain(module, light, rate)),
+        envelope(design_envelope(module, light, waveform)) {}
+};
+
+/// `n` bursts of a length, as far apart, from 20 ms on.
+dsp::LogicTrace train(int n, dsp::Seconds length) {
+  dsp::LogicTrace drive(true);
+  for (int i = 0; i < 2 * n; ++i) drive.flip_at(dsp::Seconds(20e-3) + i * length);
+  drive.observe_until(dsp::Seconds(30e-3) + 2 * n * length);
+  return drive;
+}
+
+std::int32_t blocks_of(double steps) {
+  return static_cast<std::int32_t>(std::ceil(steps / envelope_block)) * envelope_block;
+}
+
+std::vector<std::int32_t> whole(const dsp::LogicTrace& drive, const EnvelopeChain& chain) {
+  return {blocks_of(dsp::cycles(drive.end(), chain.carrier) + 1)};
+}
+
+std::vector<EnvelopeInput> trials(const dsp::LogicTrace& drive) {
+  std::vector<EnvelopeInput> inputs;
+  for (std::uint32_t i = 0; i < lanes_per_group; ++i)
+    inputs.push_back({.drive = &drive,
+                      .carrier_phase = i * 0x1234567u,
+                      .noise_seed = {i + 1, 2, 3, 4},
+                      .begins = {dsp::Seconds(0)}});
+  return inputs;
+}
+
+/// Near the threshold, where noise decides.
+constexpr double faint_mw_per_m2 = 0.215;
+
+TEST(Envelope, LanesAreTrialsAlone) {
+  const Chains chains(ModuleData{}, light_of(faint_mw_per_m2));
+  const dsp::LogicTrace drive = train(20, dsp::Seconds(1.7e-3));
+  const auto inputs = trials(drive);
+  const auto steps = whole(drive, chains.envelope);
+  const auto pins = propagate_envelopes(chains.envelope, inputs, steps);
+  EXPECT_NE(pins[0], pins[1]);
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    EXPECT_GT(pins[i].flips().size(), 0u);
+    EXPECT_EQ(pins[i], propagate_envelope(chains.envelope, inputs[i], steps)) << i;
+  }
+}
+
+TEST(Envelope, InstructionSetsAgree) {
+  const Chains chains(ModuleData{}, light_of(faint_mw_per_m2));
+  const dsp::LogicTrace drive = train(20, dsp::Seconds(1.7e-3));
+  const auto inputs = trials(drive);
+  const auto steps = whole(drive, chains.envelope);
+  EXPECT_EQ(propagate_envelopes(chains.envelope, inputs, steps, nullptr, InstructionSet::baseline),
+            propagate_envelopes(chains.envelope, inputs, steps, nullptr, InstructionSet::best));
+}
+
+TEST(Envelope, FewerTrialsThanLanesAreTheSame) {
+  const Chains chains(ModuleData{}, light_of(faint_mw_per_m2));
+  const dsp::LogicTrace drive = train(8, dsp::Seconds(1.7e-3));
+  const auto inputs = trials(drive);
+  const auto steps = whole(drive, chains.envelope);
+  const auto all = propagate_envelopes(chains.envelope, inputs, steps);
+  const auto few = propagate_envelopes(chains.envelope, {inputs.data(), 3}, steps);
+  ASSERT_EQ(few.size(), 3u);
+  for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i], all[i]);
+}
+
+/// Mean delay of the pin's flips behind those of the drive, in carrier cycles: of falls (light) or
+/// rises.
+double mean_delay(const dsp::LogicTrace& drive, const std::vector<dsp::LogicTrace>& pins,
+                  std::size_t kind) {
+  double sum = 0, n = 0;
+  for (const dsp::LogicTrace& pin : pins) {
+    EXPECT_EQ(pin.flips().size(), drive.flips().size());
+    for (std::size_t i = kind; i < std::min(pin.flips().size(), drive.flips().size()); i += 2) {
+      sum += (pin.flips()[i] - drive.flips()[i]).value * 59e3;
+      ++n;
+    }
+  }
+  return sum / n;
+}
+
+std::vector<dsp::LogicTrace> waveform_pins(const ChainDesign& chain,
+                                           const std::vector<EnvelopeInput>& trials) {
+  std::vector<ChainInput> inputs;
+  for (const EnvelopeInput& trial : trials)
+    inputs.push_back({.drive = trial.drive,
+                      .carrier_phase = trial.carrier_phase,
+                      .noise_seed = trial.noise_seed});
+  return propagate(chain, inputs);
+}
+
+// A step is a cycle; edges are met to a tenth of one, from weak light to strong.
+TEST(Envelope, EdgesAreThoseOfTheWaveform) {
+  ModuleData module;
+  module.agc_attack_db_per_ms = 0;
+  for (const double mw_per_m2 : {0.4, 1.0, 10.0, 1000.0}) {
+    const Chains chains(module, light_of(mw_per_m2, 0.3));
+    const dsp::LogicTrace drive = train(40, dsp::Seconds(1.6713e-3));
+    const auto inputs = trials(drive);
+    const auto waveform = waveform_pins(chains.waveform, inputs);
+    const auto envelope =
+        propagate_envelopes(chains.envelope, inputs, whole(drive, chains.envelope));
+    for (const std::size_t kind : {0u, 1u})
+      EXPECT_NEAR(mean_delay(drive, envelope, kind), mean_delay(drive, waveform, kind), 0.1)
+          << mw_per_m2 << " mW/m2, " << (kind == 0 ? "light" : "dark");
+  }
+}
+
+// Without noise a dark stretch may be left out: the gain is what it would be, and so are flips.
+TEST(Envelope, DarkThatIsLeftOutIsTheSameWithoutNoise) {
+  const Chains chains(ModuleData{}, light_of(20, 0));
+  dsp::LogicTrace drive = train(20, dsp::Seconds(1.7e-3));
+  const dsp::Seconds later(drive.end() + dsp::Seconds(50e-3));
+  for (int i = 0; i < 40; ++i) drive.flip_at(later + i * dsp::Seconds(1.7e-3));
+  drive.observe_until(later + dsp::Seconds(90e-3));
+  auto inputs = trials(drive);
+  const auto all = propagate_envelopes(chains.envelope, inputs, whole(drive, chains.envelope));
+  for (EnvelopeInput& input : inputs)
+    input.begins = {dsp::Seconds(15e-3), later - dsp::Seconds(5e-3)};
+  const std::vector<std::int32_t> steps{blocks_of(85e-3 * 59e3), blocks_of(90e-3 * 59e3)};
+  const auto parts = propagate_envelopes(chains.envelope, inputs, steps);
+  for (std::size_t lane = 0; lane < all.size(); ++lane) {
+    ASSERT_EQ(parts[lane].flips().size(), all[lane].flips().size());
+    EXPECT_GT(all[lane].flips().size(), 40u);
+    for (std::size_t i = 0; i < all[lane].flips().size(); ++i)
+      EXPECT_NEAR(parts[lane].flips()[i].value, all[lane].flips()[i].value, 0.05 / 59e3);
+  }
+}
+
+// Noise behind the band-pass has the waveform's deviation: sqrt(2 N B).
+TEST(Envelope, NoiseIsThatOfTheBandPass) {
+  const Chains chains(ModuleData{}, light_of(1));
+  const EnvelopeNoise<float>& noise = chains.envelope.unit.design.resting;
+  const double power = std::pow(static_cast<double>(noise.re), 2) +
+                       std::pow(static_cast<double>(noise.cross), 2) +
+                       std::pow(static_cast<double>(noise.im), 2);
+  const double deviation = static_cast<double>(chains.waveform.noise_dark) *
+                           std::sqrt(2 * noise_bandwidth(ModuleData{}).value / rate.value);
+  EXPECT_NEAR(std::sqrt(power / 2) / deviation, 1, 5e-3);
+  EXPECT_NEAR(noise_deviation(ModuleData{}, chains.waveform) / deviation, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace channel
