@@ -9,6 +9,7 @@ namespace sim {
 
 enum class Fidelity {
   waveform,  // every sample of light and noise, for any receiver
+  envelope,  // one step a carrier cycle, for a module and the device's light alone
   decision   // one decision variable a bit, for matched receivers in white noise
 };
 

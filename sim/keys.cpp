@@ -197,8 +197,8 @@ std::vector<Key> run_keys() {
       younger(
           text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
                "fidelity of light and receiver",
-               "every sample; or, for the ideal receivers without other lights, one decision a bit "
-               "(`sim/README.md`)",
+               "every sample; or, without other lights, for a module one step a carrier cycle, for "
+               "the ideal receivers one decision a bit (`sim/README.md`)",
                names_of(fidelities()))),
       younger(text(KeyType::choice, "simulation.method", run, &SimulationSettings::method,
                    "method of counting errors",

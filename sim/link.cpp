@@ -3,6 +3,7 @@
 #include <xxhash.h>
 
 #include <cmath>
+#include <utility>
 
 #include "channel/conditions.hpp"
 #include "channel/emitter.hpp"
@@ -57,6 +58,21 @@ channel::LightSettings light_settings(const Scenario& s) {
           .noise_scale = s.noise.scale};
 }
 
+/// The scenario with the part as it is under its conditions, and what light it gets.
+struct PointLight {
+  Scenario scenario;
+  channel::LightSettings light;
+};
+
+PointLight point_light(const Scenario& scenario) {
+  Scenario s = scenario;
+  s.module = module_of(scenario);
+  channel::LightSettings light = light_settings(s);
+  if (!std::isnan(s.receiver.ebn0_db))
+    light.signal = signal_for_ebn0(s.module, light, true_baud(s), s.receiver.ebn0_db);
+  return {std::move(s), light};
+}
+
 /// Signal: the carrier's fundamental. Noise: what shot and thermal noise put into the module with
 /// the carrier on. SNR is taken behind the band-pass, or in the bandwidth of a bit that a matched
 /// receiver has; Eb/N0 at the input, half of the bits being light (average-energy convention:
@@ -108,12 +124,19 @@ dsp::Hertz carrier_of(const Link& link) {
   return link.chain.carrier.step * 0x1p-32 * link.chain.sample_rate;
 }
 
+EnvelopeBounds envelope_bounds(const Scenario& scenario) {
+  const PointLight point = point_light(scenario);
+  const auto chain = channel::design_chain(point.scenario.module, point.light,
+                                           dsp::Hertz(scenario.simulation.sample_rate_hz));
+  const channel::ModuleData& module = point.scenario.module;
+  return {.detuning = std::abs(point.light.carrier.value / module.centre_hz - 1),
+          .overload = point.light.signal.value / module.emax_w_per_m2,
+          .level_over_noise = channel::comparator_level(module, point.light.ambient) /
+                              channel::noise_deviation(module, chain)};
+}
+
 Link make_link(const Scenario& scenario) {
-  Scenario s = scenario;
-  s.module = module_of(scenario);
-  channel::LightSettings light = light_settings(s);
-  if (!std::isnan(s.receiver.ebn0_db))
-    light.signal = signal_for_ebn0(s.module, light, true_baud(s), s.receiver.ebn0_db);
+  const auto [s, light] = point_light(scenario);
   Link link;
   link.message = s.device.message;
   link.bytes = protocol::cosys_encode(s.device.message);
@@ -134,6 +157,8 @@ Link make_link(const Scenario& scenario) {
   link.point = point_hash(scenario);
   link.operating = operating_point(s, light);
   link.outside = outside_validity(scenario, link.operating);
+  if (fidelity_of(s.simulation) == Fidelity::envelope)
+    link.envelope = make_envelope_link(link, light);
   if (const auto matched =
           matched_receiver(s.module, light, link.chain, link.device_baud, link.bytes)) {
     link.ideal = matched->design;

@@ -12,6 +12,7 @@
 #include "dsp/units.hpp"
 #include "protocol/uart.hpp"
 #include "sim/decision_link.hpp"
+#include "sim/envelope_link.hpp"
 #include "sim/result.hpp"
 #include "sim/scenario.hpp"
 
@@ -30,6 +31,7 @@ struct Link {
   channel::ChainDesign chain;
   std::optional<channel::IdealDesign> ideal;         // a matched receiver instead of the module
   std::optional<DecisionLink> decisions;             // where no waveform is made
+  std::optional<EnvelopeLink> envelope;              // where the module's is made in place of one
   std::shared_ptr<const ImportanceLink> importance;  // where trials are weighted
   dsp::Seconds delay;                                // constant part, light to pin
   channel::ModuleData module;                        // under the point's conditions
@@ -51,6 +53,15 @@ struct Link {
 dsp::Hertz carrier_of(const Link& link);
 
 Link make_link(const Scenario& scenario);
+
+/// What bounds the envelope (sim/fidelity) at a point.
+struct EnvelopeBounds {
+  double detuning;          // of the carrier from f0, as a share of f0
+  double overload;          // the light's irradiance over the limiter's
+  double level_over_noise;  // the comparator's level over the deviation of the noise in the dark
+};
+
+EnvelopeBounds envelope_bounds(const Scenario& scenario);
 
 /// Light that the scenario's receiver gets, by path.
 channel::ReceivedLight light_of(const Scenario& scenario);

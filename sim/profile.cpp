@@ -10,6 +10,7 @@ namespace sim {
 Profile& Profile::operator+=(const Profile& other) {
   messages_s += other.messages_s;
   for (std::size_t i = 0; i < chain_s.size(); ++i) chain_s[i] += other.chain_s[i];
+  envelope_s += other.envelope_s;
   decisions_s += other.decisions_s;
   decoding_s += other.decoding_s;
   return *this;
@@ -28,6 +29,7 @@ Stages stages_of(const Profile& profile, bool has_samples) {
     for (std::size_t i = 0; i < profile.chain_s.size(); ++i)
       stages.emplace_back(names[i], profile.chain_s[i]);
   }
+  if (profile.envelope_s > 0) stages.emplace_back("envelope", profile.envelope_s);
   if (profile.decisions_s > 0) stages.emplace_back("decisions", profile.decisions_s);
   stages.emplace_back("UART and frames", profile.decoding_s);
   return stages;

@@ -11,6 +11,7 @@ namespace sim {
 struct Profile {
   double messages_s = 0;                   // steps 1-2, and drawing what steps 3-7 need
   channel::StageClock::Seconds chain_s{};  // steps 3-7
+  double envelope_s = 0;                   // the same by their envelope
   double decisions_s = 0;                  // the same where each bit is one decision variable
   double decoding_s = 0;                   // steps 8-10
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/decision_trial.hpp"
+#include "sim/envelope_trial.hpp"
 #include "sim/link.hpp"
 #include "sim/trial.hpp"
 
@@ -23,11 +24,12 @@ constexpr Tap all_taps[] = {
     {"agc_gain", "1", "factor by which the slow AGC has raised the fixed threshold",
      &Recording::agc_gain}};
 
-/// The module's pin, or a matched receiver's, from the waveform, whose taps it fills.
+/// The module's pin, or a matched receiver's; fills the taps of a waveform.
 dsp::LogicTrace pin_of(const Link& link, std::uint32_t trial, const Transmission& sent,
                        Recording& taps) {
   const auto unit = draw_unit(link, trial);
   const channel::ChainInput input = chain_input(link, trial, sent, unit);
+  if (link.envelope) return envelope_pin(link, trial, sent);
   if (!link.ideal) return channel::propagate_alone(link.chain, input, &taps);
   return channel::detect_alone(link.chain, *link.ideal, input, bit_slots(link, sent), &taps);
 }

@@ -8,13 +8,13 @@
 #include "dsp/philox.hpp"
 #include "sim/decision_trial.hpp"
 #include "sim/disturbance.hpp"
+#include "sim/envelope_trial.hpp"
 #include "sim/importance_trial.hpp"
 #include "sim/trial_group.hpp"
 
 namespace sim {
 namespace {
 
-constexpr dsp::Seconds lead_in(20e-3);   // dark before the first message; the filter is at rest
 constexpr dsp::Seconds lead_out(20e-3);  // dark behind the last: module and UART have finished
 
 std::vector<channel::DisturbanceInput> draw_disturbances(const Link& link, std::uint32_t trial,
@@ -145,14 +145,14 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 
-GroupResult count_group(const Link& link, std::uint32_t first, const TrialGroup& group,
-                        std::vector<dsp::LogicTrace> pins) {
+GroupResult count_group(const Link& link, std::uint32_t first,
+                        const std::vector<Transmission>& sent, std::vector<dsp::LogicTrace> pins) {
   GroupResult result;
-  for (std::size_t i = 0; i < group.sent.size(); ++i) {
+  for (std::size_t i = 0; i < sent.size(); ++i) {
     const Reception heard =
         receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
-    result.tally += count(link, group.sent[i], heard);
-    add_cost(result, link, group.sent[i]);
+    result.tally += count(link, sent[i], heard);
+    add_cost(result, link, sent[i]);
   }
   return result;
 }
@@ -160,6 +160,22 @@ GroupResult count_group(const Link& link, std::uint32_t first, const TrialGroup&
 using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+GroupResult envelope_group(const Link& link, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop, bool profiled) {
+  const Clock::time_point began = Clock::now();
+  std::vector<Transmission> sent;
+  for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+  const Clock::time_point drawn = Clock::now();
+  std::vector<dsp::LogicTrace> pins = envelope_pins(link, first, sent, stop);
+  const Clock::time_point heard = Clock::now();
+  GroupResult result = count_group(link, first, sent, std::move(pins));
+  if (profiled)
+    result.profile = {.messages_s = seconds(drawn - began),
+                      .envelope_s = seconds(heard - drawn),
+                      .decoding_s = seconds(Clock::now() - heard)};
+  return result;
+}
 
 }  // namespace
 
@@ -199,6 +215,10 @@ std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial) {
   return address(link, trial, Purpose::noise).block(0);
 }
 
+std::uint32_t carrier_phase(const Link& link, std::uint32_t trial) {
+  return address(link, trial, Purpose::carrier_phase).block(0)[0];
+}
+
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial) {
   if (!link.population) return std::nullopt;
   const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
@@ -209,7 +229,7 @@ std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t t
 channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent,
                                 const std::optional<channel::ModuleDesign>& unit) {
   return {.drive = &sent.line,
-          .carrier_phase = address(link, trial, Purpose::carrier_phase).block(0)[0],
+          .carrier_phase = carrier_phase(link, trial),
           .noise_seed = noise_seed(link, trial),
           .unit = unit ? &*unit : nullptr,
           .disturbances = draw_disturbances(link, trial, sent.line.end())};
@@ -251,6 +271,7 @@ GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::a
                       bool profiled) {
   if (link.decisions) return decide_group(link, first, n, profiled);
   if (link.importance) return run_weighted_group(link, first, n, stop, profiled);
+  if (link.envelope) return envelope_group(link, first, n, stop, profiled);
   const Clock::time_point began = Clock::now();
   const TrialGroup group = draw_group(link, first, n);
   const Clock::time_point drawn = Clock::now();
@@ -258,7 +279,7 @@ GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::a
   std::vector<dsp::LogicTrace> pins =
       pins_of(link, pointers(group.sent), group.inputs, stop, profiled ? &clock : nullptr);
   const Clock::time_point heard = Clock::now();
-  GroupResult result = count_group(link, first, group, std::move(pins));
+  GroupResult result = count_group(link, first, group.sent, std::move(pins));
   if (profiled)
     result.profile = {.messages_s = seconds(drawn - began),
                       .chain_s = clock.seconds(),

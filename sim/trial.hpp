@@ -15,8 +15,9 @@
 //  10 count       sent against heard                              counters             Tally
 //
 // Steps 3-7 are channel::propagate, per sample, for one trial or eight; for a matched receiver they
-// can be one draw a bit (sim/decision_trial). For errors too rare to count, step 5 is drawn to make
-// them, and step 10 weighs what comes of it (sim/importance_trial). Inside step 6
+// can be one draw a bit (sim/decision_trial), for a module one step a carrier cycle
+// (sim/envelope_trial). For errors too rare to count, step 5 is drawn to make them, and step 10
+// weighs what comes of it (sim/importance_trial). Inside step 6
 // (channel/receiver_module): the light passes the front end's bandwidth, is clipped at the limiter
 // and rings up a band-pass at the module's own f0; a comparator fires once a carrier cycle while
 // that exceeds max(fixed threshold, fraction of the tracked peak); an integrator counts up while it
@@ -79,6 +80,9 @@ struct Reception {
   std::vector<dsp::Seconds> frame_end;  // start of the byte that completed each frame
 };
 
+/// Dark before a trial's first message.
+inline constexpr dsp::Seconds lead_in(20e-3);
+
 /// Steps 1-2: the trial's messages, at its own random instants.
 Transmission transmit(const Link& link, std::uint32_t trial);
 
@@ -90,6 +94,9 @@ std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial);
 
 /// The trial's own unit of the module, where each trial has one.
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial);
+
+/// Phase of the carrier at time 0 of a trial, in 2^-32 cycles.
+std::uint32_t carrier_phase(const Link& link, std::uint32_t trial);
 
 /// The random state of steps 3-7 for one trial; points to its transmission and unit.
 channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent,

@@ -35,6 +35,7 @@ std::vector<const Transmission*> pointers(const std::vector<Transmission>& sent)
 void add_cost(GroupResult& result, const Link& link, const Transmission& sent) {
   const double duration = sent.line.end().value;
   result.simulated_s += duration;
+  if (link.envelope) return;
   result.n_samples +=
       static_cast<std::uint64_t>(std::ceil(duration * link.chain.sample_rate.value));
 }

@@ -195,7 +195,7 @@ TEST(Fidelity, DecisionIsForIdealReceiversInWhiteNoise) {
       "ideal-noncoherent or the fidelity waveform");
   EXPECT_EQ(refusal("simulation.fidelity = \"best\""),
             "simulation.fidelity = \"best\" in x.toml:1 (the fidelity of light and receiver is "
-            "one of a list) use waveform or decision");
+            "one of a list) use waveform or envelope or decision");
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#pragma once
+// What the trials of a point share where the envelope is computed in place of samples
+// (sim/fidelity).
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "channel/envelope.hpp"
+#include "dsp/units.hpp"
+
+namespace sim {
+
+struct Link;
+
+struct EnvelopeLink {
+  channel::EnvelopeChain chain;
+  /// A stretch of each message and of the dark before it, in which the module's gain settles.
+  struct Stretch {
+    dsp::Seconds before;  // its message's first byte
+    std::int32_t steps;
+  };
+  /// Empty where pauses are too short for that: then all of a trial is one stretch.
+  std::vector<Stretch> stretches{};
+};
+
+/// Of a link that is complete but for this.
+EnvelopeLink make_envelope_link(const Link& link, const channel::LightSettings& light);
+
+}  // namespace sim

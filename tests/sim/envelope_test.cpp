@@ -1,0 +1,183 @@
+// simulation.fidelity = "envelope": that it agrees with the waveform where it is allowed, that its
+// trials are the same however they are run, and where it is refused.
+#include <cmath>
+#include <string>
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/comparison.hpp"
+#include "sim/engine.hpp"
+#include "sim/envelope_trial.hpp"
+#include "sim/profile.hpp"
+#include "sim/statistics.hpp"
+#include "sim/trace.hpp"
+
+namespace sim {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+Keys with(Keys keys, const Keys& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+/// A point where some bits fail, and about how many.
+struct Point {
+  const char* module;
+  const char* range_m;
+  double ber;
+  Keys more = {};
+};
+
+Tally tally_of(const Point& point, const char* fidelity, std::uint64_t frames) {
+  const Link link =
+      link_of(with({std::string("receiver.module=") + point.module,
+                    std::string("receiver.range_m=") + point.range_m,
+                    std::string("simulation.fidelity=") + fidelity, "simulation.warmup_messages=1"},
+                   point.more));
+  return run_point(link, {.max_frames = frames}, {.threads = 2}).tally;
+}
+
+/// Standard error of a bit error ratio whose bits fail together in a frame.
+double standard_error(const Tally& t) {
+  const auto n = static_cast<double>(t.n_frames), sum = static_cast<double>(t.n_bit_errors);
+  const double variance = static_cast<double>(t.sum_bit_errors_squared) / n - sum * sum / (n * n);
+  return std::sqrt(variance / n) * n / static_cast<double>(t.n_bits);
+}
+
+/// Whether 99 % intervals of the differences hold none.
+void expect_agreement(const Point& point, std::uint64_t frames) {
+  const Tally a = tally_of(point, "waveform", frames);
+  const Tally b = tally_of(point, "envelope", 4 * frames);
+  const double ber = ratio(a.n_bit_errors, a.n_bits);
+  const std::string what = std::string(point.module) + " at " + point.range_m + " m";
+  EXPECT_NEAR(std::log10(ber / point.ber), 0, 0.3) << what << ": " << ber;
+  EXPECT_NEAR(ratio(b.n_bit_errors, b.n_bits), ber,
+              2.576 * std::hypot(standard_error(a), standard_error(b)))
+      << what;
+  EXPECT_GT(fisher_exact(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames), 0.01)
+      << what << ": " << a.n_frames_lost << " of " << a.n_frames << " and " << b.n_frames_lost
+      << " of " << b.n_frames;
+}
+
+const Keys short_pauses{"device.interval_min_ms=10", "device.interval_max_ms=20"};
+
+// Without a slow AGC noise decides, 19 standard deviations below the threshold.
+TEST(EnvelopeAgrees, WhereNoiseDecides) {
+  expect_agreement({"TSSP4056", "12.2", 1e-4, short_pauses}, 2000);
+  expect_agreement({"TSSP4056", "12.4", 3.7e-3, short_pauses}, 800);
+  expect_agreement({"TSSP4056", "12.6", 8e-2, short_pauses}, 80);
+}
+
+TEST(EnvelopeAgrees, WhereTheGainDecides) {
+  const Keys long_pauses{"device.interval_min_ms=300"};
+  expect_agreement({"TSOP4156", "5.74", 6e-4, long_pauses}, 480);
+  expect_agreement({"TSOP4156", "6.5", 4e-2, long_pauses}, 160);
+  expect_agreement({"TSOP38256", "1.8", 1.1e-2, long_pauses}, 320);
+  expect_agreement({"TSOP38256", "2.1", 4.2e-2, long_pauses}, 160);
+  expect_agreement({"TSOP34856", "2.1", 1.9e-2, long_pauses}, 160);
+  expect_agreement({"TSOP4856", "3", 8e-2, long_pauses}, 160);
+  expect_agreement({"TSOP31156", "5.2", 4.5e-2, long_pauses}, 160);
+}
+
+// Pauses in which the gain does not always come back: all of it depends on the last one's length.
+TEST(EnvelopeAgrees, WherePausesAreShort) {
+  expect_agreement({"TSOP38256", "1.8", 8.5e-2}, 320);
+  expect_agreement({"TSOP4856", "2.5", 8e-2}, 320);
+}
+
+// With more samples a cycle, as near 60 kHz the waveform has whole cycles in its samples.
+TEST(EnvelopeAgrees, OffTheCentreAndAtAnotherDuty) {
+  const Keys fine = with(short_pauses, {"simulation.sample_rate_hz=1010000"});
+  expect_agreement({"TSSP4056", "11.3", 4e-3, with(fine, {"device.carrier_hz=60200"})}, 320);
+  expect_agreement({"TSSP4056", "12.4", 2.6e-3, with(fine, {"device.carrier_hz=53000"})}, 400);
+  expect_agreement({"TSSP4056", "11.5", 1e-2, with(fine, {"device.carrier_duty=0.3"})}, 320);
+}
+
+Keys keys(const Keys& more = {}) {
+  return with(
+      {"simulation.fidelity=envelope", "receiver.range_m=2.3", "simulation.warmup_messages=1"},
+      more);
+}
+
+TEST(Envelope, AGroupIsItsTrialsEachAlone) {
+  for (const char* more : {"receiver.module=TSOP4156", "device.start_jitter_us=300",
+                           "device.interval_min_ms=1", "receiver.module=TSOP4356"}) {
+    const Link link = link_of(keys({"device.interval_max_ms=200", more}));
+    Tally alone;
+    for (std::uint32_t trial = 40; trial < 48; ++trial) {
+      const Transmission sent = transmit(link, trial);
+      alone += count(link, sent, receive(link, trial, envelope_pin(link, trial, sent)));
+    }
+    EXPECT_EQ(alone, run_group(link, 40, 8).tally) << more;
+    Tally parts = run_group(link, 40, 3).tally;
+    parts += run_group(link, 43, 5).tally;
+    EXPECT_EQ(alone, parts) << more;
+  }
+}
+
+// Of a pause only the end is computed; a message is heard all the same where pauses are as short
+// as characters, and all of a trial is computed.
+TEST(Envelope, HearsWhatIsSent) {
+  for (const char* more :
+       {"device.interval_max_ms=900", "device.interval_max_ms=1", "device.start_jitter_us=500"}) {
+    const Link link =
+        link_of(clear_link({"simulation.fidelity=envelope", "device.interval_min_ms=1", more}));
+    EXPECT_EQ(run_group(link, 0, 8).tally.n_frames_ok, 8u) << more;
+  }
+}
+
+TEST(Envelope, LeavesOutMostOfAPause) {
+  const Link link = link_of(keys());
+  ASSERT_EQ(link.envelope->stretches.size(), 2u);
+  for (const EnvelopeLink::Stretch& stretch : link.envelope->stretches)
+    EXPECT_LT(stretch.steps / 59e3, 0.4) << "s; a message takes 0.28 s";
+  const Link dense = link_of(keys({"device.interval_min_ms=1"}));
+  EXPECT_TRUE(dense.envelope->stretches.empty());
+}
+
+TEST(Envelope, MakesNoSamples) {
+  const PointResult point =
+      run_point(link_of(keys()), {.max_frames = 8}, {.threads = 1, .profiled = true});
+  EXPECT_EQ(point.n_samples, 0u);
+  EXPECT_GT(point.simulated_s, 8 * 2 * 0.28);
+  EXPECT_GT(point.profile.envelope_s, 0);
+  EXPECT_NE(profile_lines(point.profile, 0).find("\n  envelope "), std::string::npos);
+  const Scenario scenario = point_scenario(loaded("", keys()), {});
+  EXPECT_TRUE(trace_trial(scenario, 3).taps.irradiance.empty());
+  EXPECT_GT(trace_trial(scenario, 3).rx.flips().size(), 0u);
+}
+
+TEST(Envelope, IsRefusedWhereItWasNotCompared) {
+  const std::string asked = "simulation.fidelity = \"envelope\" in --set with ";
+  const auto refused = [](const Keys& more) { return refusal("", keys(more)); };
+  EXPECT_EQ(refused({}), "accepted");
+  EXPECT_EQ(refused({"receiver.module=ideal-coherent"}),
+            asked +
+                "receiver.module = \"ideal-coherent\" in --set (the envelope is that of a "
+                "module) use the fidelity decision or waveform");
+  EXPECT_EQ(refused({"receiver.population=1"}),
+            asked +
+                "receiver.population = 1 in --set (the envelope is designed once a point) use "
+                "0 or the fidelity waveform");
+  EXPECT_EQ(refusal("[disturbance.lamp]\nkind = \"pwm\"", keys()),
+            asked +
+                "disturbance.lamp.kind = \"pwm\" in x.toml:2 (the envelope is that of the "
+                "device's light alone) remove that light or use the fidelity waveform");
+  EXPECT_EQ(refused({"device.carrier_hz=61000"}),
+            asked +
+                "a carrier 0.089 of f0 from it (the envelope is compared with the waveform up "
+                "to 0.08) use the fidelity waveform");
+  EXPECT_EQ(refused({"receiver.range_m=0.02"}),
+            asked +
+                "3.62 of the limiter's irradiance (the envelope is that of a linear input) use "
+                "the fidelity waveform");
+  EXPECT_NE(refused({"noise.scale=2"}).find("standard deviations of noise"), std::string::npos);
+  EXPECT_NE(refused({"module.q=6", "noise.scale=0.5"}).find("module.q = 6"), std::string::npos);
+  EXPECT_NE(refused({"module.comparator_hold_cycles=1"}).find("must last"), std::string::npos);
+  EXPECT_NE(refused({"module.integrator_cycles=1"}).find("in steps"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sim
