@@ -86,10 +86,23 @@ void check_envelope_bounds(const Scenario& s, const std::string& asked) {
            "it counts in steps of a cycle");
 }
 
+/// Where pauses may be short all of a trial is computed (sim/envelope_trial), and its steps counted
+/// in 31 bits.
+void check_envelope_length(const Scenario& s, const std::string& asked, const Places& places) {
+  constexpr double short_ms = 20, longest_ms = 2e7;
+  if (s.device.interval_min_ms >= short_ms) return;
+  if (s.simulation.warmup_messages * s.device.interval_max_ms <= longest_ms) return;
+  throw bad_input(
+      asked + number_setting("device.interval_max_ms", s.device.interval_max_ms, places),
+      "a trial that may have short pauses may not last for hours",
+      "use device.interval_min_ms = 20 or more");
+}
+
 void check_envelope(const Scenario& s, const Places& places) {
   const std::string asked = setting(key, s.simulation.fidelity, places) + " with ";
   check_envelope_alone(s, asked, places);
   check_envelope_bounds(s, asked);
+  check_envelope_length(s, asked, places);
 }
 
 }  // namespace

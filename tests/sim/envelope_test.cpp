@@ -176,6 +176,12 @@ TEST(Envelope, IsRefusedWhereItWasNotCompared) {
   EXPECT_NE(refused({"noise.scale=2"}).find("standard deviations of noise"), std::string::npos);
   EXPECT_NE(refused({"module.q=6", "noise.scale=0.5"}).find("module.q = 6"), std::string::npos);
   EXPECT_NE(refused({"module.comparator_hold_cycles=1"}).find("must last"), std::string::npos);
+  const Keys hours{"device.interval_max_ms=1000000", "simulation.warmup_messages=100"};
+  EXPECT_EQ(refused(hours), "accepted");
+  EXPECT_EQ(refused(with(hours, {"device.interval_min_ms=1"})),
+            asked +
+                "device.interval_max_ms = 1000000 in --set (a trial that may have short pauses "
+                "may not last for hours) use device.interval_min_ms = 20 or more");
   EXPECT_NE(refused({"module.integrator_cycles=1"}).find("in steps"), std::string::npos);
 }
 
