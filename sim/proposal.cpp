@@ -1,7 +1,6 @@
 #include "sim/proposal.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +13,8 @@ constexpr double left_share = 1e-3;
 /// Where so many spots are expected to fail by nature, noise is drawn as it comes.
 constexpr double surely = 10;
 
-/// More of noise as it comes where that often fails as well.
-double natural_share(double likelihood) { return 0.1 + 0.4 * std::sqrt(std::min(1.0, likelihood)); }
+/// Of the noise as it comes, where anything else is drawn.
+constexpr double natural_share = 0.1;
 
 /// With the tilt of just these levels: one of about them makes weights ten times as large.
 dsp::TruncatedOrthant orthant_of(const Eigen::MatrixXd& cholesky, const Eigen::VectorXd& lower) {
@@ -38,8 +37,8 @@ Proposal::Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spo
     components_.push_back({std::move(spot), likelihood});
   }
   if (components_.empty()) return;
-  natural_share_ = natural_share(likelihood_);
-  for (Component& component : components_) component.share *= (1 - natural_share_) / kept;
+  natural_share_ = natural_share;
+  for (Component& component : components_) component.share *= (1 - natural_share) / kept;
 }
 
 void Proposal::draw(TrialNoise& noise, const dsp::RandomAddress& draws) const {

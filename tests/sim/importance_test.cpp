@@ -128,7 +128,7 @@ TEST(Proposal, WeightsOfAMatchedReceiverAreOneOnAverage) {
     const TrialGroup group = draw_group(link, 0, 1);
     const TrialProposal trial =
         matched_proposal(link, group.sent[0], group.inputs[0].carrier_phase);
-    EXPECT_LT(std::abs(deviations_from_1(link, trial, 400)), 3) << receiver;
+    EXPECT_LT(std::abs(deviations_from_1(link, trial, 4000)), 3) << receiver;
   }
 }
 
@@ -157,7 +157,7 @@ struct Known {
 };
 
 Known known_failures(const Link& link, std::uint32_t trials) {
-  constexpr double most_natural_share = 0.5;
+  constexpr double natural_share = 0.1;
   Known result;
   for (std::uint32_t first = 0; first < trials; first += 8) {
     TrialGroup group = draw_group(link, first, 8);
@@ -174,7 +174,7 @@ Known known_failures(const Link& link, std::uint32_t trials) {
       const Tally tally = count(link, group.sent[i], receive(link, first + i, std::move(pins[i])));
       if (tally.n_bit_errors == 0 && tally.n_frames_lost == 0) continue;
       ++result.failed;
-      result.known += proposals[i].proposal.ratio(noises[i]) > most_natural_share;
+      result.known += proposals[i].proposal.ratio(noises[i]) > 1.01 * natural_share;
     }
   }
   return result;

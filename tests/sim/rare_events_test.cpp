@@ -34,11 +34,11 @@ class RareEventsInTheory : public testing::TestWithParam<Closed> {};
 
 TEST_P(RareEventsInTheory, BitErrorRatio) {
   const Closed at = GetParam();
-  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 2000);
+  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 1600);
   const double theory = measured.operating.ber_theory;
   EXPECT_NEAR(std::log10(theory), std::log10(at.ber), 0.3) << theory;
   EXPECT_NEAR(bit_error_ratio(measured.tally, 0.95).value / theory, 1, 0.2);
-  EXPECT_LT(measured.tally.weighted.bit_errors.coefficient_of_variation(250), 0.05);
+  EXPECT_LT(measured.tally.weighted.bit_errors.coefficient_of_variation(200), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RareEventsInTheory,
