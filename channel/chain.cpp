@@ -7,6 +7,7 @@
 #include "channel/bursts.hpp"
 #include "channel/chain_loop.hpp"
 #include "channel/kernel_disturbances.hpp"
+#include "channel/lane_parts.hpp"
 #include "channel/noise.hpp"
 
 namespace channel {
@@ -19,7 +20,7 @@ std::int64_t samples_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
   return static_cast<std::int64_t>(std::ceil(dsp::cycles(drive.end(), sample_rate)));
 }
 
-/// Eight pins being written; a flip past a trial's own end is not that trial's.
+/// Pins being written; a flip past a trial's own end is not that trial's.
 class PinWriter {
  public:
   PinWriter(std::span<const ChainInput> inputs, dsp::Hertz sample_rate,
@@ -99,21 +100,24 @@ struct PreparedGroup {
   }
 };
 
-void run_kernel(const ChainKernelInput& input, [[maybe_unused]] InstructionSet set) {
-#ifdef COSYS_HAVE_V3
+/// The narrowest kernel that has lanes for so many trials.
+void run_kernel(const ChainKernelInput& input, [[maybe_unused]] std::size_t trials,
+                [[maybe_unused]] InstructionSet set) {
+#ifdef COSYS_HAVE_X86
+  if (trials > lanes_per_group) return run_lanes_v4(input);
   if (runs_v3(set)) return run_lanes_v3(input);
 #endif
   run_lanes_baseline(input);
 }
 
 /// Runs the kernel, under a clock if there is one.
-void run(ChainKernelInput& input, InstructionSet set, StageClock* clock) {
+void run(ChainKernelInput& input, std::size_t trials, InstructionSet set, StageClock* clock) {
   if (clock != nullptr) {
     input.on_stage = &StageClock::lap;
     input.stage_context = clock;
     clock->start();
   }
-  run_kernel(input, set);
+  run_kernel(input, trials, set);
 }
 
 std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {
@@ -154,11 +158,13 @@ std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop, InstructionSet set,
                                        StageClock* clock) {
-  assert(inputs.size() <= lanes_per_group);
-  PinWriter pins(inputs, design.sample_rate, stop);
-  PreparedGroup group(design, inputs, pins);
-  run(group.kernel, set, clock);
-  return pins.take();
+  return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
+    const std::span<const ChainInput> part = inputs.subspan(first, n);
+    PinWriter pins(part, design.sample_rate, stop);
+    PreparedGroup group(design, part, pins);
+    run(group.kernel, n, set, clock);
+    return pins.take();
+  });
 }
 
 dsp::LogicTrace propagate_alone(const ChainDesign& design, const ChainInput& input,
@@ -178,13 +184,16 @@ std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign
                                     std::span<const ChainInput> inputs,
                                     std::span<const BitSlots> slots, const std::atomic<bool>* stop,
                                     InstructionSet set, StageClock* clock) {
-  assert(inputs.size() <= lanes_per_group && slots.size() == inputs.size());
-  PinWriter unused(inputs, design.sample_rate, stop);
-  SlotWriter pins(receiver, slots, design.sample_rate, stop);
-  PreparedGroup group(design, inputs, unused);
-  pins.attach_to(group.kernel);
-  run(group.kernel, set, clock);
-  return pins.take(ends_of(inputs));
+  assert(slots.size() == inputs.size());
+  return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
+    const std::span<const ChainInput> part = inputs.subspan(first, n);
+    PinWriter unused(part, design.sample_rate, stop);
+    SlotWriter pins(receiver, slots.subspan(first, n), design.sample_rate, stop);
+    PreparedGroup group(design, part, unused);
+    pins.attach_to(group.kernel);
+    run(group.kernel, n, set, clock);
+    return pins.take(ends_of(part));
+  });
 }
 
 dsp::LogicTrace detect_alone(const ChainDesign& design, const IdealDesign& receiver,

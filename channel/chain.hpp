@@ -57,10 +57,12 @@ struct ChainInput {
   std::span<const MarginWindow> margin_windows{};  // filled by propagate()
 };
 
+/// Trials that belong together: a random number of theirs, or a result, may be the group's.
 constexpr int lanes_per_group = 8;
 
-/// The module's pin for each of up to eight trials, all at once. Gives up soon after `*stop` has
-/// become true; the pins are then worth nothing. `clock`, if given, is told where the time goes.
+/// The module's pin for each of the trials, as many at once as the processor has lanes for. Gives up
+/// soon after `*stop` has become true; the pins are then worth nothing. `clock`, if given, is told
+/// where the time goes.
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop = nullptr,

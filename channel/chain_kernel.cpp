@@ -8,9 +8,9 @@ namespace channel {
 
 void COSYS_KERNEL(const ChainKernelInput& input) {
   if (input.on_slot != nullptr)
-    run_correlator<dsp::Lanes8>(input, NoProbe{});
+    run_correlator<COSYS_LANES>(input, NoProbe{});
   else
-    run_chain<dsp::Lanes8>(input, NoProbe{});
+    run_chain<COSYS_LANES>(input, NoProbe{});
 }
 
 }  // namespace channel

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "channel/instruction_set.hpp"
+
 namespace channel {
 
 struct Burst;
@@ -36,24 +38,24 @@ struct ChainKernelInput {
     const MarginWindow* margin_windows = nullptr;
     std::size_t n_margin_windows = 0;
   };
-  Lane lane[8];
+  Lane lane[most_lanes];
   const CarrierDesign* carrier = nullptr;
   float noise_dark = 0, noise_lit = 0;
   /// Light of others; phases at time 0, in 2^-32 cycles.
   struct Tone {
     const ToneDesign* design = nullptr;
-    std::uint32_t phase[8] = {};
+    std::uint32_t phase[most_lanes] = {};
   };
   struct Table {
     const float* samples = nullptr;
     std::uint32_t period = 0;
-    std::uint32_t phase[8] = {};
+    std::uint32_t phase[most_lanes] = {};
   };
   struct Carrier {
     const CarrierDesign* design = nullptr;
-    const Burst* bursts[8] = {};
-    std::size_t n_bursts[8] = {};
-    std::uint32_t phase[8] = {};
+    const Burst* bursts[most_lanes] = {};
+    std::size_t n_bursts[most_lanes] = {};
+    std::uint32_t phase[most_lanes] = {};
   };
   const Tone* tones = nullptr;
   const Table* tables = nullptr;
@@ -74,5 +76,6 @@ struct ChainKernelInput {
 
 void run_lanes_baseline(const ChainKernelInput& input);
 void run_lanes_v3(const ChainKernelInput& input);  // x86-64-v3: AVX2 and FMA
+void run_lanes_v4(const ChainKernelInput& input);  // x86-64-v4: AVX-512, all lanes
 
 }  // namespace channel

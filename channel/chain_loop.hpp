@@ -1,5 +1,5 @@
 #pragma once
-// The loop over samples, the same for one trial as float and for eight as Lanes8: block by block
+// The loop over samples, the same for one trial as float and for many as lanes: block by block
 // noise, then light, then the module, fused. Three short loops, since the state of each stays in
 // registers; that of all in one does not (tests/bench). Only the kernels include it.
 #include <algorithm>
@@ -174,14 +174,14 @@ class Irradiance {
 /// A block of light to the module's pins, bit i of each being lane i's. A probe looks behind each
 /// sample, so its loops are one long.
 template <class T, class Probe>
-void receive(ReceiverModule<T>& module, const T* x, int length, std::uint8_t* pins, Probe probe) {
+void receive(ReceiverModule<T>& module, const T* x, int length, dsp::LaneBits<T>* pins, Probe probe) {
   constexpr int step = Probe::looks ? 1 : block;
   T peak[step];
   for (int first = 0; first < length; first += step) {
     const int n = std::min(step, length - first);
     for (int i = 0; i < n; ++i) peak[i] = module.filtered(x[first + i]);
     for (int i = 0; i < n; ++i)
-      pins[first + i] = static_cast<std::uint8_t>(dsp::bits(module.demodulated(peak[i])));
+      pins[first + i] = static_cast<dsp::LaneBits<T>>(dsp::bits(module.demodulated(peak[i])));
     if constexpr (Probe::looks) probe(x[first], module.taps());
   }
 }
@@ -222,20 +222,22 @@ void give_margins(const ChainKernelInput& in, std::int64_t first, const T* margi
 /// A block as in receive(), with the margins that somebody wants of it.
 template <class T>
 void receive_with_margins(const ChainKernelInput& in, ReceiverModule<T>& module, std::int64_t first,
-                          const T* x, int length, std::uint8_t* pins) {
+                          const T* x, int length, dsp::LaneBits<T>* pins) {
   T margins[block];
   receive(module, x, length, pins, MarginProbe<T>{margins});
   give_margins(in, first, margins, length);
 }
 
-/// Tells of each change of the pins in a block, of which most have none: eight samples a look.
+/// Tells of each change of the pins in a block, of which most have none: eight bytes a look.
 template <class T>
-void report_flips(const ChainKernelInput& in, std::int64_t first, const std::uint8_t* pins,
-                  int length, std::uint8_t& before) {
-  constexpr int look = sizeof(std::uint64_t);
+void report_flips(const ChainKernelInput& in, std::int64_t first, const dsp::LaneBits<T>* pins,
+                  int length, dsp::LaneBits<T>& before) {
+  using Bits = dsp::LaneBits<T>;
+  constexpr int look = sizeof(std::uint64_t) / sizeof(Bits);
+  constexpr std::uint64_t each = ~std::uint64_t{0} / static_cast<Bits>(~0u);
   for (int i = 0; i < length;) {
-    const std::uint64_t same = std::uint64_t{before} * 0x0101010101010101u;
-    if (i + look <= length && __builtin_memcmp(pins + i, &same, look) == 0) {
+    const std::uint64_t same = before * each;
+    if (i + look <= length && __builtin_memcmp(pins + i, &same, sizeof same) == 0) {
       i += look;
       continue;
     }
@@ -250,8 +252,8 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
   Irradiance<T> irradiance(in);
   ReceiverModule<T> module = modules_of<T>(in);
   T x[block];
-  std::uint8_t pins[block];
-  auto before = static_cast<std::uint8_t>(dsp::bits(dsp::Mask<T>(true)));
+  dsp::LaneBits<T> pins[block];
+  auto before = static_cast<dsp::LaneBits<T>>(dsp::bits(dsp::Mask<T>(true)));
   for (std::int64_t first = 0; first < in.samples && !in.stopped(in.context); first += block) {
     const int length = static_cast<int>(std::min<std::int64_t>(block, in.samples - first));
     irradiance.fill(first, x, length);

@@ -44,7 +44,7 @@ DecisionKernelInput kernel_input(const DecisionDesign& design, const NoiseSeed* 
 }
 
 void run(const DecisionKernelInput& input, [[maybe_unused]] InstructionSet set) {
-#ifdef COSYS_HAVE_V3
+#ifdef COSYS_HAVE_X86
   if (runs_v3(set)) return decide_lanes_v3(input);
 #endif
   decide_lanes_baseline(input);

@@ -8,6 +8,7 @@
 
 #include "channel/envelope_kernel.hpp"
 #include "channel/envelope_loop.hpp"
+#include "channel/lane_parts.hpp"
 #include "channel/noise.hpp"
 
 namespace channel {
@@ -200,7 +201,7 @@ class EnvelopeGroup {
       : stop_(stop) {
     lanes_.reserve(inputs.size());
     for (const EnvelopeInput& input : inputs) lanes_.emplace_back(chain, input, steps);
-    for (std::size_t i = 0; i < lanes_per_group; ++i) {
+    for (std::size_t i = 0; i < most_lanes; ++i) {
       const std::size_t from = std::min(i, inputs.size() - 1);  // an idle lane repeats the last
       kernel_.lane[i] = {lanes_[from].stretches(), inputs[from].noise_seed};
     }
@@ -237,8 +238,11 @@ class EnvelopeGroup {
   EnvelopeKernelInput kernel_;
 };
 
-void run_kernel(const EnvelopeKernelInput& input, [[maybe_unused]] InstructionSet set) {
-#ifdef COSYS_HAVE_V3
+/// The narrowest kernel that has lanes for so many trials.
+void run_kernel(const EnvelopeKernelInput& input, [[maybe_unused]] std::size_t trials,
+                [[maybe_unused]] InstructionSet set) {
+#ifdef COSYS_HAVE_X86
+  if (trials > lanes_per_group) return run_envelopes_v4(input);
   if (runs_v3(set)) return run_envelopes_v3(input);
 #endif
   run_envelopes_baseline(input);
@@ -343,10 +347,11 @@ std::vector<dsp::LogicTrace> propagate_envelopes(const EnvelopeChain& chain,
                                                  std::span<const std::int32_t> steps,
                                                  const std::atomic<bool>* stop,
                                                  InstructionSet set) {
-  assert(!inputs.empty() && inputs.size() <= lanes_per_group);
-  EnvelopeGroup group(chain, inputs, steps, stop);
-  run_kernel(group.kernel(), set);
-  return group.take();
+  return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
+    EnvelopeGroup group(chain, inputs.subspan(first, n), steps, stop);
+    run_kernel(group.kernel(), n, set);
+    return group.take();
+  });
 }
 
 dsp::LogicTrace propagate_envelope(const EnvelopeChain& chain, const EnvelopeInput& input,

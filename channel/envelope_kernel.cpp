@@ -6,7 +6,7 @@
 namespace channel {
 
 void COSYS_ENVELOPE_KERNEL(const EnvelopeKernelInput& input) {
-  EnvelopeLoop<dsp::Lanes8>(input).run();
+  EnvelopeLoop<COSYS_LANES>(input).run();
 }
 
 }  // namespace channel

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "channel/instruction_set.hpp"
+
 namespace channel {
 
 /// Steps that are computed at a time.
@@ -33,7 +35,7 @@ struct EnvelopeKernelInput {
     const EnvelopeStretch* stretches = nullptr;
     std::array<std::uint32_t, 4> noise_seed{};
   };
-  Lane lane[8];
+  Lane lane[most_lanes];
   const EnvelopeDesignOf<float>* design = nullptr;
   const std::int32_t* steps = nullptr;  // of each stretch, in all lanes; whole blocks
   std::size_t n_stretches = 0;
@@ -46,5 +48,6 @@ struct EnvelopeKernelInput {
 
 void run_envelopes_baseline(const EnvelopeKernelInput& input);
 void run_envelopes_v3(const EnvelopeKernelInput& input);  // x86-64-v3: AVX2 and FMA
+void run_envelopes_v4(const EnvelopeKernelInput& input);  // x86-64-v4: AVX-512, all lanes
 
 }  // namespace channel

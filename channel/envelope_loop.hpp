@@ -1,5 +1,5 @@
 #pragma once
-// The loop over carrier cycles, the same for one trial as float and for eight as Lanes8. Only the
+// The loop over carrier cycles, the same for one trial as float and for many as lanes. Only the
 // kernels include it, and who computes one trial alone.
 #include <algorithm>
 #include <cstddef>
@@ -96,14 +96,14 @@ class EnvelopeLoop {
 
   void demodulate(std::size_t stretch, std::int32_t first, const Envelope<T>* envelope) {
     T flip[block];
-    std::uint8_t light[block];
+    dsp::LaneBits<T> light[block];
     EnvelopeDemodulator<T> local = demodulator_;
     for (int i = 0; i < block; i += steps_per_tick) local(envelope + i, light + i, flip + i);
     demodulator_ = local;
     report_flips(stretch, first, light, flip);
   }
 
-  void report_flips(std::size_t stretch, std::int32_t first, const std::uint8_t* light,
+  void report_flips(std::size_t stretch, std::int32_t first, const dsp::LaneBits<T>* light,
                     const T* flip) {
     for (int i = 0; i < block; ++i) {
       std::uint32_t flips = light[i] ^ before_;
@@ -123,7 +123,7 @@ class EnvelopeLoop {
   const EnvelopeEdge* edge_[dsp::lanes<T>] = {};
   const EnvelopeEdge* end_[dsp::lanes<T>] = {};
   T lit_ = T(0.0f);  // 1 where the light is on
-  std::uint8_t before_ = 0;
+  dsp::LaneBits<T> before_ = 0;
 };
 
 }  // namespace channel

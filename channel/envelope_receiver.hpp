@@ -231,7 +231,7 @@ class EnvelopeDemodulator {
 
   /// The steps of a tick: at the end of each whether the output reports light, bit i of it being
   /// lane i's, and when in it the output switched, if it did.
-  void operator()(const Envelope<T>* envelope, std::uint8_t* light, T* flip) {
+  void operator()(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* flip) {
     if (dsp::any(bound(envelope) > sensed_))
       see(envelope, light, flip);
     else
@@ -256,7 +256,7 @@ class EnvelopeDemodulator {
   }
 
   // What no comparator sees the follower does not either, whichever lanes run together.
-  void see(const Envelope<T>* envelope, std::uint8_t* light, T* flip) {
+  void see(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* flip) {
     Peak<T> peaks[steps_per_tick];
     for (int i = 0; i < steps_per_tick; ++i) peaks[i] = peaks_(envelope[i]);
     for (int i = 0; i < steps_per_tick; ++i) {
@@ -266,15 +266,15 @@ class EnvelopeDemodulator {
       count(signal_(peaks[i], dsp::larger(fixed_, following)), light + i, flip + i);
     }
   }
-  void see_nothing(std::uint8_t* light, T* flip) {
+  void see_nothing(dsp::LaneBits<T>* light, T* flip) {
     for (int i = 0; i < steps_per_tick; ++i) {
       follower_(T(0.0f));
       active_ = active_ + activity_().length();
       count(signal_(), light + i, flip + i);
     }
   }
-  void count(const LitParts<T>& lit, std::uint8_t* light, T* flip) {
-    *light = static_cast<std::uint8_t>(dsp::bits(integrator_(lit)));
+  void count(const LitParts<T>& lit, dsp::LaneBits<T>* light, T* flip) {
+    *light = static_cast<dsp::LaneBits<T>>(dsp::bits(integrator_(lit)));
     *flip = integrator_.flip();
   }
 

@@ -61,7 +61,7 @@ class SlotPin {
   dsp::LogicTrace pin_{true};
 };
 
-/// Eight pins being written by what a kernel correlates.
+/// Pins being written by what a kernel correlates.
 class SlotWriter {
  public:
   SlotWriter(const IdealDesign& design, std::span<const BitSlots> slots, dsp::Hertz sample_rate,

@@ -3,11 +3,19 @@
 
 namespace channel {
 
-/// The best that this processor has, or the one that every processor has.
-enum class InstructionSet { best, baseline };
+/// The best that this processor has; at most x86-64-v3 (AVX2 and FMA); or the one that every
+/// processor has.
+enum class InstructionSet { best, v3, baseline };
 
-/// Whether the kernels built for x86-64-v3 (AVX2 and FMA) are to run: they exist, are wanted, and
-/// this processor has the set.
+/// Lanes of the widest kernels, those built for x86-64-v4 (AVX-512); the others have eight.
+constexpr int most_lanes = 16;
+
+/// Whether the kernels built for x86-64-v4 or v3 are to run: they exist, are wanted, and this
+/// processor has the set.
+bool runs_v4(InstructionSet wanted);
 bool runs_v3(InstructionSet wanted);
+
+/// Trials that a kernel computes in the time of one.
+int trials_at_once(InstructionSet wanted = InstructionSet::best);
 
 }  // namespace channel

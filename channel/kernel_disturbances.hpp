@@ -1,5 +1,5 @@
 #pragma once
-// The disturbances of up to eight trials in the kernels' form, with the memory that it points to.
+// The disturbances of trials in the kernels' form, with the memory that it points to.
 #include <cstdint>
 #include <vector>
 

@@ -9,7 +9,7 @@ std::vector<float> draw_normals(const StreamSeeds& seeds, std::size_t n,
   constexpr std::size_t block = normals_block;
   std::vector<float> normals((n + block - 1) / block * block);
   const NormalsKernelInput input{seeds.data(), normals.data(), normals.size()};
-#ifdef COSYS_HAVE_V3
+#ifdef COSYS_HAVE_X86
   if (runs_v3(set)) {
     fill_lanes_v3(input);
     return normals;

@@ -1,6 +1,6 @@
 #pragma once
-// One trial or eight from one source: a stage is written over T = float or Lanes8 (eight
-// independent trials in the lanes of one vector) and holds no `if` on a sample, only choose(mask,
+// One trial, eight or sixteen from one source: a stage is written over T = float, Lanes8 (eight
+// independent trials in the lanes of one vector) or Lanes16 (dsp/lanes16.hpp) and holds no `if` on a sample, only choose(mask,
 // a, b). Every operation here is exactly rounded, so a lane computes the same bits as float does,
 // whatever the instruction set. Code built for several of them sets COSYS_ISA: a namespace of its
 // own keeps the linker from mixing them. For the same reason no std:: template may see a bare
@@ -72,17 +72,22 @@ struct LaneTraits<float> {
   static constexpr int width = 1;
   using Mask = bool;
   using Words = std::uint32_t;
+  using Bits = std::uint8_t;
 };
 template <>
 struct LaneTraits<Lanes8> {
   static constexpr int width = 8;
   using Mask = Mask8;
   using Words = Words8;
+  using Bits = std::uint8_t;
 };
 template <class T>
 using Mask = typename LaneTraits<T>::Mask;
 template <class T>
 using Words = typename LaneTraits<T>::Words;
+/// A bit a lane.
+template <class T>
+using LaneBits = typename LaneTraits<T>::Bits;
 template <class T>
 inline constexpr int lanes = LaneTraits<T>::width;
 
@@ -222,3 +227,7 @@ inline void set_lane(Words8& a, int i, std::uint32_t x) { a.v[i] = x; }
 
 }  // namespace COSYS_ISA
 }  // namespace dsp
+
+#ifdef __AVX512F__
+#include "dsp/lanes16.hpp"
+#endif

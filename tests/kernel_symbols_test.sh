@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # A kernel built for one instruction set must share no inline code with the rest of the program: the linker
 # keeps one copy of each weak symbol, and a processor without that set would run into it.
-# usage: kernel_symbols_test.sh ISA OBJECT...
+# usage: kernel_symbols_test.sh ISA "KERNEL..." OBJECT...
 set -euo pipefail
-isa=$1
-shift
+isa=$1 kernels=$2
+shift 2
 for object; do
   shared=$(nm --demangle "$object" | awk '$2 ~ /^[WVuv]$/' | grep -v "$isa::" || true)
   if [[ -n $shared ]]; then
@@ -12,6 +12,6 @@ for object; do
     exit 1
   fi
 done
-for kernel in run_lanes decide_lanes fill_lanes; do
+for kernel in $kernels; do
   nm --demangle "$@" | grep " T .*${kernel}_$isa" >/dev/null || { echo "no object defines ${kernel}_$isa"; exit 1; }
 done

@@ -48,13 +48,15 @@ IdealDesign receiver(Statistic statistic, double threshold) {
   return {statistic, threshold * fundamental_of(peak, 0.5), bit};
 }
 
-TEST(IdealReceiverDeterminism, EightTogetherAreEachAlone) {
+TEST(IdealReceiverDeterminism, ManyTogetherAreEachAlone) {
+  constexpr std::uint32_t trials = 12;
   std::mt19937 random(1);
   std::vector<Sent> sent;
-  for (int i = 0; i < 8; ++i) sent.push_back(random_bits(random, 20 + 7 * i));
+  for (std::uint32_t i = 0; i < trials; ++i)
+    sent.push_back(random_bits(random, 20 + 7 * static_cast<int>(i % 8)));
   std::vector<ChainInput> inputs;
   std::vector<BitSlots> slots;
-  for (std::uint32_t i = 0; i < 8; ++i) {
+  for (std::uint32_t i = 0; i < trials; ++i) {
     inputs.push_back(
         {.drive = &sent[i].wire, .carrier_phase = i * 7919u << 16, .noise_seed = {i, 1, 2, 3}});
     slots.push_back(sent[i].slots);
@@ -63,10 +65,11 @@ TEST(IdealReceiverDeterminism, EightTogetherAreEachAlone) {
   for (const auto statistic : {Statistic::in_phase, Statistic::envelope}) {
     const IdealDesign ideal = receiver(statistic, 0.5);
     const auto together = detect(design, ideal, inputs, slots);
-    ASSERT_EQ(together.size(), 8u);
-    for (std::size_t i = 0; i < 8; ++i)
+    ASSERT_EQ(together.size(), trials);
+    for (std::size_t i = 0; i < trials; ++i)
       EXPECT_EQ(together[i], detect_alone(design, ideal, inputs[i], slots[i])) << "lane " << i;
-    EXPECT_EQ(detect(design, ideal, inputs, slots, nullptr, InstructionSet::baseline), together);
+    for (const InstructionSet set : {InstructionSet::v3, InstructionSet::baseline})
+      EXPECT_EQ(detect(design, ideal, inputs, slots, nullptr, set), together);
     const auto some =
         detect(design, ideal, std::span(inputs).subspan(2, 3), std::span(slots).subspan(2, 3));
     EXPECT_EQ(some[1], together[3]) << "neighbours must not matter";
