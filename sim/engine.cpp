@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "channel/instruction_set.hpp"
 #include "sim/team_engine.hpp"
 #include "sim/trial.hpp"
 #include "sim/worker_threads.hpp"
@@ -24,8 +25,14 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t group_size = channel::lanes_per_group;
 
-/// Groups that a thread takes at once where one is over in a microsecond, which a lock takes too.
-constexpr std::uint64_t quick_groups = 64;
+/// Groups that a thread takes at once: many where one is over in a microsecond, which a lock takes
+/// too; else as many as the processor has lanes for, unless threads would have nothing to do.
+std::uint64_t groups_at_once(const Link& link, std::uint64_t groups, int threads) {
+  constexpr std::uint64_t quick = 64;
+  if (link.decisions) return quick;
+  const auto at_once = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
+  return groups < at_once * static_cast<std::uint64_t>(threads) ? 1 : at_once;
+}
 
 /// What the workers of one point share.
 class Pool {
@@ -36,7 +43,7 @@ class Pool {
         rule_(stop),
         profiled_(options.profiled),
         end_(options.first_trial + stop.max_frames),
-        batch_(link.decisions ? quick_groups : 1),
+        batch_(groups_at_once(link, stop.max_frames / group_size, options.threads)),
         ahead_(4 * batch_ * static_cast<std::uint64_t>(options.threads)),
         next_((options.first_trial + before.tally.n_frames) / group_size),
         merged_(next_),
@@ -73,16 +80,10 @@ class Pool {
   }
 
  private:
-  int size_of(std::uint64_t group) const {
-    return static_cast<int>(std::min(group_size, end_ - group * group_size));
-  }
-
   std::vector<GroupResult> run_batch(std::uint64_t first) {
-    std::vector<GroupResult> results;
-    for (std::uint64_t group = first; group < first + batch_ && group * group_size < end_; ++group)
-      results.push_back(run_group(link_, static_cast<std::uint32_t>(group * group_size),
-                                  size_of(group), &over_, profiled_));
-    return results;
+    const std::uint64_t trial = first * group_size;
+    const auto n = static_cast<int>(std::min(batch_ * group_size, end_ - trial));
+    return run_groups(link_, static_cast<std::uint32_t>(trial), n, &over_, profiled_);
   }
 
   /// The first group of the next batch to run, not too far ahead of the sum.

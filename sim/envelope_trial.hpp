@@ -13,7 +13,7 @@
 
 namespace sim {
 
-/// The pins of trials first, first + 1, ..., eight at most, all at once.
+/// The pins of trials first, first + 1, ..., as many at once as the processor has lanes for.
 std::vector<dsp::LogicTrace> envelope_pins(const Link& link, std::uint32_t first,
                                            std::span<const Transmission> sent,
                                            const std::atomic<bool>* stop);

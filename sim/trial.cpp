@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <utility>
 
 #include "channel/conditions.hpp"
@@ -145,8 +146,8 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 
-GroupResult count_group(const Link& link, std::uint32_t first,
-                        const std::vector<Transmission>& sent, std::vector<dsp::LogicTrace> pins) {
+GroupResult count_group(const Link& link, std::uint32_t first, std::span<const Transmission> sent,
+                        std::span<dsp::LogicTrace> pins) {
   GroupResult result;
   for (std::size_t i = 0; i < sent.size(); ++i) {
     const Reception heard =
@@ -161,20 +162,46 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-GroupResult envelope_group(const Link& link, std::uint32_t first, int n,
-                           const std::atomic<bool>* stop, bool profiled) {
+/// Trials after step 7, and where the time went.
+struct Heard {
+  std::vector<Transmission> sent;
+  std::vector<dsp::LogicTrace> pins;
+  Profile profile;
+};
+
+Heard hear_waveforms(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
+                     bool profiled) {
+  const Clock::time_point began = Clock::now();
+  TrialGroup group = draw_group(link, first, n);
+  const Clock::time_point drawn = Clock::now();
+  channel::StageClock clock;
+  std::vector<dsp::LogicTrace> pins =
+      pins_of(link, pointers(group.sent), group.inputs, stop, profiled ? &clock : nullptr);
+  return {std::move(group.sent),
+          std::move(pins),
+          {.messages_s = seconds(drawn - began), .chain_s = clock.seconds()}};
+}
+
+Heard hear_envelopes(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
   const Clock::time_point began = Clock::now();
   std::vector<Transmission> sent;
   for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
   const Clock::time_point drawn = Clock::now();
   std::vector<dsp::LogicTrace> pins = envelope_pins(link, first, sent, stop);
-  const Clock::time_point heard = Clock::now();
-  GroupResult result = count_group(link, first, sent, std::move(pins));
-  if (profiled)
-    result.profile = {.messages_s = seconds(drawn - began),
-                      .envelope_s = seconds(heard - drawn),
-                      .decoding_s = seconds(Clock::now() - heard)};
-  return result;
+  const Clock::time_point done = Clock::now();
+  return {std::move(sent),
+          std::move(pins),
+          {.messages_s = seconds(drawn - began), .envelope_s = seconds(done - drawn)}};
+}
+
+/// Calls `run(first, n)` for each group of the trials first ... first + n - 1.
+template <class Run>
+std::vector<GroupResult> each_group(std::uint32_t first, int n, Run run) {
+  std::vector<GroupResult> results;
+  for (int done = 0; done < n; done += channel::lanes_per_group)
+    results.push_back(run(first + static_cast<std::uint32_t>(done),
+                          std::min(channel::lanes_per_group, n - done)));
+  return results;
 }
 
 }  // namespace
@@ -269,22 +296,33 @@ Tally count(const Link& link, const Transmission& sent, const Reception& heard) 
 
 GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
                       bool profiled) {
-  if (link.decisions) return decide_group(link, first, n, profiled);
-  if (link.importance) return run_weighted_group(link, first, n, stop, profiled);
-  if (link.envelope) return envelope_group(link, first, n, stop, profiled);
+  return run_groups(link, first, n, stop, profiled).front();
+}
+
+std::vector<GroupResult> run_groups(const Link& link, std::uint32_t first, int n,
+                                    const std::atomic<bool>* stop, bool profiled) {
+  if (link.decisions)
+    return each_group(first, n, [&](std::uint32_t group, int trials) {
+      return decide_group(link, group, trials, profiled);
+    });
+  if (link.importance)
+    return each_group(first, n, [&](std::uint32_t group, int trials) {
+      return run_weighted_group(link, group, trials, stop, profiled);
+    });
+  Heard heard = link.envelope ? hear_envelopes(link, first, n, stop)
+                              : hear_waveforms(link, first, n, stop, profiled);
   const Clock::time_point began = Clock::now();
-  const TrialGroup group = draw_group(link, first, n);
-  const Clock::time_point drawn = Clock::now();
-  channel::StageClock clock;
-  std::vector<dsp::LogicTrace> pins =
-      pins_of(link, pointers(group.sent), group.inputs, stop, profiled ? &clock : nullptr);
-  const Clock::time_point heard = Clock::now();
-  GroupResult result = count_group(link, first, group.sent, std::move(pins));
-  if (profiled)
-    result.profile = {.messages_s = seconds(drawn - began),
-                      .chain_s = clock.seconds(),
-                      .decoding_s = seconds(Clock::now() - heard)};
-  return result;
+  const std::span<const Transmission> sent(heard.sent);
+  const std::span<dsp::LogicTrace> pins(heard.pins);
+  std::vector<GroupResult> results = each_group(first, n, [&](std::uint32_t group, int trials) {
+    const auto size = static_cast<std::size_t>(trials);
+    return count_group(link, group, sent.subspan(group - first, size),
+                       pins.subspan(group - first, size));
+  });
+  if (!profiled) return results;
+  results.front().profile = heard.profile;
+  results.front().profile.decoding_s = seconds(Clock::now() - began);
+  return results;
 }
 
 }  // namespace sim

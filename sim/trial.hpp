@@ -132,4 +132,10 @@ struct GroupResult {
 GroupResult run_group(const Link& link, std::uint32_t first, int n,
                       const std::atomic<bool>* stop = nullptr, bool profiled = false);
 
+/// The same for groups in a row: of trials first ... first + n - 1, eight a group but for the last.
+/// A profile is the first group's, of all. Where the processor has lanes for several groups they
+/// take about the time of one.
+std::vector<GroupResult> run_groups(const Link& link, std::uint32_t first, int n,
+                                    const std::atomic<bool>* stop = nullptr, bool profiled = false);
+
 }  // namespace sim

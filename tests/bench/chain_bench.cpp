@@ -19,7 +19,7 @@ sim::Link link() {
   return sim::make_link(sim::point_scenario(scenario, {}));
 }
 
-/// What up to eight trials send.
+/// What some trials send.
 struct Group {
   std::vector<sim::Transmission> sent;
   std::vector<channel::ChainInput> inputs;
@@ -38,14 +38,19 @@ struct Group {
 
 /// `used`: the share of the kernel's samples that are some trial's; the rest are those of lanes
 /// whose trial is over before the group's longest.
-void propagate(benchmark::State& state) {
+void propagate_by(benchmark::State& state, channel::InstructionSet set) {
   const sim::Link at = link();
-  const Group group(at, channel::lanes_per_group);
-  for (auto _ : state) benchmark::DoNotOptimize(channel::propagate(at.chain, group.inputs));
+  const int trials = channel::trials_at_once(set);
+  const Group group(at, static_cast<std::uint32_t>(trials));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(channel::propagate(at.chain, group.inputs, nullptr, set));
   report(state, group.samples);
-  state.counters["used"] = group.samples / (channel::lanes_per_group * group.longest);
+  state.counters["used"] = group.samples / (trials * group.longest);
 }
+void propagate(benchmark::State& state) { propagate_by(state, channel::InstructionSet::best); }
 BENCHMARK(propagate)->Unit(benchmark::kMillisecond);
+void propagate_v3(benchmark::State& state) { propagate_by(state, channel::InstructionSet::v3); }
+BENCHMARK(propagate_v3)->Unit(benchmark::kMillisecond);
 
 void propagate_alone(benchmark::State& state) {
   const sim::Link at = link();
@@ -68,14 +73,18 @@ void uart(benchmark::State& state, const char* name) {
 BENCHMARK_CAPTURE(uart, atmega, "atmega")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(uart, mid_bit, "mid-bit")->Unit(benchmark::kMicrosecond);
 
-void run_group(benchmark::State& state) {
+/// Whole trials, messages to tally, as many as run at once.
+void run_groups(benchmark::State& state) {
   const sim::Link at = link();
   double samples = 0;
-  for (auto _ : state)
-    samples = static_cast<double>(sim::run_group(at, 0, channel::lanes_per_group).n_samples);
+  for (auto _ : state) {
+    samples = 0;
+    for (const auto& group : sim::run_groups(at, 0, channel::trials_at_once()))
+      samples += static_cast<double>(group.n_samples);
+  }
   report(state, samples);
 }
-BENCHMARK(run_group)->Unit(benchmark::kMillisecond);
+BENCHMARK(run_groups)->Unit(benchmark::kMillisecond);
 
 /// 256 frames by the thread pool, against the clock on the wall.
 void engine(benchmark::State& state) {

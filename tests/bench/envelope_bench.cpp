@@ -21,14 +21,14 @@ sim::Link link(const std::vector<std::string>& more = {}) {
   return sim::make_link(sim::point_scenario(scenario, {}));
 }
 
-/// Eight trials from the LED's wire to the pin.
+/// As many trials as run at once, from the LED's wire to the pin.
 void envelope_pins(benchmark::State& state, const sim::Link& at) {
   std::vector<sim::Transmission> sent;
   double bits = 0, steps = 0;
-  for (std::uint32_t i = 0; i < channel::lanes_per_group; ++i) {
-    sent.push_back(transmit(at, i));
-    bits += dsp::cycles(sent[i].line.end(), at.device_baud);
-    steps += dsp::cycles(sent[i].line.end(), at.envelope->chain.carrier);
+  for (int i = 0; i < channel::trials_at_once(); ++i) {
+    sent.push_back(transmit(at, static_cast<std::uint32_t>(i)));
+    bits += dsp::cycles(sent.back().line.end(), at.device_baud);
+    steps += dsp::cycles(sent.back().line.end(), at.envelope->chain.carrier);
   }
   for (auto _ : state) benchmark::DoNotOptimize(sim::envelope_pins(at, 0, sent, nullptr));
   report_bits(state, bits);
