@@ -42,6 +42,25 @@ TEST_F(Mpi, AnyNumberOfProcessesGivesTheSameCounts) {
   }
 }
 
+// A sum of weights depends on the order in which it is made.
+TEST_F(Mpi, HoweverErrorsAreMade) {
+  write("rare.toml", "receiver.ebn0_db = 35.4\n");
+  for (const Words& way :
+       {Words{"receiver.module=TSSP4056", "simulation.method=importance"},
+        {"receiver.module=TSSP4056", "simulation.fidelity=envelope"},
+        {"receiver.module=ideal-coherent", "receiver.ebn0_db=8", "simulation.fidelity=decision"}}) {
+    Words run{"run", "rare.toml", "-q", "-t", "1", "-n", "72", "-e", "0"};
+    for (const std::string& key : way) run.insert(run.end(), {"--set", key});
+    const std::string alone = digest_of(program(run).out);
+    for (const int members : {2, 3}) {
+      std::filesystem::remove(path("rare.h5"));
+      const Outcome o = mpirun(members, run);
+      EXPECT_EQ(o.code, 0) << o.err;
+      EXPECT_EQ(digest_of(o.out), alone) << way.back() << ", " << members;
+    }
+  }
+}
+
 TEST_F(Mpi, GoesOnWithWhatWasLeft) {
   const Words run{"run", "s.toml", "-q", "-n", "4000", "-e", "0", "-t", "1"};
   const std::string whole = digest_of(program(run).out);
