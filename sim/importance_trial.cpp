@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <span>
 
 #include "sim/matched_proposal.hpp"
 #include "sim/module_proposal.hpp"
@@ -35,7 +36,7 @@ struct Choice {
 
 class Chooser {
  public:
-  explicit Chooser(const std::vector<TrialProposal>& proposals) {
+  explicit Chooser(std::span<const TrialProposal> proposals) {
     double sum = 0;
     for (const TrialProposal& p : proposals) sum += std::min(1.0, p.proposal.likelihood());
     const auto n = static_cast<double>(proposals.size());
@@ -55,7 +56,7 @@ class Chooser {
   std::vector<double> chances_;
 };
 
-/// The runs of a group.
+/// The runs of some groups, as many as there are trials.
 struct Runs {
   std::vector<Choice> choices{};
   std::vector<TrialNoise> noises{};
@@ -63,23 +64,39 @@ struct Runs {
   std::vector<channel::ChainInput> inputs{};
 };
 
-Runs draw_runs(const Link& link, std::uint32_t first, const TrialGroup& group,
-               const std::vector<TrialProposal>& proposals) {
-  const Chooser choose(proposals);
+/// Some trials that are drawn together, and how.
+struct Trials {
+  std::uint32_t first;
+  TrialGroup drawn;
+  std::vector<TrialProposal> proposals;
+};
+
+void draw_run(const Link& link, std::uint32_t run, const Trials& trials, const Choice& choice,
+              Runs& runs) {
+  const TrialProposal& of = trials.proposals[choice.trial];
+  TrialNoise noise(of.stretches, address(link, run, Purpose::prescribed_noise));
+  of.proposal.draw(noise, address(link, run, Purpose::proposal));
+  channel::ChainInput input = trials.drawn.inputs[choice.trial];
+  input.noise_seed = address(link, run, Purpose::noise_around).block(0);
+  input.noise_windows = noise.windows();
+  runs.choices.push_back(choice);
+  runs.noises.push_back(std::move(noise));
+  runs.sent.push_back(&trials.drawn.sent[choice.trial]);
+  runs.inputs.push_back(std::move(input));
+}
+
+/// Each group chooses among its own trials.
+Runs draw_runs(const Link& link, const Trials& trials) {
   Runs runs;
-  for (std::size_t i = 0; i < proposals.size(); ++i) {
-    const std::uint32_t run = first + static_cast<std::uint32_t>(i);
-    const Choice choice = choose(address(link, run, Purpose::choice).uniform(0));
-    const TrialProposal& of = proposals[choice.trial];
-    TrialNoise noise(of.stretches, address(link, run, Purpose::prescribed_noise));
-    of.proposal.draw(noise, address(link, run, Purpose::proposal));
-    channel::ChainInput input = group.inputs[choice.trial];
-    input.noise_seed = address(link, run, Purpose::noise_around).block(0);
-    input.noise_windows = noise.windows();
-    runs.choices.push_back(choice);
-    runs.noises.push_back(std::move(noise));
-    runs.sent.push_back(&group.sent[choice.trial]);
-    runs.inputs.push_back(std::move(input));
+  const std::span<const TrialProposal> all(trials.proposals);
+  for (const TrialSpan& group : groups_of(all.size())) {
+    const Chooser choose(all.subspan(group.first, group.n));
+    for (std::size_t i = group.first; i < group.first + group.n; ++i) {
+      const std::uint32_t run = trials.first + static_cast<std::uint32_t>(i);
+      Choice choice = choose(address(link, run, Purpose::choice).uniform(0));
+      choice.trial += group.first;
+      draw_run(link, run, trials, choice, runs);
+    }
   }
   return runs;
 }
@@ -91,15 +108,14 @@ double weight_of(const Tally& counted, const Choice& choice, const TrialProposal
   return choice.weight / of.proposal.ratio(noise);
 }
 
-GroupResult count_runs(const Link& link, std::uint32_t first, const Runs& runs,
-                       const std::vector<TrialProposal>& proposals,
-                       std::vector<dsp::LogicTrace> pins) {
+GroupResult count_runs(const Link& link, const Trials& trials, const Runs& runs,
+                       const TrialSpan& group, std::vector<dsp::LogicTrace>& pins) {
   GroupResult result;
   std::vector<double> bit_errors, frames_lost;
-  for (std::size_t i = 0; i < pins.size(); ++i) {
+  for (std::size_t i = group.first; i < group.first + group.n; ++i) {
     const Choice& choice = runs.choices[i];
-    const TrialProposal& of = proposals[choice.trial];
-    const auto trial = first + static_cast<std::uint32_t>(choice.trial);
+    const TrialProposal& of = trials.proposals[choice.trial];
+    const auto trial = trials.first + static_cast<std::uint32_t>(choice.trial);
     const Tally counted = count(link, *runs.sent[i], receive(link, trial, std::move(pins[i])));
     const double weight = weight_of(counted, choice, of, runs.noises[i]);
     bit_errors.push_back(weight * static_cast<double>(counted.n_bit_errors));
@@ -114,26 +130,34 @@ GroupResult count_runs(const Link& link, std::uint32_t first, const Runs& runs,
   return result;
 }
 
+Trials draw_trials(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
+                   channel::StageClock* clock) {
+  Trials trials{first, draw_group(link, first, n), {}};
+  trials.proposals = proposals_of(link, trials.drawn, stop, clock);
+  return trials;
+}
+
 }  // namespace
 
-GroupResult run_weighted_group(const Link& link, std::uint32_t first, int n,
-                               const std::atomic<bool>* stop, bool profiled) {
+std::vector<GroupResult> run_weighted_groups(const Link& link, std::uint32_t first, int n,
+                                             const std::atomic<bool>* stop, bool profiled) {
   const Clock::time_point began = Clock::now();
   channel::StageClock clock;
   channel::StageClock* const timed = profiled ? &clock : nullptr;
-  const TrialGroup group = draw_group(link, first, n);
-  const std::vector<TrialProposal> proposals = proposals_of(link, group, stop, timed);
-  const Runs runs = draw_runs(link, first, group, proposals);
+  const Trials trials = draw_trials(link, first, n, stop, timed);
+  const Runs runs = draw_runs(link, trials);
   std::vector<dsp::LogicTrace> pins = pins_of(link, runs.sent, runs.inputs, stop, timed);
   const Clock::time_point heard = Clock::now();
-  GroupResult result = count_runs(link, first, runs, proposals, std::move(pins));
-  if (!profiled) return result;
+  std::vector<GroupResult> results;
+  for (const TrialSpan& group : groups_of(pins.size()))
+    results.push_back(count_runs(link, trials, runs, group, pins));
+  if (!profiled) return results;
   double chain = 0;
   for (const double stage : clock.seconds()) chain += stage;
-  result.profile = {.messages_s = seconds(heard - began) - chain,
-                    .chain_s = clock.seconds(),
-                    .decoding_s = seconds(Clock::now() - heard)};
-  return result;
+  results.front().profile = {.messages_s = seconds(heard - began) - chain,
+                             .chain_s = clock.seconds(),
+                             .decoding_s = seconds(Clock::now() - heard)};
+  return results;
 }
 
 }  // namespace sim

@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// run_group for such a link. The tally's own counts are those of the runs as drawn.
-GroupResult run_weighted_group(const Link& link, std::uint32_t first, int n,
-                               const std::atomic<bool>* stop, bool profiled);
+/// run_groups for such a link. The tally's own counts are those of the runs as drawn.
+std::vector<GroupResult> run_weighted_groups(const Link& link, std::uint32_t first, int n,
+                                             const std::atomic<bool>* stop, bool profiled);
 
 }  // namespace sim

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <span>
 #include <utility>
 
 #include "channel/conditions.hpp"
@@ -146,13 +145,12 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 
-GroupResult count_group(const Link& link, std::uint32_t first, std::span<const Transmission> sent,
-                        std::span<dsp::LogicTrace> pins) {
+GroupResult count_group(const Link& link, std::uint32_t first, const TrialSpan& group,
+                        const std::vector<Transmission>& sent, std::vector<dsp::LogicTrace>& pins) {
   GroupResult result;
-  for (std::size_t i = 0; i < sent.size(); ++i) {
-    const Reception heard =
-        receive(link, first + static_cast<std::uint32_t>(i), std::move(pins[i]));
-    result.tally += count(link, sent[i], heard);
+  for (std::size_t i = group.first; i < group.first + group.n; ++i) {
+    const auto trial = first + static_cast<std::uint32_t>(i);
+    result.tally += count(link, sent[i], receive(link, trial, std::move(pins[i])));
     add_cost(result, link, sent[i]);
   }
   return result;
@@ -194,13 +192,12 @@ Heard hear_envelopes(const Link& link, std::uint32_t first, int n, const std::at
           {.messages_s = seconds(drawn - began), .envelope_s = seconds(done - drawn)}};
 }
 
-/// Calls `run(first, n)` for each group of the trials first ... first + n - 1.
-template <class Run>
-std::vector<GroupResult> each_group(std::uint32_t first, int n, Run run) {
+std::vector<GroupResult> decide_groups(const Link& link, std::uint32_t first, int n,
+                                       bool profiled) {
   std::vector<GroupResult> results;
-  for (int done = 0; done < n; done += channel::lanes_per_group)
-    results.push_back(run(first + static_cast<std::uint32_t>(done),
-                          std::min(channel::lanes_per_group, n - done)));
+  for (const TrialSpan& group : groups_of(static_cast<std::size_t>(n)))
+    results.push_back(decide_group(link, first + static_cast<std::uint32_t>(group.first),
+                                   static_cast<int>(group.n), profiled));
   return results;
 }
 
@@ -301,24 +298,14 @@ GroupResult run_group(const Link& link, std::uint32_t first, int n, const std::a
 
 std::vector<GroupResult> run_groups(const Link& link, std::uint32_t first, int n,
                                     const std::atomic<bool>* stop, bool profiled) {
-  if (link.decisions)
-    return each_group(first, n, [&](std::uint32_t group, int trials) {
-      return decide_group(link, group, trials, profiled);
-    });
-  if (link.importance)
-    return each_group(first, n, [&](std::uint32_t group, int trials) {
-      return run_weighted_group(link, group, trials, stop, profiled);
-    });
+  if (link.decisions) return decide_groups(link, first, n, profiled);
+  if (link.importance) return run_weighted_groups(link, first, n, stop, profiled);
   Heard heard = link.envelope ? hear_envelopes(link, first, n, stop)
                               : hear_waveforms(link, first, n, stop, profiled);
   const Clock::time_point began = Clock::now();
-  const std::span<const Transmission> sent(heard.sent);
-  const std::span<dsp::LogicTrace> pins(heard.pins);
-  std::vector<GroupResult> results = each_group(first, n, [&](std::uint32_t group, int trials) {
-    const auto size = static_cast<std::size_t>(trials);
-    return count_group(link, group, sent.subspan(group - first, size),
-                       pins.subspan(group - first, size));
-  });
+  std::vector<GroupResult> results;
+  for (const TrialSpan& group : groups_of(heard.sent.size()))
+    results.push_back(count_group(link, first, group, heard.sent, heard.pins));
   if (!profiled) return results;
   results.front().profile = heard.profile;
   results.front().profile.decoding_s = seconds(Clock::now() - began);

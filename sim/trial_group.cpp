@@ -1,5 +1,6 @@
 #include "sim/trial_group.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sim {
@@ -24,6 +25,14 @@ std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const T
   std::vector<channel::BitSlots> slots;
   for (const Transmission* trial : sent) slots.push_back(bit_slots(link, *trial));
   return channel::detect(link.chain, *link.ideal, inputs, slots, stop, best, clock);
+}
+
+std::vector<TrialSpan> groups_of(std::size_t trials) {
+  constexpr std::size_t size = channel::lanes_per_group;
+  std::vector<TrialSpan> groups;
+  for (std::size_t first = 0; first < trials; first += size)
+    groups.push_back({first, std::min(size, trials - first)});
+  return groups;
 }
 
 std::vector<const Transmission*> pointers(const std::vector<Transmission>& sent) {

@@ -1,6 +1,7 @@
 #pragma once
-// What is drawn for a group of trials that run together, and their pins.
+// What is drawn for trials that run together, and their pins; and which of them are a group.
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -22,6 +23,14 @@ TrialGroup draw_group(const Link& link, std::uint32_t first, int n);
 std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const Transmission*>& sent,
                                      const std::vector<channel::ChainInput>& inputs,
                                      const std::atomic<bool>* stop, channel::StageClock* clock);
+
+/// A group among trials that run together.
+struct TrialSpan {
+  std::size_t first, n;
+};
+
+/// So many trials in groups, the last of which may be smaller.
+std::vector<TrialSpan> groups_of(std::size_t trials);
 
 /// To each of them.
 std::vector<const Transmission*> pointers(const std::vector<Transmission>& sent);
