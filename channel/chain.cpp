@@ -158,11 +158,11 @@ std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop, InstructionSet set,
                                        StageClock* clock) {
-  return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
-    const std::span<const ChainInput> part = inputs.subspan(first, n);
+  return pins_by_length(inputs, set, [&](std::span<const std::size_t> which) {
+    const std::vector<ChainInput> part = picked(inputs, which);
     PinWriter pins(part, design.sample_rate, stop);
     PreparedGroup group(design, part, pins);
-    run(group.kernel, n, set, clock);
+    run(group.kernel, part.size(), set, clock);
     return pins.take();
   });
 }
@@ -185,13 +185,14 @@ std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign
                                     std::span<const BitSlots> slots, const std::atomic<bool>* stop,
                                     InstructionSet set, StageClock* clock) {
   assert(slots.size() == inputs.size());
-  return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
-    const std::span<const ChainInput> part = inputs.subspan(first, n);
+  return pins_by_length(inputs, set, [&](std::span<const std::size_t> which) {
+    const std::vector<ChainInput> part = picked(inputs, which);
+    const std::vector<BitSlots> part_slots = picked(slots, which);
     PinWriter unused(part, design.sample_rate, stop);
-    SlotWriter pins(receiver, slots.subspan(first, n), design.sample_rate, stop);
+    SlotWriter pins(receiver, part_slots, design.sample_rate, stop);
     PreparedGroup group(design, part, unused);
     pins.attach_to(group.kernel);
-    run(group.kernel, n, set, clock);
+    run(group.kernel, part.size(), set, clock);
     return pins.take(ends_of(part));
   });
 }

@@ -60,9 +60,10 @@ struct ChainInput {
 /// Trials that belong together: a random number of theirs, or a result, may be the group's.
 constexpr int lanes_per_group = 8;
 
-/// The module's pin for each of the trials, as many at once as the processor has lanes for. Gives up
-/// soon after `*stop` has become true; the pins are then worth nothing. `clock`, if given, is told
-/// where the time goes.
+/// The module's pin for each of the trials, as many at once as the processor has lanes for, and
+/// those of like length together, so many trials at a call are the faster. Gives up soon after
+/// `*stop` has become true; the pins are then worth nothing. `clock`, if given, is told where the
+/// time goes.
 std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
                                        std::span<const ChainInput> inputs,
                                        const std::atomic<bool>* stop = nullptr,

@@ -64,8 +64,9 @@ struct EnvelopeInput {
 };
 
 /// The module's pin for each of the trials, as many at once as the processor has lanes for. `steps`
-/// of each stretch are the same in all of them, and whole blocks; stretches are in order, do not overlap and hold all light
-/// of the drive. Gives up soon after `*stop` has become true; the pins are then worth nothing.
+/// of each stretch are the same in all of them, and whole blocks; stretches are in order, do not
+/// overlap and hold all light of the drive. Gives up soon after `*stop` has become true; the pins
+/// are then worth nothing.
 std::vector<dsp::LogicTrace> propagate_envelopes(const EnvelopeChain& chain,
                                                  std::span<const EnvelopeInput> inputs,
                                                  std::span<const std::int32_t> steps,

@@ -25,13 +25,24 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t group_size = channel::lanes_per_group;
 
-/// Groups that a thread takes at once: many where one is over in a microsecond, which a lock takes
-/// too; else as many as the processor has lanes for, unless threads would have nothing to do.
-std::uint64_t groups_at_once(const Link& link, std::uint64_t groups, int threads) {
+/// How many groups a thread takes at once.
+struct BatchSizes {
+  std::uint64_t least, most;
+};
+
+/// Many where one is over in a microsecond, which a lock takes too; else as many as the processor
+/// has lanes for, unless threads would have nothing to do. Of waveforms up to eight times as many,
+/// about a second's work: of more trials more are of like length (channel::propagate).
+BatchSizes batch_sizes(const Link& link, std::uint64_t groups, int threads) {
   constexpr std::uint64_t quick = 64;
-  if (link.decisions) return quick;
-  const auto at_once = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
-  return groups < at_once * static_cast<std::uint64_t>(threads) ? 1 : at_once;
+  if (link.decisions) return {quick, quick};
+  const auto lanes = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
+  if (groups < lanes * static_cast<std::uint64_t>(threads)) return {1, 1};
+  if (link.envelope || link.importance) return {lanes, lanes};
+  constexpr double samples_a_batch = 0x1p28;
+  const double samples = dsp::cycles(mean_length(link), link.chain.sample_rate) * group_size;
+  return {lanes,
+          std::clamp(static_cast<std::uint64_t>(samples_a_batch / samples), lanes, 8 * lanes)};
 }
 
 /// What the workers of one point share.
@@ -43,16 +54,19 @@ class Pool {
         rule_(stop),
         profiled_(options.profiled),
         end_(options.first_trial + stop.max_frames),
-        batch_(groups_at_once(link, stop.max_frames / group_size, options.threads)),
-        ahead_(4 * batch_ * static_cast<std::uint64_t>(options.threads)),
-        next_((options.first_trial + before.tally.n_frames) / group_size),
-        merged_(next_),
-        sum_{before.tally, before.simulated_s, before.n_samples, before.profile} {}
+        threads_(static_cast<std::uint64_t>(options.threads)),
+        sizes_(batch_sizes(link, stop.max_frames / group_size, options.threads)),
+        ahead_(4 * sizes_.most * threads_),
+        first_((options.first_trial + before.tally.n_frames) / group_size),
+        next_(first_),
+        merged_(first_),
+        sum_{before.tally, before.simulated_s, before.n_samples, before.profile},
+        over_(next_ * group_size >= end_) {}
 
   void work() {
-    while (const auto first = take()) {
+    while (const auto batch = take()) {
       try {
-        give(*first, run_batch(*first));
+        give(batch->first, run_batch(*batch));
       } catch (...) {
         fail(std::current_exception());
       }
@@ -80,27 +94,40 @@ class Pool {
   }
 
  private:
-  std::vector<GroupResult> run_batch(std::uint64_t first) {
-    const std::uint64_t trial = first * group_size;
-    const auto n = static_cast<int>(std::min(batch_ * group_size, end_ - trial));
+  /// Groups first ... first + n - 1, the last of which may be smaller.
+  struct Batch {
+    std::uint64_t first, n;
+  };
+
+  std::vector<GroupResult> run_batch(const Batch& batch) {
+    const std::uint64_t trial = batch.first * group_size;
+    const auto n = static_cast<int>(std::min(batch.n * group_size, end_ - trial));
     return run_groups(link_, static_cast<std::uint32_t>(trial), n, &over_, profiled_);
   }
 
-  /// The first group of the next batch to run, not too far ahead of the sum.
-  std::optional<std::uint64_t> take() {
+  /// The next batch to run, not too far ahead of the sum.
+  std::optional<Batch> take() {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return over_ || next_ < merged_ + ahead_; });
     if (over_ || next_ * group_size >= end_) return std::nullopt;
-    return std::exchange(next_, next_ + batch_);
+    const std::uint64_t n = next_size();
+    return Batch{std::exchange(next_, next_ + n), n};
+  }
+
+  /// Small at first, as the rule may soon stop, and at last, so that threads are done together.
+  std::uint64_t next_size() const {
+    const std::uint64_t done = next_ - first_, left = (end_ - next_ * group_size) / group_size;
+    const std::uint64_t n = std::min(done, left) / (2 * threads_);
+    return std::clamp(n - n % sizes_.least, sizes_.least, sizes_.most);
   }
 
   void give(std::uint64_t first, std::vector<GroupResult> results) {
     const std::lock_guard lock(mutex_);
     waiting_[first] = std::move(results);
     while (!over_ && waiting_.contains(merged_)) {
-      add(waiting_[merged_]);
-      waiting_.erase(merged_);
-      merged_ += batch_;
+      const auto batch = waiting_.extract(merged_);
+      add(batch.mapped());
+      merged_ += batch.mapped().size();
     }
     room_.notify_all();
     if (over_) ended_.notify_all();
@@ -135,9 +162,11 @@ class Pool {
   const Link& link_;
   const StopRule rule_;
   const bool profiled_;
-  const std::uint64_t end_;    // of the trials
-  const std::uint64_t batch_;  // groups that a thread takes at once
+  const std::uint64_t end_;  // of the trials
+  const std::uint64_t threads_;
+  const BatchSizes sizes_;
   const std::uint64_t ahead_;
+  const std::uint64_t first_;  // group that is run
 
   std::mutex mutex_;
   std::condition_variable room_;   // for further groups, or the point is over
@@ -146,8 +175,8 @@ class Pool {
   std::uint64_t merged_;           // groups in the sum
   std::map<std::uint64_t, std::vector<GroupResult>> waiting_;  // by the first of their groups
   GroupResult sum_;
-  std::atomic<bool> over_ = false;  // written under the mutex; groups under way look at it
-  StopReason reason_ = StopReason::interrupted;
+  std::atomic<bool> over_;  // written under the mutex; groups under way look at it
+  StopReason reason_ = StopReason::max_frames;
   std::exception_ptr failure_;
 };
 

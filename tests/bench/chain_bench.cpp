@@ -86,10 +86,10 @@ void run_groups(benchmark::State& state) {
 }
 BENCHMARK(run_groups)->Unit(benchmark::kMillisecond);
 
-/// 256 frames by the thread pool, against the clock on the wall.
+/// 1024 frames by the thread pool, against the clock on the wall.
 void engine(benchmark::State& state) {
   const sim::Link at = link();
-  const sim::StopRule stop{.max_frames = 256, .max_frame_errors = 0};
+  const sim::StopRule stop{.max_frames = 1024, .max_frame_errors = 0};
   double samples = 0;
   for (auto _ : state) {
     const auto result = run_point(at, stop, {.threads = static_cast<int>(state.range(0))});
