@@ -21,36 +21,47 @@ constexpr std::uint64_t group_size = channel::lanes_per_group;
 // Between waves the members wait for the slowest, so waves are long against that, but not so long
 // that a user who interrupts must wait.
 constexpr double short_wave_s = 0.25, long_wave_s = 1;
-constexpr std::size_t largest_wave = 1 << 15;  // batches of a member
+constexpr std::uint64_t largest_wave = 1 << 16;  // groups of a member
 
-/// Groups that a thread takes at once, in all members alike: as many as the widest processors have
-/// lanes for.
-constexpr std::uint64_t batch_size = channel::most_lanes / group_size;
+/// Groups that a thread takes at once: at least as many as the widest processors have lanes for,
+/// and where there are more, up to eight times as many (sim/engine.cpp).
+constexpr std::uint64_t least_batch = channel::most_lanes / group_size;
+constexpr std::uint64_t most_batch = 8 * least_batch;
 
-/// The batches that one member runs between two exchanges, `stride` groups apart from group `first`
-/// on.
+std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
+
+/// What all members run between two exchanges, each its share of groups, in the order of the ranks.
 struct Wave {
-  std::uint64_t first, stride;
-  std::size_t batches;
-  std::uint64_t end_trial;  // of the point; groups behind it are empty
+  std::uint64_t first, share;  // groups
+  std::uint64_t end_trial;     // of the point; groups behind it are empty
 
-  std::size_t groups() const { return batches * batch_size; }
-  std::uint64_t trial_of(std::size_t i) const { return (first + i * stride) * group_size; }
-  int size_of(std::size_t i) const {
-    const std::uint64_t left = end_trial - std::min(end_trial, trial_of(i));
-    return static_cast<int>(std::min(batch_size * group_size, left));
+  /// Trials among some groups.
+  int trials_in(std::uint64_t group, std::uint64_t groups) const {
+    const std::uint64_t left = end_trial - std::min(end_trial, group * group_size);
+    return static_cast<int>(std::min(groups * group_size, left));
   }
 };
 
-/// Runs a wave on some threads.
+/// Batches of a thread, all alike.
+std::uint64_t batch_size(std::uint64_t share, std::uint64_t threads) {
+  const std::uint64_t rounds = divided_up(share, most_batch * threads);
+  return divided_up(divided_up(share, rounds * threads), least_batch) * least_batch;
+}
+
+/// Runs a member's share of a wave on some threads.
 class WaveRun {
  public:
-  WaveRun(const Link& link, const Wave& wave, const EngineOptions& options)
-      : link_(link), wave_(wave), options_(options), results_(wave.groups()) {}
+  WaveRun(const Link& link, const Wave& wave, std::uint64_t rank, const EngineOptions& options)
+      : link_(link),
+        wave_(wave),
+        first_(wave.first + rank * wave.share),
+        batch_(batch_size(wave.share, static_cast<std::uint64_t>(options.threads))),
+        options_(options),
+        results_(wave.share) {}
 
   std::vector<GroupResult> run() {
     start_threads(
-        options_.threads, [this] { work(); }, [this] { next_ = wave_.batches; })
+        options_.threads, [this] { work(); }, [this] { next_ = wave_.share; })
         .clear();  // waits for them
     if (failure_) std::rethrow_exception(failure_);
     return std::move(results_);
@@ -59,44 +70,51 @@ class WaveRun {
  private:
   void work() {
     try {
-      for (std::size_t i = next_++; i < wave_.batches; i = next_++)
-        if (const int n = wave_.size_of(i); n > 0)
-          std::ranges::move(run_groups(link_, static_cast<std::uint32_t>(wave_.trial_of(i)), n,
-                                       options_.interrupt, options_.profiled),
-                            results_.data() + i * batch_size);
+      for (std::uint64_t i = next_ += batch_; i - batch_ < wave_.share; i = next_ += batch_)
+        run_batch(i - batch_);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       failure_ = std::current_exception();
     }
   }
 
+  void run_batch(std::uint64_t i) {
+    const std::uint64_t group = first_ + i;
+    const int n = wave_.trials_in(group, std::min(batch_, wave_.share - i));
+    if (n == 0) return;
+    std::ranges::move(run_groups(link_, static_cast<std::uint32_t>(group * group_size), n,
+                                 options_.interrupt, options_.profiled),
+                      results_.data() + i);
+  }
+
   const Link& link_;
   const Wave wave_;
+  const std::uint64_t first_, batch_;  // groups
   const EngineOptions& options_;
-  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::uint64_t> next_ = 0;
   std::vector<GroupResult> results_;
   std::mutex mutex_;
   std::exception_ptr failure_;
 };
 
 /// Adds what all members ran in the order of the trials, up to where the rule stops.
-std::optional<StopReason> add_in_order(const std::vector<GroupResult>& all, std::size_t members,
-                                       const StopRule& rule, GroupResult& sum) {
-  const std::size_t groups = all.size() / members;
-  for (std::size_t batch = 0; batch < groups; batch += batch_size) {
-    for (std::size_t member = 0; member < members; ++member) {
-      for (std::size_t i = batch; i < batch + batch_size; ++i) {
-        sum += all[member * groups + i];
-        if (const auto reason = stop_reason(rule, sum.tally)) return reason;
-      }
-    }
+std::optional<StopReason> add_in_order(const std::vector<GroupResult>& all, const StopRule& rule,
+                                       GroupResult& sum) {
+  for (const GroupResult& group : all) {
+    sum += group;
+    if (const auto reason = stop_reason(rule, sum.tally)) return reason;
   }
   return std::nullopt;
 }
 
-std::size_t next_size(std::size_t batches, double seconds) {
-  if (seconds < short_wave_s) return std::min(2 * batches, largest_wave);
-  return seconds > long_wave_s ? std::max<std::size_t>(batches / 2, 1) : batches;
+/// The share of the next wave, at most what is left for all.
+std::uint64_t next_share(const Wave& done, std::uint64_t members, double seconds) {
+  std::uint64_t share = done.share;
+  if (seconds < short_wave_s) share = std::min(2 * share, largest_wave);
+  if (seconds > long_wave_s) share = std::max(share / 2, least_batch);
+  const std::uint64_t next = done.first + done.share * members;
+  const std::uint64_t left = divided_up(done.end_trial, group_size) - next;
+  return std::min(share, divided_up(left, members));
 }
 
 }  // namespace
@@ -109,24 +127,25 @@ PointResult run_point_together(const Link& link, const StopRule& stop, const Eng
     return std::chrono::duration<double>(Clock::now() - then).count();
   };
   const auto members = static_cast<std::uint64_t>(team.size());
+  const auto rank = static_cast<std::uint64_t>(team.rank());
   GroupResult sum{before.tally, before.simulated_s, before.n_samples, before.profile};
-  Wave wave{(options.first_trial + sum.tally.n_frames) / group_size +
-                static_cast<std::uint64_t>(team.rank()) * batch_size,
-            members * batch_size, static_cast<std::size_t>(team.largest(options.threads)),
+  Wave wave{(options.first_trial + sum.tally.n_frames) / group_size,
+            least_batch * static_cast<std::uint64_t>(team.largest(options.threads)),
             options.first_trial + stop.max_frames};
   for (;;) {
     const auto wave_began = Clock::now();
-    const auto mine = WaveRun(link, wave, options).run();
+    const auto mine = WaveRun(link, wave, rank, options).run();
     const double seconds = team.largest(since(wave_began));
     if (team.any(options.interrupt != nullptr && *options.interrupt))
       return as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began));
-    const auto reason = add_in_order(team.exchange(mine), members, stop, sum);
+    const auto reason = add_in_order(team.exchange(mine), stop, sum);
     if (reason) return as_point(sum, *reason, link, before.elapsed_s + since(began));
     if (options.on_progress)
       options.on_progress(
           as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began)));
-    wave.first += wave.groups() * members;
-    wave.batches = next_size(wave.batches, seconds);
+    const std::uint64_t share = next_share(wave, members, seconds);
+    wave.first += wave.share * members;
+    wave.share = share;
   }
 }
 
