@@ -174,7 +174,8 @@ class Irradiance {
 /// A block of light to the module's pins, bit i of each being lane i's. A probe looks behind each
 /// sample, so its loops are one long.
 template <class T, class Probe>
-void receive(ReceiverModule<T>& module, const T* x, int length, dsp::LaneBits<T>* pins, Probe probe) {
+void receive(ReceiverModule<T>& module, const T* x, int length, dsp::LaneBits<T>* pins,
+             Probe probe) {
   constexpr int step = Probe::looks ? 1 : block;
   T peak[step];
   for (int first = 0; first < length; first += step) {

@@ -1,10 +1,11 @@
 #pragma once
 // One trial, eight or sixteen from one source: a stage is written over T = float, Lanes8 (eight
-// independent trials in the lanes of one vector) or Lanes16 (dsp/lanes16.hpp) and holds no `if` on a sample, only choose(mask,
-// a, b). Every operation here is exactly rounded, so a lane computes the same bits as float does,
-// whatever the instruction set. Code built for several of them sets COSYS_ISA: a namespace of its
-// own keeps the linker from mixing them. For the same reason no std:: template may see a bare
-// vector here: std::bit_cast of one would be one symbol with two calling conventions.
+// independent trials in the lanes of one vector) or Lanes16 (dsp/lanes16.hpp) and holds no `if` on
+// a sample, only choose(mask, a, b). Every operation here is exactly rounded, so a lane computes
+// the same bits as float does, whatever the instruction set. Code built for several of them sets
+// COSYS_ISA: a namespace of its own keeps the linker from mixing them. For the same reason no std::
+// template may see a bare vector here: std::bit_cast of one would be one symbol with two calling
+// conventions.
 #include <cmath>
 #include <cstdint>
 
