@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 #include "dsp/truncated_orthant.hpp"
 #include "sim/link.hpp"
@@ -15,6 +17,10 @@ namespace {
 
 /// Likelihoods are worked out for multiples of these, in standard deviations, and interpolated.
 constexpr double level_step = 0.25, slope_step = 0.1;
+/// Levels and slopes beyond these count as these: below is sure, above next to impossible.
+constexpr double lowest_level = -10, highest_level = 30, steepest = 10;
+constexpr int n_levels = static_cast<int>((highest_level - lowest_level) / level_step) + 2;
+constexpr int n_slopes = 2 * static_cast<int>(steepest / slope_step) + 2;
 
 /// Covariance of so many peaks in a row.
 Eigen::MatrixXd peak_covariance(const Link& link, int n) {
@@ -28,33 +34,43 @@ Eigen::MatrixXd peak_covariance(const Link& link, int n) {
 std::shared_ptr<ImportanceLink> with_readings(const Eigen::MatrixXd& covariances) {
   auto link = std::make_shared<ImportanceLink>();
   link->readings = static_cast<int>(covariances.rows());
-  link->likelihoods = std::make_unique<LikelihoodTable>(covariances.llt().matrixL());
+  link->likelihoods = std::make_unique<const LikelihoodTable>(covariances.llt().matrixL());
   return link;
 }
 
 }  // namespace
 
-double LikelihoodTable::of(const Eigen::VectorXd& levels) {
-  const auto n = static_cast<double>(levels.size());
-  const double rise = n > 1 ? (levels[levels.size() - 1] - levels[0]) / (n - 1) : 0;
-  const double level = levels.mean() / level_step, slope = rise / slope_step;
-  const int row = static_cast<int>(std::floor(level)), column = static_cast<int>(std::floor(slope));
-  const std::lock_guard lock(mutex_);
+LikelihoodTable::LikelihoodTable(Eigen::MatrixXd cholesky)
+    : cholesky_(std::move(cholesky)), known_(static_cast<std::size_t>(n_levels * n_slopes)) {
+  for (std::atomic<double>& log_p : known_) log_p = std::numeric_limits<double>::quiet_NaN();
+}
+
+double LikelihoodTable::of(double level, double rise) const {
+  const double y = (std::clamp(level, lowest_level, highest_level) - lowest_level) / level_step;
+  const double x = (std::clamp(rise, -steepest, steepest) + steepest) / slope_step;
+  const int row = static_cast<int>(y), column = static_cast<int>(x);
   const auto between_slopes = [&](int at) {
-    return std::lerp(known(at, column), known(at, column + 1), slope - column);
+    return std::lerp(known(at, column), known(at, column + 1), x - column);
   };
-  const double log_p = std::lerp(between_slopes(row), between_slopes(row + 1), level - row);
+  const double log_p = std::lerp(between_slopes(row), between_slopes(row + 1), y - row);
   return std::exp(std::min(0.0, log_p));
 }
 
-double LikelihoodTable::known(int row, int column) {
-  const auto [place, unknown] = known_.try_emplace({row, column});
-  if (!unknown) return place->second;
+double LikelihoodTable::known(int row, int column) const {
+  std::atomic<double>& place = known_[static_cast<std::size_t>(row * n_slopes + column)];
+  double log_p = place.load(std::memory_order_relaxed);
+  if (!std::isnan(log_p)) return log_p;
+  log_p = worked_out(row, column);
+  place.store(log_p, std::memory_order_relaxed);
+  return log_p;
+}
+
+double LikelihoodTable::worked_out(int row, int column) const {
+  const double level = lowest_level + row * level_step, rise = column * slope_step - steepest;
   const Eigen::Index n = cholesky_.rows();
   const double half = 0.5 * static_cast<double>(n - 1);
   const Eigen::VectorXd places = Eigen::VectorXd::LinSpaced(n, -half, half);
-  const Eigen::VectorXd line = (column * slope_step * places).array() + row * level_step;
-  return place->second = dsp::minimax_tilt(cholesky_, line).log_probability;
+  return dsp::minimax_tilt(cholesky_, (rise * places).array() + level).log_probability;
 }
 
 std::shared_ptr<const ImportanceLink> make_importance_link(const Link& link) {

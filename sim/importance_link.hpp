@@ -1,10 +1,9 @@
 #pragma once
 // What the trials of a point share where they are drawn by importance sampling (sim/method).
 #include <Eigen/Core>
-#include <map>
+#include <atomic>
 #include <memory>
-#include <mutex>
-#include <utility>
+#include <vector>
 
 #include "channel/decision.hpp"
 #include "channel/receiver_module.hpp"
@@ -18,15 +17,18 @@ struct Link;
 /// arguments alone.
 class LikelihoodTable {
  public:
-  explicit LikelihoodTable(Eigen::MatrixXd cholesky) : cholesky_(std::move(cholesky)) {}
-  double of(const Eigen::VectorXd& levels);
+  explicit LikelihoodTable(Eigen::MatrixXd cholesky);
+  /// `level`: mean of the levels; `rise`: from one to the next; both in standard deviations.
+  double of(double level, double rise) const;
 
  private:
-  double known(int row, int column);
+  double known(int row, int column) const;
+  double worked_out(int row, int column) const;
 
   const Eigen::MatrixXd cholesky_;
-  std::mutex mutex_;
-  std::map<std::pair<int, int>, double> known_;  // ln of the likelihood by level and slope
+  /// ln of the likelihood by level and slope; NaN: not yet asked for. Threads that ask at once work
+  /// out the same number.
+  mutable std::vector<std::atomic<double>> known_;
 };
 
 struct ImportanceLink {
@@ -34,7 +36,7 @@ struct ImportanceLink {
   /// 1: a matched receiver, which decides by one number a bit.
   int readings = 1;
   channel::CorrelatorOutput output{};  // of a matched receiver
-  std::unique_ptr<LikelihoodTable> likelihoods{};
+  std::unique_ptr<const LikelihoodTable> likelihoods{};
 };
 
 /// Of a module's link that is complete but for this.

@@ -67,7 +67,7 @@ class Builder {
       add_ring(slot.begin, tones, bit.share, threshold / output.deviation_dark);
   }
 
-  Proposal take() { return {std::move(readings_), std::move(spots_), std::move(coefficients_)}; }
+  Proposal take() { return {std::move(readings_), spots_, std::move(coefficients_)}; }
 
  private:
   void add_ring(std::int64_t first, const Tones& tones, double share, double radius) {
@@ -80,16 +80,16 @@ class Builder {
   void add_spot(std::int64_t first, const Tones& tones, double share, double phase, double level) {
     if (level > highest_level) return;
     coefficients_.push_back(tones.at(phase));
-    readings_.push_back({first, coefficients_.back()});
-    const Eigen::VectorXd levels = Eigen::VectorXd::Constant(1, level - slack);
-    const double about = link_.importance->likelihoods->of(levels);
-    spots_.push_back({readings_.size() - 1, levels, share * about});
+    readings_.of.push_back({first, coefficients_.back()});
+    readings_.levels.push_back(level);
+    const double about = link_.importance->likelihoods->of(level - slack, 0);
+    spots_.push_back({readings_.of.size() - 1, slack, share * about});
   }
 
   const Link& link_;
   double cycles_per_sample_, phase_;
   std::vector<std::vector<float>> coefficients_;
-  std::vector<NoiseReading> readings_;
+  Readings readings_;
   std::vector<WeakSpot> spots_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "sim/exposed_bits.hpp"
 #include "sim/importance_link.hpp"
@@ -34,6 +36,10 @@ constexpr double lowest_level = -8, steepest = 10;
 
 /// Samples, on the grid of a chain.
 double samples(dsp::Seconds t, const Link& link) { return t.value * link.chain.sample_rate.value; }
+
+double mean_of(std::span<const double> x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
 
 /// One stretch of a message: its bits, and the margins of the light without noise around them.
 struct Part {
@@ -112,17 +118,20 @@ std::vector<channel::MarginWindow> margin_windows(std::vector<Part>& parts) {
 class Builder {
  public:
   Builder(const Link& link, const PeakReadings& peaks)
-      : link_(link), peaks_(peaks), reach_(far_reach(link)), near_(near_reach(link)) {}
+      : link_(link), peaks_(peaks), reach_(far_reach(link)), near_(near_reach(link)) {
+    readings_.row = link.importance->readings;
+  }
 
   void add(const Part& part) {
     const std::int64_t first = first_peak(part);
     const std::int64_t last =
         peaks_.first_from(static_cast<double>(part.stretch.end()) - peaks_.cycle());
-    const std::size_t base = readings_.size();
+    const std::size_t base = readings_.of.size();
     std::vector<double> levels;
     for (std::int64_t peak = first; peak < last; ++peak) {
-      readings_.push_back(peaks_.reading(peak));
       levels.push_back(level(part, peak));
+      readings_.of.push_back(peaks_.reading(peak));
+      readings_.levels.push_back(std::max(levels.back(), lowest_level));
     }
     for (const ExposedBit& bit : part.bits) {
       if (bit.light)
@@ -133,7 +142,7 @@ class Builder {
   }
 
   double dark_likelihood() const { return dark_likelihood_; }
-  Proposal take() { return {std::move(readings_), std::move(spots_)}; }
+  Proposal take() { return {std::move(readings_), spots_}; }
 
  private:
   /// With a margin, and whose reading does not begin before the trial.
@@ -156,7 +165,7 @@ class Builder {
 
   /// All rows whose last peak is within reach of a bit. `levels` are of the peaks from `first` on,
   /// whose readings begin at `base`.
-  void add_rows(std::size_t base, const std::vector<double>& levels, std::int64_t first,
+  void add_rows(std::size_t base, std::span<const double> levels, std::int64_t first,
                 const ExposedBit& bit) {
     const double time = decision(link_, bit);
     const int n = link_.importance->readings;
@@ -167,22 +176,22 @@ class Builder {
       if (from < 0 || from + n > static_cast<std::int64_t>(levels.size())) continue;
       const double behind = (peaks_.time_of(peak) - time) / peaks_.cycle();
       const bool near = -near_.before <= behind && behind <= near_.behind;
-      add_row(base + static_cast<std::size_t>(from),
-              Eigen::Map<const Eigen::VectorXd>(levels.data() + from, n),
+      const auto at = static_cast<std::size_t>(from);
+      add_row(base + at, levels.subspan(at, static_cast<std::size_t>(n)),
               near ? bit.share : bit.share * far_share);
     }
   }
 
-  void add_row(std::size_t reading, const Eigen::VectorXd& levels, double share) {
-    const double mean = levels.mean();
-    const double rise = std::abs(levels[levels.size() - 1] - levels[0]);
-    if (mean > highest_level || rise > steepest) return;
-    const Eigen::VectorXd known = levels.cwiseMax(lowest_level);
-    const double about = share * link_.importance->likelihoods->of(known);
-    for (const Component& component : components) {
-      const Eigen::VectorXd lower = known.array() - component.slack;
-      spots_.push_back({reading, lower, component.share * about});
-    }
+  /// Readings from `first` on, of these levels.
+  void add_row(std::size_t first, std::span<const double> levels, double share) {
+    if (mean_of(levels) > highest_level || std::abs(levels.back() - levels.front()) > steepest)
+      return;
+    const std::span known = std::span(readings_.levels).subspan(first, levels.size());
+    const double steps = std::max(1.0, static_cast<double>(known.size()) - 1);
+    const double rise = (known.back() - known.front()) / steps;
+    const double about = share * link_.importance->likelihoods->of(mean_of(known), rise);
+    for (const Component& component : components)
+      spots_.push_back({first, component.slack, component.share * about});
   }
 
   /// As many peaks of noise in a row above the level, at any phase and within reach of `time`.
@@ -197,8 +206,7 @@ class Builder {
         static_cast<double>(link_.chain.noise_dark) * peaks_.deviation(peaks_.first_from(time));
     const double level = -static_cast<double>(*std::max_element(begin, end)) / deviation;
     if (level > highest_level) return;
-    const double about = link_.importance->likelihoods->of(
-        Eigen::VectorXd::Constant(link_.importance->readings, std::max(level, 0.0)));
+    const double about = link_.importance->likelihoods->of(std::max(level, 0.0), 0);
     dark_likelihood_ += (reach_.before + reach_.behind) * phases * about;
   }
 
@@ -206,7 +214,7 @@ class Builder {
   const PeakReadings& peaks_;
   const Reach reach_, near_;
   double dark_likelihood_ = 0;
-  std::vector<NoiseReading> readings_;
+  Readings readings_;
   std::vector<WeakSpot> spots_;
 };
 

@@ -23,18 +23,17 @@ dsp::TruncatedOrthant orthant_of(const Eigen::MatrixXd& cholesky, const Eigen::V
 
 }  // namespace
 
-Proposal::Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spots,
+Proposal::Proposal(Readings readings, const std::vector<WeakSpot>& spots,
                    std::vector<std::vector<float>> coefficients)
     : coefficients_(std::move(coefficients)), readings_(std::move(readings)) {
   for (const WeakSpot& spot : spots) likelihood_ += spot.likelihood;
   if (likelihood_ > surely) return;
   const double least = left_share * likelihood_ / static_cast<double>(spots.size());
   double kept = 0;
-  for (WeakSpot& spot : spots) {
+  for (const WeakSpot& spot : spots) {
     if (spot.likelihood <= least) continue;
     kept += spot.likelihood;
-    const double likelihood = spot.likelihood;
-    components_.push_back({std::move(spot), likelihood});
+    components_.push_back({spot, spot.likelihood});
   }
   if (components_.empty()) return;
   natural_share_ = natural_share;
@@ -45,19 +44,23 @@ void Proposal::draw(TrialNoise& noise, const dsp::RandomAddress& draws) const {
   const WeakSpot* spot = chosen(draws.uniform(0));
   if (spot == nullptr) return;
   std::vector<double> uniforms;
-  for (Eigen::Index i = 0; i < spot->lower.size(); ++i)
+  for (int i = 0; i < readings_.row; ++i)
     uniforms.push_back(1 - draws.uniform(static_cast<std::uint32_t>(i) + 1));
   lift(*spot, noise, uniforms);
 }
 
 double Proposal::ratio(const TrialNoise& noise) const {
   double sum = natural_share_;
+  const WeakSpot* before = nullptr;
+  double first = 0;  // the value of a spot's first reading, which most do not get past
   for (const auto& [spot, share] : components_) {
-    if (noise.value(readings_[spot.reading]) < spot.lower[0]) continue;
-    const Eigen::VectorXd values = values_of(spot, noise);
-    if ((values.array() < spot.lower.array()).any()) continue;
-    const dsp::TruncatedOrthant lifted = orthant_of(cholesky_of(spot), spot.lower);
-    sum += share * std::exp(lifted.log_ratio(values));
+    if (before == nullptr || before->first != spot.first)
+      first = noise.value(readings_.of[spot.first]);
+    before = &spot;
+    if (first < lowest_first(spot)) continue;
+    const Eigen::VectorXd values = values_of(spot, noise), lower = lower_of(spot);
+    if ((values.array() < lower.array()).any()) continue;
+    sum += share * std::exp(orthant_of(cholesky_of(spot), lower).log_ratio(values));
   }
   return sum;
 }
@@ -78,29 +81,37 @@ const WeakSpot* Proposal::chosen(double uniform) const {
 void Proposal::lift(const WeakSpot& spot, TrialNoise& noise,
                     std::span<const double> uniforms) const {
   const Eigen::MatrixXd cholesky = cholesky_of(spot);
-  const dsp::TruncatedOrthant lifted = orthant_of(cholesky, spot.lower);
+  const dsp::TruncatedOrthant lifted = orthant_of(cholesky, lower_of(spot));
   Eigen::VectorXd change = lifted.draw(uniforms) - values_of(spot, noise);
   const auto lower = cholesky.triangularView<Eigen::Lower>();
   lower.solveInPlace(change);
   lower.transpose().solveInPlace(change);
   for (Eigen::Index i = 0; i < change.size(); ++i)
-    noise.add(readings_[spot.reading + static_cast<std::size_t>(i)], change[i]);
+    noise.add(readings_.of[spot.first + static_cast<std::size_t>(i)], change[i]);
+}
+
+double Proposal::lowest_first(const WeakSpot& spot) const {
+  return readings_.levels[spot.first] - spot.slack;
+}
+
+Eigen::VectorXd Proposal::lower_of(const WeakSpot& spot) const {
+  const Eigen::Map<const Eigen::VectorXd> levels(readings_.levels.data() + spot.first,
+                                                 readings_.row);
+  return levels.array() - spot.slack;
 }
 
 Eigen::MatrixXd Proposal::cholesky_of(const WeakSpot& spot) const {
-  const Eigen::Index n = spot.lower.size();
-  Eigen::MatrixXd covariances(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j)
-      covariances(i, j) = covariance(readings_[spot.reading + static_cast<std::size_t>(i)],
-                                     readings_[spot.reading + static_cast<std::size_t>(j)]);
+  const NoiseReading* const reading = readings_.of.data() + spot.first;
+  Eigen::MatrixXd covariances(readings_.row, readings_.row);
+  for (int i = 0; i < readings_.row; ++i)
+    for (int j = 0; j <= i; ++j) covariances(i, j) = covariance(reading[i], reading[j]);
   return covariances.llt().matrixL();
 }
 
 Eigen::VectorXd Proposal::values_of(const WeakSpot& spot, const TrialNoise& noise) const {
-  Eigen::VectorXd values(spot.lower.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-    values[i] = noise.value(readings_[spot.reading + static_cast<std::size_t>(i)]);
+  const NoiseReading* const reading = readings_.of.data() + spot.first;
+  Eigen::VectorXd values(readings_.row);
+  for (int i = 0; i < readings_.row; ++i) values[i] = noise.value(reading[i]);
   return values;
 }
 

@@ -15,10 +15,17 @@
 
 namespace sim {
 
-/// `lower.size()` readings in a row, from `reading` on, each at or above its level.
+/// Numbers read off the noise, and each one's level.
+struct Readings {
+  std::vector<NoiseReading> of{};
+  std::vector<double> levels{};
+  int row = 1;  // so many in a row make a spot
+};
+
+/// A row of readings, from `first` on, each at or above its level less `slack`.
 struct WeakSpot {
-  std::size_t reading = 0;
-  Eigen::VectorXd lower{};
+  std::size_t first = 0;
+  double slack = 0;
   double likelihood = 0;  // about the probability of it; its weight in the mixture
 };
 
@@ -26,7 +33,7 @@ class Proposal {
  public:
   Proposal() = default;  // the noise as it comes and nothing else
   /// `coefficients`: what the readings refer to, unless it lives elsewhere.
-  Proposal(std::vector<NoiseReading> readings, std::vector<WeakSpot> spots,
+  Proposal(Readings readings, const std::vector<WeakSpot>& spots,
            std::vector<std::vector<float>> coefficients = {});
 
   /// About how probable it is by nature that any of the spots fails; may exceed 1.
@@ -44,13 +51,15 @@ class Proposal {
     double share;
   };
 
+  double lowest_first(const WeakSpot& spot) const;
+  Eigen::VectorXd lower_of(const WeakSpot& spot) const;
   Eigen::MatrixXd cholesky_of(const WeakSpot& spot) const;
   Eigen::VectorXd values_of(const WeakSpot& spot, const TrialNoise& noise) const;
   void lift(const WeakSpot& spot, TrialNoise& noise, std::span<const double> uniforms) const;
   const WeakSpot* chosen(double uniform) const;
 
   std::vector<std::vector<float>> coefficients_;
-  std::vector<NoiseReading> readings_;
+  Readings readings_;
   std::vector<Component> components_;
   double likelihood_ = 0;
   double natural_share_ = 1;  // of the noise as it comes; no weight exceeds its inverse
