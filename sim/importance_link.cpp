@@ -19,8 +19,9 @@ namespace {
 constexpr double level_step = 0.25, slope_step = 0.1;
 /// Levels and slopes beyond these count as these: below is sure, above next to impossible.
 constexpr double lowest_level = -10, highest_level = 30, steepest = 10;
-constexpr int n_levels = static_cast<int>((highest_level - lowest_level) / level_step) + 2;
-constexpr int n_slopes = 2 * static_cast<int>(steepest / slope_step) + 2;
+constexpr std::size_t n_levels =
+    static_cast<std::size_t>((highest_level - lowest_level) / level_step) + 2;
+constexpr std::size_t n_slopes = 2 * static_cast<std::size_t>(steepest / slope_step) + 2;
 
 /// Covariance of so many peaks in a row.
 Eigen::MatrixXd peak_covariance(const Link& link, int n) {
@@ -41,7 +42,7 @@ std::shared_ptr<ImportanceLink> with_readings(const Eigen::MatrixXd& covariances
 }  // namespace
 
 LikelihoodTable::LikelihoodTable(Eigen::MatrixXd cholesky)
-    : cholesky_(std::move(cholesky)), known_(static_cast<std::size_t>(n_levels * n_slopes)) {
+    : cholesky_(std::move(cholesky)), known_(n_levels * n_slopes) {
   for (std::atomic<double>& log_p : known_) log_p = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -57,7 +58,8 @@ double LikelihoodTable::of(double level, double rise) const {
 }
 
 double LikelihoodTable::known(int row, int column) const {
-  std::atomic<double>& place = known_[static_cast<std::size_t>(row * n_slopes + column)];
+  std::atomic<double>& place =
+      known_[static_cast<std::size_t>(row) * n_slopes + static_cast<std::size_t>(column)];
   double log_p = place.load(std::memory_order_relaxed);
   if (!std::isnan(log_p)) return log_p;
   log_p = worked_out(row, column);
