@@ -45,7 +45,7 @@ class NetcdfFile {
   /// Attributes of a variable, or of the file where the variable is `root`. A text of ours is
   /// ASCII; what a user wrote may be UTF-8 of any length.
   static constexpr const char* root = "/";
-  static constexpr const char* format_version = "1.2";
+  static constexpr const char* format_version = "1.3";
   void set_text(const std::string& variable, const char* name, const std::string& text);
   void set_user_text(const std::string& variable, const char* name, const std::string& text);
   void set_numbers(const std::string& variable, const char* name, Values values);

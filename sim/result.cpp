@@ -91,6 +91,7 @@ const std::array table{
     Column{"n_rejected_checksum", "1", "lines rejected: wrong checksum",
            &Tally::n_rejected_checksum},
     Column{"n_rejected_overlong", "1", "lines rejected: too long", &Tally::n_rejected_overlong},
+    Column{"n_frames_bit_errors", "1", "frames with a bit error", &Tally::n_frames_bit_errors},
     Column{"sum_bit_errors_squared", "1", "sum over frames of squared bit errors",
            &Tally::sum_bit_errors_squared},
     Column{"sum_bits_squared", "1", "sum over frames of squared bits", &Tally::sum_bits_squared},

@@ -29,16 +29,31 @@ double variance_between_frames(const Tally& t, double r) {
   return std::max(0.0, squares) * frames / (frames - 1) / (bits * bits);
 }
 
+/// The share of the variance between frames that is how many bits of a bad frame are wrong. The
+/// rest is how many frames are bad, which Clopper and Pearson know. With the sample variance of the
+/// bad.
+double share_of_bursts(const Tally& t) {
+  const double bad = as_real(t.n_frames_bit_errors), errors = as_real(t.n_bit_errors);
+  if (bad < 2) return 1;
+  const double squares = bad * as_real(t.sum_bit_errors_squared) / (errors * errors);
+  const double bursts = std::max(0.0, squares - 1) * bad / (bad - 1);
+  const double both = bursts + 1 - bad / as_real(t.n_frames);
+  return both > 0 ? bursts / both : 1;
+}
+
 // Korn & Graubard, Survey Methodology 24 (1998) 193-201: bits / design effect, at most the bits,
-// corrected for a variance known only from so many frames.
+// corrected for a variance known only from so many frames: here, so far as it is that of bursts,
+// from the bad ones. A frame is worth a bit at least.
 double effective_bits(const Tally& t, double r, double level) {
   const double bits = as_real(t.n_bits);
   const double variance = variance_between_frames(t, r);
   const double independent = r * (1 - r);
   const double effective = variance * bits > independent ? independent / variance : bits;
-  const double widening = student_quantile(as_real(t.n_frames) - 1, level) /
-                          student_quantile(std::max(1.0, bits - 1), level);
-  return effective / std::max(1.0, widening * widening);
+  const double widening =
+      student_quantile(std::max(1.0, as_real(t.n_frames_bit_errors) - 1), level) /
+      student_quantile(std::max(1.0, bits - 1), level);
+  const double widened = 1 + share_of_bursts(t) * (std::max(1.0, widening * widening) - 1);
+  return std::max(effective / widened, as_real(t.n_frames));
 }
 
 /// Log-normal interval of a weighted mean, by Student's t for so many groups; nothing where a few

@@ -20,6 +20,7 @@ Tally& Tally::operator+=(const Tally& o) {
   n_rejected_not_hex += o.n_rejected_not_hex;
   n_rejected_checksum += o.n_rejected_checksum;
   n_rejected_overlong += o.n_rejected_overlong;
+  n_frames_bit_errors += o.n_frames_bit_errors;
   sum_bit_errors_squared += o.sum_bit_errors_squared;
   sum_bits_squared += o.sum_bits_squared;
   sum_bit_errors_times_bits += o.sum_bit_errors_times_bits;

@@ -28,7 +28,8 @@ struct Tally {
   std::uint64_t n_rejected_not_hex = 0;
   std::uint64_t n_rejected_checksum = 0;
   std::uint64_t n_rejected_overlong = 0;
-  // Sums over frames that the interval of the BER needs: bits fail together in a frame.
+  // What the interval of the BER needs of frames: bits fail together in a frame.
+  std::uint64_t n_frames_bit_errors = 0;  // with a bit that is wrong
   std::uint64_t sum_bit_errors_squared = 0;
   std::uint64_t sum_bits_squared = 0;
   std::uint64_t sum_bit_errors_times_bits = 0;

@@ -60,6 +60,7 @@ void count_bits(const Link& link, const SentMessage& message, const dsp::LogicTr
       tally.n_bit_errors += heard != protocol::line_bit(link.bytes[i], slot);
     }
   }
+  tally.n_frames_bit_errors = tally.n_bit_errors > 0;
   tally.sum_bit_errors_squared = tally.n_bit_errors * tally.n_bit_errors;
   tally.sum_bits_squared = tally.n_bits * tally.n_bits;
   tally.sum_bit_errors_times_bits = tally.n_bit_errors * tally.n_bits;

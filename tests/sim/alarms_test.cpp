@@ -17,6 +17,7 @@ PointResult point_of(std::uint64_t frames, std::uint64_t wrong_bits_each) {
   p.tally.n_frames = frames;
   p.tally.n_bits = frames * 170;
   p.tally.n_bit_errors = frames * wrong_bits_each;
+  p.tally.n_frames_bit_errors = wrong_bits_each > 0 ? frames : 0;
   p.tally.sum_bits_squared = frames * 170 * 170;
   p.tally.sum_bit_errors_squared = frames * wrong_bits_each * wrong_bits_each;
   p.tally.sum_bit_errors_times_bits = frames * wrong_bits_each * 170;

@@ -12,6 +12,7 @@ inline PointResult measured_point() {
   p.tally.n_frames_lost = 100;
   p.tally.n_bits = 170000;
   p.tally.n_bit_errors = 340;
+  p.tally.n_frames_bit_errors = 100;
   p.tally.sum_bits_squared = 1000 * 170 * 170;
   p.tally.sum_bit_errors_squared = 1200;
   p.tally.sum_bit_errors_times_bits = 340 * 170;

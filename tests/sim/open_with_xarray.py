@@ -70,7 +70,7 @@ def check_root(data, expected):
         assert root[name] == expected[name], (name, root[name])
     assert root["Conventions"] == "CF-1.10"
     assert root["filetype"] == "cosys-sim result"
-    assert root["format_version"] == "1.2"
+    assert root["format_version"] == "1.3"
     assert root["shards"] == "1/1"
     assert (root["program"], root["version"], root["commit"]) == ("cosys-sim", "0.1.0", "abc123")
     assert len(root["created"]) == 20 and root["created"][10] == "T" and root["created"][19] == "Z"

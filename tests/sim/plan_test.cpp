@@ -14,6 +14,7 @@ Pilot pilot_of(std::uint64_t lost, const StopRule& rule) {
   pilot.tally.n_frames_lost = lost;
   pilot.tally.n_bits = 170000;
   pilot.tally.n_bit_errors = 10 * lost;
+  pilot.tally.n_frames_bit_errors = lost;
   pilot.tally.sum_bits_squared = 1000 * 170 * 170;
   pilot.tally.sum_bit_errors_squared = 100 * lost;
   pilot.tally.sum_bit_errors_times_bits = 1700 * lost;

@@ -121,6 +121,7 @@ TEST(Json, NamesEachCounterForWhatItIs) {
                                        "n_rejected_not_hex",
                                        "n_rejected_checksum",
                                        "n_rejected_overlong",
+                                       "n_frames_bit_errors",
                                        "sum_bit_errors_squared",
                                        "sum_bits_squared",
                                        "sum_bit_errors_times_bits"};

@@ -36,6 +36,7 @@ void add_group(Tally& tally, std::mt19937_64& random) {
     tally.n_frames_lost += errors > 0;
     tally.n_bits += bits;
     tally.n_bit_errors += errors;
+    tally.n_frames_bit_errors += errors > 0;
     tally.sum_bits_squared += bits * bits;
     tally.sum_bit_errors_squared += errors * errors;
     tally.sum_bit_errors_times_bits += errors * bits;
@@ -61,7 +62,7 @@ Tally counted(const StopRule& rule, std::uint32_t shards, std::mt19937_64& rando
 }
 
 Coverage coverage(const StopRule& rule, std::uint32_t shards = 1) {
-  constexpr int experiments = 2000;
+  constexpr int experiments = 4000;
   std::mt19937_64 random(20261121);
   int ber = 0, flr = 0;
   for (int i = 0; i < experiments; ++i) {
@@ -82,6 +83,12 @@ void expect_nominal(const Coverage& c) {
 
 TEST(SequentialCoverage, StoppedByFrames) { expect_nominal(coverage({.max_frames = 2000})); }
 
+// Of ten bad frames, and of one or two, of which little is known: intervals are wide.
+TEST(SequentialCoverage, OfFewBadFrames) {
+  EXPECT_GE(coverage({.max_frames = 100}).ber, 0.94);
+  EXPECT_GE(coverage({.max_frames = 16}).ber, 0.94);
+}
+
 TEST(SequentialCoverage, StoppedByFrameErrors) {
   expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}));
 }
@@ -94,12 +101,12 @@ TEST(SequentialCoverage, StoppedByTheWidthOfTheInterval) {
   expect_nominal(coverage({.max_frames = 1000000, .rel_ci = 0.2}));
 }
 
-// A side that is told after a dozen frames leaves intervals of a dozen frames, few of them bad, and
-// stops where chance went one way: they hold the truth less often than they say (sim/README.md).
+// A target stops where chance went one way, so intervals hold the truth less often than they say
+// (sim/README.md).
 TEST(SequentialCoverage, StoppedByATargetTheyHoldLessOften) {
   for (const double target : {0.02, 0.07, 0.13, 0.2, 0.5}) {
     const Coverage c = coverage({.max_frames = 5000, .target_flr = target});
-    EXPECT_GE(c.ber, 0.90) << target;
+    EXPECT_GE(c.ber, 0.925) << target;
     EXPECT_GE(c.flr, 0.92) << target;
   }
 }

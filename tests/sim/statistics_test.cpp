@@ -22,6 +22,7 @@ void add_frame(Tally& tally, std::uint64_t bits, std::uint64_t errors) {
   frame.n_frames = 1;
   frame.n_bits = bits;
   frame.n_bit_errors = errors;
+  frame.n_frames_bit_errors = errors > 0;
   frame.sum_bits_squared = bits * bits;
   frame.sum_bit_errors_squared = errors * errors;
   frame.sum_bit_errors_times_bits = bits * errors;
@@ -56,7 +57,7 @@ struct Coverage {
 bool covers(sim::Interval ci, double truth) { return ci.low <= truth && truth <= ci.high; }
 
 Coverage coverage(const Bursts& bursts) {
-  constexpr int experiments = 2000;
+  constexpr int experiments = 8000;
   std::mt19937_64 random(20240517);
   Coverage c;
   for (int i = 0; i < experiments; ++i) {
@@ -117,10 +118,11 @@ TEST(BitErrorInterval, CoversTheTruthWhenBitsFailTogether) {
   EXPECT_LT(c.plain, 0.70);
 }
 
+// Six in the mean: exact intervals of so few are wide, and how long bursts are is not well known.
 TEST(BitErrorInterval, CoversTheTruthWhenBadFramesAreRare) {
   const Coverage c = coverage({.p_bad_frame = 0.02, .p_bit_in_bad_frame = 0.2});
-  EXPECT_GE(c.clustered, 0.935);
-  EXPECT_LE(c.clustered, 0.98);
+  EXPECT_GE(c.clustered, 0.945);
+  EXPECT_LE(c.clustered, 0.985);
   EXPECT_LT(c.plain, 0.70);
 }
 
@@ -149,13 +151,15 @@ TEST(BitErrorInterval, IsNeverNarrowerThanClopperPearson) {
   }
 }
 
-// By hand: ratio 0.2, variance 2 * (10^2 + 10^2) / 200^2 = 0.01, so 0.2 * 0.8 / 0.01 = 16 effective
-// bits; Student's t at 1 and 199 degrees of freedom: 12.70620 and 1.971957.
+// By hand: ratio 0.2, variance 10 / 9 * 10 * 10^2 / 1000^2 = 1 / 900, so 0.2 * 0.8 * 900 = 144
+// effective bits; Student's t at 9 and 999 degrees of freedom: 2.262157 and 1.962341.
 TEST(BitErrorInterval, TrustsFewFramesLess) {
   Tally t;
-  add_frame(t, 100, 10);
-  add_frame(t, 100, 30);
-  const double effective = 16 * std::pow(1.971957 / 12.70620, 2);
+  for (int i = 0; i < 5; ++i) {
+    add_frame(t, 100, 10);
+    add_frame(t, 100, 30);
+  }
+  const double effective = 144 * std::pow(1.962341 / 2.262157, 2);
   const auto expected = sim::clopper_pearson(0.2 * effective, effective, 0.95);
   EXPECT_NEAR(sim::bit_error_interval(t, 0.95).low, expected.low, 1e-6);
   EXPECT_NEAR(sim::bit_error_interval(t, 0.95).high, expected.high, 1e-6);
@@ -279,7 +283,7 @@ TEST(Digest, DependsOnNothingElse) {
 
 // A stored digest must mean the same for ever; if this changes, format_version must.
 TEST(Digest, IsTheSameOnEveryMachineAndInEveryVersion) {
-  EXPECT_EQ(sim::result_digest(one_point()), "06c1e8ec16676cdba2b19308917b4946");
+  EXPECT_EQ(sim::result_digest(one_point()), "ecfc6e3170ed46ca2b043a6af48fc025");
 }
 
 }  // namespace

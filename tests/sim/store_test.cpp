@@ -55,6 +55,7 @@ sim::PointResult point(std::vector<double> coordinates, std::uint64_t lost) {
   p.operating = {0.25 + static_cast<double>(lost), 0.6, 14.25, 5000, 21.5};
   p.tally.n_bits = 17000;
   p.tally.n_bit_errors = 34 * lost;
+  p.tally.n_frames_bit_errors = lost;
   p.tally.sum_bits_squared = 100 * 170 * 170;
   p.tally.sum_bit_errors_squared = 34 * 34 * lost;
   p.tally.sum_bit_errors_times_bits = 34 * 170 * lost;
