@@ -166,7 +166,7 @@ class Pool {
   const std::uint64_t threads_;
   const BatchSizes sizes_;
   const std::uint64_t ahead_;
-  const std::uint64_t first_;  // group that is run
+  const std::uint64_t first_;  // group of this run
 
   std::mutex mutex_;
   std::condition_variable room_;   // for further groups, or the point is over

@@ -72,13 +72,13 @@ TEST(Engine, CountsExactlyAsManyFramesAsAsked) {
 const std::vector<std::string> half_lost{"receiver.range_m=2.2", "simulation.sample_rate_hz=250000",
                                          "simulation.warmup_messages=1"};
 
-// A point is finished as soon as its interval is as narrow as asked, and not a group before.
 TEST(EngineDeterminism, OfNoFramesIsOver) {
   const PointResult result = run(link_of(half_lost), {.max_frames = 0}, 2);
   EXPECT_EQ(result.stop, StopReason::max_frames);
   EXPECT_EQ(result.tally.n_frames, 0u);
 }
 
+// A point is finished as soon as its interval is as narrow as asked, and not a group before.
 TEST(EngineDeterminism, StopsWhereTheIntervalIsNarrow) {
   const Link link = link_of(half_lost);
   const StopRule stop{.max_frames = 100000, .rel_ci = 0.2};
