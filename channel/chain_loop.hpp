@@ -1,7 +1,8 @@
 #pragma once
-// The loop over samples, the same for one trial as float and for many as lanes: block by block
-// noise, then light, then the module, fused. Three short loops, since the state of each stays in
-// registers; that of all in one does not (tests/bench). Only the kernels include it.
+// The loop over samples, the same for one trial as float and for many as lanes. Block by block it
+// is short loops, one behind the other: noise, light, light of others, the module, flips of the
+// pin. The state of each stays in registers; that of all in one does not (tests/bench). For the
+// kernels, and for who computes one trial alone.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -121,7 +122,7 @@ ReceiverModule<T> modules_of(const ChainKernelInput& in) {
 struct Overlap {
   std::int64_t from, to;  // empty unless from < to
 };
-template <class Window>
+template <class T, class Window>
 Overlap overlap(std::int64_t first, int n, const Window& window) {
   return {std::max(first, window.first), std::min(first + n, window.first + window.n)};
 }
@@ -133,7 +134,7 @@ void prescribe(const ChainKernelInput& in, std::int64_t first, T* normals, int n
     const ChainKernelInput::Lane& lane = in.lane[i];
     for (std::size_t w = 0; w < lane.n_noise_windows; ++w) {
       const NoiseWindow& window = lane.noise_windows[w];
-      const Overlap both = overlap(first, n, window);
+      const Overlap both = overlap<T>(first, n, window);
       for (std::int64_t at = both.from; at < both.to; ++at)
         dsp::set_lane(normals[at - first], i, window.normals[at - window.first]);
     }
@@ -200,7 +201,7 @@ template <class T>
 bool wants_margins(const ChainKernelInput& in, std::int64_t first, int n) {
   for (int i = 0; i < dsp::lanes<T>; ++i) {
     for (std::size_t w = 0; w < in.lane[i].n_margin_windows; ++w) {
-      const Overlap both = overlap(first, n, in.lane[i].margin_windows[w]);
+      const Overlap both = overlap<T>(first, n, in.lane[i].margin_windows[w]);
       if (both.from < both.to) return true;
     }
   }
@@ -213,7 +214,7 @@ void give_margins(const ChainKernelInput& in, std::int64_t first, const T* margi
     const ChainKernelInput::Lane& lane = in.lane[i];
     for (std::size_t w = 0; w < lane.n_margin_windows; ++w) {
       const MarginWindow& window = lane.margin_windows[w];
-      const Overlap both = overlap(first, n, window);
+      const Overlap both = overlap<T>(first, n, window);
       for (std::int64_t at = both.from; at < both.to; ++at)
         window.margins[at - window.first] = dsp::lane(margins[at - first], i);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The loop over bits, the same for one trial as float and for eight as Lanes8. Noise is made in two
+// The loop over bits, the same for one trial as float and for eight in lanes. Noise is made in two
 // steps: its length by a uniform number, and only where some lane's could carry the bit over the
 // threshold the logarithm, the root and the angle's sine. Only the kernels include it, and who
 // decides for one trial alone.

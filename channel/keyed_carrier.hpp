@@ -18,19 +18,22 @@ struct Burst {
 
 /// An edge on a grid so fine (0.2 ns at 1 MS/s) that its time from any block's start is exact as a
 /// float: where blocks begin, and so which trials run together, cannot change a bit.
-inline double edge_at(double samples) { return std::round(samples * 4096) / 4096; }
+[[gnu::always_inline]] inline double edge_at(double samples) {
+  return std::round(samples * 4096) / 4096;
+}
 
 struct CarrierDesign {
   std::uint32_t step;  // carrier cycles a sample, in 2^-32
   float cycles;        // the same as a float; below 1
   float duty;          // 0..1
-  float
-      amplitude;  // peak irradiance over `cycles`, made up for the droop of the mean over a sample
+  // Peak irradiance over `cycles`, made up for the droop of the mean over a sample.
+  float amplitude;
 };
 
 /// Phase of the carrier's fundamental, a cosine, at the centre of a sample at whose start the
 /// carrier has `phase`: the lit part begins a cycle. All in 2^-32 cycles.
-inline std::uint32_t fundamental_phase(const CarrierDesign& d, std::uint32_t phase) {
+[[gnu::always_inline]] inline std::uint32_t fundamental_phase(const CarrierDesign& d,
+                                                              std::uint32_t phase) {
   return phase + d.step / 2 - static_cast<std::uint32_t>(d.duty * 0x1p31f);
 }
 

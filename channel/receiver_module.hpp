@@ -73,7 +73,7 @@ constexpr double emin_nm = 940;
 inline bool is_matched(const ModuleData& data) { return data.detector != "module"; }
 
 /// Units inside: irradiance in mW/m2 as the peak of an on/off waveform of 50 % duty at the input,
-/// amplitude in mW/m2 behind the band-pass; times in samples. Of one unit (T = float), or of eight
+/// amplitude in mW/m2 behind the band-pass; times in samples. Of one unit (T = float), or of many
 /// that need not be alike.
 template <class T>
 struct ModuleDesignOf {

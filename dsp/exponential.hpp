@@ -1,5 +1,5 @@
 #pragma once
-// Powers of two, for one lane or eight.
+// Powers of two, for one trial or many.
 #include "dsp/lanes.hpp"
 
 namespace dsp {

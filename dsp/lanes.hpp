@@ -93,9 +93,7 @@ template <class T>
 inline constexpr int lanes = LaneTraits<T>::width;
 
 inline float choose(bool m, float a, float b) { return m ? a : b; }
-inline bool choose(bool m, bool a, bool b) { return m ? a : b; }
 inline Lanes8 choose(Mask8 m, Lanes8 a, Lanes8 b) { return Lanes8(m.v ? a.v : b.v); }
-inline Mask8 choose(Mask8 m, Mask8 a, Mask8 b) { return Mask8((m.v & a.v) | (~m.v & b.v)); }
 
 /// The word where `m` holds, else 0.
 inline std::uint32_t kept(bool m, std::uint32_t w) { return m ? w : 0; }

@@ -72,10 +72,6 @@ struct LaneTraits<Lanes16> {
 inline Lanes16 choose(Mask16 m, Lanes16 a, Lanes16 b) {
   return Lanes16(_mm512_mask_blend_ps(m.v, b.v, a.v));
 }
-inline Mask16 choose(Mask16 m, Mask16 a, Mask16 b) {
-  return Mask16(_kor_mask16(_kand_mask16(m.v, a.v), _kandn_mask16(m.v, b.v)));
-}
-
 inline Words16 kept(Mask16 m, Words16 w) { return Words16(_mm512_maskz_mov_epi32(m.v, w.raw())); }
 
 inline Mask16 exceeds(Words16 a, Words16 b) {
@@ -106,8 +102,6 @@ inline Words16 arithmetic_shift(Words16 w, int n) {
 }
 
 inline float lane(Lanes16 a, int i) { return a.v[i]; }
-inline bool lane(Mask16 m, int i) { return (m.v >> i & 1) != 0; }
-inline std::uint32_t lane(Words16 w, int i) { return w.v[i]; }
 inline void set_lane(Lanes16& a, int i, float x) { a.v[i] = x; }
 inline void set_lane(Words16& a, int i, std::uint32_t x) { a.v[i] = x; }
 

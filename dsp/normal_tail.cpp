@@ -17,6 +17,11 @@ double log_density(double x) {
 
 double upper_tail(double x) { return std::erfc(x / std::numbers::sqrt2) / 2; }
 
+/// ln of upper_tail(x), x < far_out, also where that is nearly 1.
+double near_log_upper_tail(double x) {
+  return x < 0 ? std::log1p(-upper_tail(-x)) : std::log(upper_tail(x));
+}
+
 /// 1 / (x + 2 / (x + 3 / (x + ...))), x >= far_out.
 double far_mean_excess(double x) {
   constexpr int terms = 16;
@@ -45,14 +50,14 @@ NormalTail normal_tail(double bound) {
   if (bound < far_out) {
     const double probability = upper_tail(bound);
     const double hazard = std::exp(log_density(bound)) / probability;
-    return {std::log(probability), hazard, hazard - bound};
+    return {near_log_upper_tail(bound), hazard, hazard - bound};
   }
   const double excess = far_mean_excess(bound), hazard = bound + excess;
   return {log_density(bound) - std::log(hazard), hazard, excess};
 }
 
 double log_upper_tail(double bound) {
-  return bound < far_out ? std::log(upper_tail(bound)) : normal_tail(bound).log_probability;
+  return bound < far_out ? near_log_upper_tail(bound) : normal_tail(bound).log_probability;
 }
 
 double truncated_normal_quantile(double bound, double level) {

@@ -1,5 +1,5 @@
 #pragma once
-// Cosine and sine of a phase word, for one trial or eight: what a correlator multiplies with.
+// Cosine and sine of a phase word, for one trial or many: what a correlator multiplies with.
 #include "dsp/lanes.hpp"
 #include "dsp/normal.hpp"
 

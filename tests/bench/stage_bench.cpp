@@ -1,6 +1,6 @@
-// Each stage of the chain by itself, eight trials at once, in the instruction set of the fastest
-// kernel (see CMakeLists.txt). A stage alone waits for its own last result, so the parts cost more
-// than the whole, in which their waits overlap.
+// Each stage of the chain by itself, eight trials at once, for x86-64-v3 (see CMakeLists.txt). A
+// stage alone waits for its own last result, so the parts cost more than the whole, in which their
+// waits overlap.
 #include <array>
 #include <random>
 

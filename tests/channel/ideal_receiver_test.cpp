@@ -1,4 +1,4 @@
-// Matched receivers: eight trials at once are each the trial alone, to the last bit; a clear link
+// Matched receivers: trials run at once are each the trial alone, to the last bit; a clear link
 // is the identity plus one bit; what a lit bit measures depends on neither sample rate nor carrier.
 #include "channel/ideal_receiver.hpp"
 

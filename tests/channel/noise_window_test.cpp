@@ -1,9 +1,10 @@
-// Noise that is prescribed and margins that are asked for: the same alone, in a group and for both
-// instruction sets, and nothing else is changed.
+// Noise that is prescribed and margins that are asked for: the same alone, among other trials and
+// for all instruction sets, and nothing else is changed.
 #include "channel/noise_window.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numeric>
 #include <vector>
 
@@ -62,10 +63,52 @@ TEST(MarginWindow, IsTheSameForAllWaysToRun) {
   const std::vector<float> alone = scene.margins;
   EXPECT_GT(*std::max_element(alone.begin(), alone.end()), 0.0f);
   EXPECT_LT(*std::min_element(alone.begin(), alone.end()), 0.0f);
-  for (const InstructionSet set : {InstructionSet::best, InstructionSet::baseline}) {
+  for (const InstructionSet set :
+       {InstructionSet::best, InstructionSet::v3, InstructionSet::baseline}) {
     scene.margins.assign(n, 0.0f);
     EXPECT_EQ(propagate(scene.chain, inputs, nullptr, set).front(), pin);
     EXPECT_EQ(scene.margins, alone);
+  }
+}
+
+/// A trial with noise and margins of its own, from its own sample on.
+struct Own {
+  std::vector<float> normals, margins;
+  NoiseWindow noise;
+  MarginWindow margin;
+  ChainInput input;
+
+  Own(const Scene& scene, std::uint32_t i)
+      : normals(draw_normals({{{i, 2, 3, 4}, {5, i, 7, 8}}}, n)),
+        margins(n, 0.0f),
+        noise{first + 37 * i, n, normals.data()},
+        margin{first - 11 * i, n, margins.data()},
+        input{.drive = &scene.drive,
+              .carrier_phase = i << 20,
+              .noise_seed = {i, 1, 1, 1},
+              .noise_windows = {&noise, 1},
+              .margin_windows = {&margin, 1}} {}
+  Own(const Own&) = delete;
+};
+
+// Nineteen are more than any kernel has lanes for.
+TEST(MarginWindow, OfEachTrialIsItsOwn) {
+  const Scene scene;
+  std::deque<Own> own;
+  for (std::uint32_t i = 0; i < 19; ++i) own.emplace_back(scene, i + 1);
+  std::vector<ChainInput> inputs;
+  std::vector<dsp::LogicTrace> pins;
+  std::vector<std::vector<float>> margins;
+  for (Own& trial : own) {
+    inputs.push_back(trial.input);
+    pins.push_back(propagate_alone(scene.chain, trial.input));
+    margins.push_back(trial.margins);
+  }
+  for (const InstructionSet set :
+       {InstructionSet::best, InstructionSet::v3, InstructionSet::baseline}) {
+    for (Own& trial : own) std::ranges::fill(trial.margins, 0.0f);
+    EXPECT_EQ(propagate(scene.chain, inputs, nullptr, set), pins);
+    for (std::size_t i = 0; i < own.size(); ++i) EXPECT_EQ(own[i].margins, margins[i]) << i;
   }
 }
 
@@ -77,9 +120,10 @@ TEST(MarginWindow, ChangesNoPin) {
             propagate(scene.chain, std::vector{without}).front());
 }
 
-TEST(Normals, AreTheSameForBothInstructionSets) {
+TEST(Normals, AreTheSameForAllInstructionSets) {
   const StreamSeeds seeds{{{1, 2, 3, 4}, {9, 8, 7, 6}}};
   const std::vector<float> normals = draw_normals(seeds, 100001);
+  EXPECT_EQ(normals, draw_normals(seeds, 100001, InstructionSet::v3));
   EXPECT_EQ(normals, draw_normals(seeds, 100001, InstructionSet::baseline));
   ASSERT_GE(normals.size(), 100001u);
   const double size = static_cast<double>(normals.size());

@@ -47,6 +47,7 @@ TEST_F(LanesAgree, Arithmetic) {
   expect_equal([](auto a, auto b, auto) { return a + b; });
   expect_equal([](auto a, auto b, auto) { return a - b; });
   expect_equal([](auto a, auto b, auto) { return a * b; });
+  expect_equal([](auto a, auto b, auto) { return a / b; });
   expect_equal([](auto a, auto, auto) { return -a; });
   expect_equal([](auto a, auto b, auto c) { return fused(a, b, c); });
   expect_equal([](auto a, auto, auto) { return square_root(a); });

@@ -151,7 +151,7 @@ TEST(SquaredRadius, IsMinusTwiceTheLogarithm) {
   for (int i = 1; i <= 200000; ++i) {
     const float n = std::nearbyint(static_cast<float>(i) / 200000.0f * whole);
     const double exact = -2 * std::log(static_cast<double>(n / whole));
-    ASSERT_NEAR(squared_radius(n), exact, 1.2e-6 * (1 + exact / 2));
+    ASSERT_NEAR(squared_radius(n), exact, 1.5e-7 * (1 + exact));
   }
   EXPECT_GT(squared_radius(1.0f), 42.9f);  // 6.5 sigma
   EXPECT_EQ(squared_radius(whole), 0.0f);
