@@ -24,7 +24,7 @@ constexpr double slack = 0.1;
 /// Beyond this, noise is so rare (1e-149) that sums of squared weights would underflow.
 constexpr double highest_level = 26;
 
-/// A carrier over a slot, its cosine and its sine.
+/// A carrier over a slot, its cosine and its sine, of unit length each.
 struct Tones {
   Eigen::VectorXf cosine, sine;
 
@@ -35,13 +35,8 @@ struct Tones {
       cosine[i - slot.begin] = static_cast<float>(std::cos(2 * std::numbers::pi * turns));
       sine[i - slot.begin] = static_cast<float>(std::sin(2 * std::numbers::pi * turns));
     }
-  }
-
-  /// The carrier shifted by a phase, of unit length.
-  std::vector<float> at(double phase) const {
-    const auto angle = static_cast<float>(2 * std::numbers::pi * phase);
-    const Eigen::VectorXf tone = (std::cos(angle) * cosine - std::sin(angle) * sine).normalized();
-    return {tone.begin(), tone.end()};
+    cosine.normalize();
+    sine.normalize();
   }
 };
 
@@ -58,29 +53,44 @@ class Builder {
     const channel::SlotSamples slot =
         channel::slot_samples({bit.begin, bit.end}, link_.chain.sample_rate);
     const Tones tones(slot, cycles_per_sample_, phase_);
-    if (bit.light)
-      add_spot(slot.begin, tones, bit.share, 0.5,
-               (output.amplitude - threshold) / output.deviation_lit);
-    else if (link_.ideal->statistic == Statistic::in_phase)
-      add_spot(slot.begin, tones, bit.share, 0, threshold / output.deviation_dark);
+    const bool ring = !bit.light && link_.ideal->statistic == Statistic::envelope;
+    const double level = bit.light ? (output.amplitude - threshold) / output.deviation_lit
+                                   : threshold / output.deviation_dark;
+    if (ring)
+      add_ring(slot.begin, tones, bit.share, level);
     else
-      add_ring(slot.begin, tones, bit.share, threshold / output.deviation_dark);
+      add_spot({slot.begin, kept(tones.cosine), bit.light ? -1.0f : 1.0f}, bit.share, level);
   }
 
   Proposal take() { return {std::move(readings_), spots_, std::move(coefficients_)}; }
 
  private:
-  void add_ring(std::int64_t first, const Tones& tones, double share, double radius) {
-    for (int i = 0; i < envelope_directions; ++i)
-      add_spot(first, tones, share, static_cast<double>(i) / envelope_directions,
-               radius * std::cos(std::numbers::pi / envelope_directions));
+  std::span<const float> kept(const Eigen::VectorXf& tone) {
+    return coefficients_.emplace_back(tone.begin(), tone.end());
+  }
+  /// The cosine, behind which the sine is.
+  std::span<const float> kept(const Tones& tones) {
+    std::vector<float>& both = coefficients_.emplace_back(tones.cosine.begin(), tones.cosine.end());
+    both.insert(both.end(), tones.sine.begin(), tones.sine.end());
+    return std::span(both).first(both.size() / 2);
   }
 
-  /// Noise of that phase against the carrier's at least at `level`.
-  void add_spot(std::int64_t first, const Tones& tones, double share, double phase, double level) {
+  void add_ring(std::int64_t first, const Tones& tones, double share, double radius) {
+    const double level = radius * std::cos(std::numbers::pi / envelope_directions);
+    const double both = static_cast<double>(tones.cosine.dot(tones.sine));
+    const std::span<const float> cosine = kept(tones);
+    for (int i = 0; i < envelope_directions; ++i) {
+      const double angle = 2 * std::numbers::pi * i / envelope_directions;
+      const double c = std::cos(angle), s = -std::sin(angle);
+      const double length = std::sqrt(1 + 2 * c * s * both);
+      add_spot({first, cosine, static_cast<float>(c / length), static_cast<float>(s / length)},
+               share, level);
+    }
+  }
+
+  void add_spot(const NoiseReading& reading, double share, double level) {
     if (level > highest_level) return;
-    coefficients_.push_back(tones.at(phase));
-    readings_.of.push_back({first, coefficients_.back()});
+    readings_.of.push_back(reading);
     readings_.levels.push_back(level);
     const double about = link_.importance->likelihoods->of(level - slack, 0);
     spots_.push_back({readings_.of.size() - 1, slack, share * about});

@@ -19,8 +19,9 @@ namespace {
 constexpr std::array table{MethodName{"brute-force", Method::brute_force},
                            MethodName{"importance", Method::importance}};
 
-/// Noise and margins of a message are kept, of eight trials in each thread: 100 MB a million.
-constexpr double most_samples = 8e6;
+/// Noise and margins of messages are kept, of up to sixteen trials in each thread: 200 MB a
+/// million.
+constexpr double most_samples = 4e6;
 
 double drawn_samples(const Scenario& s) {
   const auto bits =

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "channel/normals.hpp"
@@ -13,6 +14,17 @@ using Floats = Eigen::Map<const Eigen::VectorXf>;
 
 Floats floats(const float* from, std::int64_t n) { return {from, n}; }
 
+/// What a reading is a mixture of; where the factor is 0 there are no coefficients.
+struct Row {
+  const float* coefficients;
+  float factor;
+};
+
+std::array<Row, 2> rows_of(const NoiseReading& r) {
+  const float* const cosine = r.coefficients.data();
+  return {Row{cosine, r.factor}, Row{cosine + r.coefficients.size(), r.sine_factor}};
+}
+
 }  // namespace
 
 double covariance(const NoiseReading& a, const NoiseReading& b) {
@@ -22,8 +34,15 @@ double covariance(const NoiseReading& a, const NoiseReading& b) {
   const std::int64_t from = std::max(a.first, b.first);
   const std::int64_t n = std::min(a.first + size(a), b.first + size(b)) - from;
   if (n <= 0) return 0;
-  return static_cast<double>(floats(a.coefficients.data() + (from - a.first), n)
-                                 .dot(floats(b.coefficients.data() + (from - b.first), n)));
+  double sum = 0;
+  for (const Row& of_a : rows_of(a))
+    for (const Row& of_b : rows_of(b)) {
+      if (of_a.factor == 0 || of_b.factor == 0) continue;
+      sum += static_cast<double>(of_a.factor * of_b.factor) *
+             static_cast<double>(floats(of_a.coefficients + (from - a.first), n)
+                                     .dot(floats(of_b.coefficients + (from - b.first), n)));
+    }
+  return sum;
 }
 
 TrialNoise::TrialNoise(const std::vector<Stretch>& stretches, const dsp::RandomAddress& draws) {
@@ -42,14 +61,20 @@ TrialNoise::TrialNoise(const std::vector<Stretch>& stretches, const dsp::RandomA
 
 double TrialNoise::value(const NoiseReading& reading) const {
   const auto n = static_cast<std::int64_t>(reading.coefficients.size());
-  return static_cast<double>(
-      floats(normals_.data() + place_of(reading), n).dot(floats(reading.coefficients.data(), n)));
+  const Floats noise = floats(normals_.data() + place_of(reading), n);
+  double sum = 0;
+  for (const Row& row : rows_of(reading))
+    if (row.factor != 0)
+      sum += static_cast<double>(row.factor * noise.dot(floats(row.coefficients, n)));
+  return sum;
 }
 
 void TrialNoise::add(const NoiseReading& reading, double factor) {
   const auto n = static_cast<std::int64_t>(reading.coefficients.size());
-  Eigen::Map<Eigen::VectorXf>(normals_.data() + place_of(reading), n) +=
-      static_cast<float>(factor) * floats(reading.coefficients.data(), n);
+  Eigen::Map<Eigen::VectorXf> noise(normals_.data() + place_of(reading), n);
+  for (const Row& row : rows_of(reading))
+    if (row.factor != 0)
+      noise += static_cast<float>(factor) * row.factor * floats(row.coefficients, n);
 }
 
 std::size_t TrialNoise::place_of(const NoiseReading& reading) const {

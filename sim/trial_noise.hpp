@@ -18,10 +18,12 @@ struct Stretch {
 };
 
 /// A number that noise makes somewhere in the receiver: its normals from sample `first` on times
-/// these coefficients, whose squares add up to 1. So it is a standard normal itself.
+/// these coefficients, whose squares add up to 1. So it is a standard normal itself. Of a tone at
+/// some phase they are a mixture of two rows, its cosine and its sine, which all phases share.
 struct NoiseReading {
   std::int64_t first = 0;
   std::span<const float> coefficients{};
+  float factor = 1, sine_factor = 0;  // unless that is 0, as many coefficients of the sine follow
 };
 
 double covariance(const NoiseReading& a, const NoiseReading& b);
