@@ -38,13 +38,13 @@ constexpr double harmless_share = 0.01;
 
 bool leaves_dark_bits_out(const PointResult& p) {
   const Weighted& weighted = p.tally.weighted;
-  return weighted.n_groups > 0 &&
+  return p.tally.is_weighted() &&
          weighted.dark_likelihood > harmless_share * weighted.frames_lost.sum;
 }
 
 bool has_uneven_weights(const PointResult& p) {
   const Weighted& weighted = p.tally.weighted;
-  return weighted.n_groups > 0 &&
+  return p.tally.is_weighted() &&
          !(weighted.bit_errors.is_sound() && weighted.frames_lost.is_sound());
 }
 

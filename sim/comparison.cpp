@@ -45,7 +45,6 @@ void mark_different(std::vector<PointComparison>& points, double alpha) {
 /// that is nearest, so it is rather too large.
 double p_value_of_count(const Tally& counted, const Tally& weighted) {
   const Estimate loss = frame_loss_ratio(weighted, 0.99);
-  if (std::isnan(loss.value)) return 1;
   const double lost = real(counted.n_frames_lost), frames = real(counted.n_frames);
   const double nearest = std::clamp(lost / frames, loss.low, loss.high);
   const boost::math::binomial all(frames, nearest);
@@ -57,7 +56,6 @@ double p_value_of_count(const Tally& counted, const Tally& weighted) {
 /// the one of fewer groups.
 double p_value_of_weighted(const Tally& a, const Tally& b) {
   const WeightedSum &x = a.weighted.frames_lost, &y = b.weighted.frames_lost;
-  if (!x.is_sound() || !y.is_sound()) return 1;
   constexpr double rounding = 1e-9;
   const double deviation = std::hypot(x.coefficient_of_variation(a.weighted.n_groups),
                                       y.coefficient_of_variation(b.weighted.n_groups), rounding);
@@ -66,11 +64,13 @@ double p_value_of_weighted(const Tally& a, const Tally& b) {
   return 2 * cdf(complement(t, std::abs(std::log(ratio)) / deviation));
 }
 
+/// Weights may be such that there is no estimate.
+bool has_loss(const Tally& t) { return !std::isnan(frame_loss_ratio(t, 0.99).value); }
+
 double p_value(const Tally& a, const Tally& b) {
-  const bool weighted_a = a.weighted.n_groups > 0, weighted_b = b.weighted.n_groups > 0;
-  if (weighted_a && weighted_b) return p_value_of_weighted(a, b);
-  if (weighted_a) return p_value_of_count(b, a);
-  if (weighted_b) return p_value_of_count(a, b);
+  if (a.is_weighted() && b.is_weighted()) return p_value_of_weighted(a, b);
+  if (a.is_weighted()) return p_value_of_count(b, a);
+  if (b.is_weighted()) return p_value_of_count(a, b);
   return fisher_exact(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames);
 }
 
@@ -102,7 +102,10 @@ ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, d
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Tally &one = a.points[i].tally, &other = b.points[i].tally;
     if (one.n_frames == 0 || other.n_frames == 0) continue;
-    comparison.points.push_back({i, p_value(one, other), false});
+    if (has_loss(one) && has_loss(other))
+      comparison.points.push_back({i, p_value(one, other), false});
+    else
+      ++comparison.unknown;
   }
   mark_different(comparison.points, alpha);
   return comparison;

@@ -21,7 +21,8 @@ struct PointComparison {
 
 struct ResultComparison {
   bool equal = false;                   // the same digest
-  std::vector<PointComparison> points;  // those measured in both
+  std::vector<PointComparison> points;  // those with an estimate of the loss in both
+  std::size_t unknown = 0;              // measured in both, without an estimate in one
   std::size_t different() const;
 };
 

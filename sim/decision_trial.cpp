@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -11,12 +10,10 @@
 #include <span>
 #include <utility>
 
+#include "sim/stopwatch.hpp"
+
 namespace sim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 /// What one lane of some decisions takes its bits for.
 struct Heard {
@@ -84,20 +81,17 @@ DecisionLink make_decision_link(const Link& link, const channel::CorrelatorOutpu
 }
 
 GroupResult decide_group(const Link& link, std::uint32_t first, int n, bool profiled) {
-  const auto now = [=] { return profiled ? Clock::now() : Clock::time_point(); };
-  const Clock::time_point began = now();
+  Stopwatch watch(profiled);
   std::array<channel::NoiseSeed, channel::lanes_per_group> seeds;
   const auto trials = std::span(seeds).first(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < trials.size(); ++i)
     trials[i] = noise_seed(link, first + static_cast<std::uint32_t>(i));
-  const Clock::time_point drawn = now();
+  const double messages_s = watch.lap();
   const channel::WrongBits wrong = channel::decide(link.decisions->bits, trials);
-  const Clock::time_point decided = now();
+  const double decisions_s = watch.lap();
   GroupResult result = count_group(link, first, trials.size(), wrong);
-  if (profiled)
-    result.profile = {.messages_s = seconds(drawn - began),
-                      .decisions_s = seconds(decided - drawn),
-                      .decoding_s = seconds(now() - decided)};
+  result.profile = {
+      .messages_s = messages_s, .decisions_s = decisions_s, .decoding_s = watch.seconds()};
   return result;
 }
 

@@ -28,6 +28,7 @@ std::string loss_of(const ExperimentResult& result, std::size_t point) {
 
 std::string verdict(const ResultComparison& c, double alpha) {
   if (c.equal) return "equal: the same counts at every point\n";
+  if (c.points.empty()) return "unknown: no point has an estimate of its loss in both\n";
   const std::size_t different = c.different();
   if (different == 0)
     return fmt::format("compatible: no point of {} differs in frame loss by more than chance\n",
@@ -36,6 +37,12 @@ std::string verdict(const ResultComparison& c, double alpha) {
       "different: {} of {} points in frame loss (all together at most {:g} of "
       "equals would be called so)\n",
       different, c.points.size(), alpha);
+}
+
+std::string unknown_note(const ResultComparison& c) {
+  if (c.equal || c.unknown == 0) return "";
+  return fmt::format("not compared: {} points whose weights give no estimate (alarm weights)\n",
+                     c.unknown);
 }
 
 }  // namespace
@@ -52,8 +59,10 @@ ExitCode diff_command(const DiffRequest& request) {
     if (p.different)
       text += fmt::format("{}p = {:.2g}: {} against {}\n", coordinates_of(a, p.point), p.p_value,
                           loss_of(a, p.point), loss_of(b, p.point));
-  print(text);
-  return comparison.different() > 0 ? ExitCode::check_failed : ExitCode::done;
+  print(text + unknown_note(comparison));
+  const bool agree =
+      comparison.equal || (!comparison.points.empty() && comparison.different() == 0);
+  return agree ? ExitCode::done : ExitCode::check_failed;
 }
 
 }  // namespace sim

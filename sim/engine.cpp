@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "channel/instruction_set.hpp"
+#include "sim/batch_sizes.hpp"
+#include "sim/stopwatch.hpp"
 #include "sim/team_engine.hpp"
 #include "sim/trial.hpp"
 #include "sim/worker_threads.hpp"
@@ -21,28 +22,12 @@
 namespace sim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::uint64_t group_size = channel::lanes_per_group;
 
-/// How many groups a thread takes at once.
-struct BatchSizes {
-  std::uint64_t least, most;
-};
-
-/// Many where one is over in a microsecond, which a lock takes too; else as many as the processor
-/// has lanes for, unless threads would have nothing to do. Of waveforms up to eight times as many,
-/// about a second's work: of more trials more are of like length (channel::propagate).
-BatchSizes batch_sizes(const Link& link, std::uint64_t groups, int threads) {
-  constexpr std::uint64_t quick = 64;
-  if (link.decisions) return {quick, quick};
-  const auto lanes = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
-  if (groups < lanes * static_cast<std::uint64_t>(threads)) return {1, 1};
-  if (link.envelope || link.importance) return {lanes, lanes};
-  constexpr double samples_a_batch = 0x1p28;
-  const double samples = dsp::cycles(mean_length(link), link.chain.sample_rate) * group_size;
-  return {lanes,
-          std::clamp(static_cast<std::uint64_t>(samples_a_batch / samples), lanes, 8 * lanes)};
+/// Single groups where else threads would have nothing to do.
+BatchSizes sizes_for(const Link& link, std::uint64_t groups, int threads) {
+  const BatchSizes sizes = batch_sizes(link);
+  return groups < sizes.least * static_cast<std::uint64_t>(threads) ? BatchSizes{1, 1} : sizes;
 }
 
 /// What the workers of one point share.
@@ -55,7 +40,7 @@ class Pool {
         profiled_(options.profiled),
         end_(options.first_trial + stop.max_frames),
         threads_(static_cast<std::uint64_t>(options.threads)),
-        sizes_(batch_sizes(link, stop.max_frames / group_size, options.threads)),
+        sizes_(sizes_for(link, stop.max_frames / group_size, options.threads)),
         ahead_(4 * sizes_.most * threads_),
         first_((options.first_trial + before.tally.n_frames) / group_size),
         next_(first_),
@@ -212,10 +197,8 @@ PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, 
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before) {
   if (options.team != nullptr) return run_point_together(link, stop, options, before);
-  const auto began = Clock::now();
-  const auto elapsed_s = [&] {
-    return before.elapsed_s + std::chrono::duration<double>(Clock::now() - began).count();
-  };
+  const Stopwatch watch;
+  const auto elapsed_s = [&] { return before.elapsed_s + watch.seconds(); };
   Pool pool(link, stop, options, before);
   {
     const Workers workers(pool, options.threads);

@@ -6,6 +6,7 @@
 #include "sim/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
+#include "sim/method.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
 #include "sim/team.hpp"
@@ -79,6 +80,9 @@ void check_shard(const LoadedScenario& scenario, const Shard& shard) {
     if (rule.rel_ci > 0 || rule.target_flr > 0)
       throw bad_input(problem, "--rel-ci and --target-flr need the counts of all shards",
                       "use --max-frames and --max-frame-errors, which can be shared out");
+    if (rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
+      throw bad_input(problem, "what weighted losses are worth cannot be shared out",
+                      "add --max-frame-errors 0");
     if (share_of(rule, shard).max_frames == 0)
       throw bad_input(problem, fmt::format("of {} frames none is left for it", rule.max_frames),
                       "use fewer shards or more frames, at least eight for each");

@@ -9,7 +9,6 @@
 
 #include "dsp/truncated_orthant.hpp"
 #include "sim/link.hpp"
-#include "sim/module_proposal.hpp"
 #include "sim/peak_readings.hpp"
 
 namespace sim {
@@ -73,6 +72,13 @@ double LikelihoodTable::worked_out(int row, int column) const {
   const double half = 0.5 * static_cast<double>(n - 1);
   const Eigen::VectorXd places = Eigen::VectorXd::LinSpaced(n, -half, half);
   return dsp::minimax_tilt(cholesky_, (rise * places).array() + level).log_probability;
+}
+
+int missed_cycles(const channel::ModuleData& module, dsp::Hertz carrier, bool population) {
+  const double centre_hz = module.centre_hz * (population ? 1 + module.centre_tolerance : 1);
+  const double cycles =
+      (module.comparator_hold_cycles + module.integrator_cycles) * carrier.value / centre_hz;
+  return std::max(1, static_cast<int>(std::ceil(cycles)) - 1);
 }
 
 std::shared_ptr<const ImportanceLink> make_importance_link(const Link& link) {

@@ -39,6 +39,10 @@ struct ImportanceLink {
   std::unique_ptr<const LikelihoodTable> likelihoods{};
 };
 
+/// Carrier cycles in a row without a comparator's pulse that empty the integrator of a module, or
+/// of the unit of its population that needs the fewest.
+int missed_cycles(const channel::ModuleData& module, dsp::Hertz carrier, bool population);
+
 /// Of a module's link that is complete but for this.
 std::shared_ptr<const ImportanceLink> make_importance_link(const Link& link);
 /// Of a matched receiver that measures this.

@@ -1,30 +1,26 @@
 #include "sim/importance_trial.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <span>
 
+#include "sim/drawn_trials.hpp"
 #include "sim/matched_proposal.hpp"
 #include "sim/module_proposal.hpp"
-#include "sim/trial_group.hpp"
+#include "sim/stopwatch.hpp"
 
 namespace sim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 /// A trial that nothing is known against is run this much as often as the average.
 constexpr double least_chance = 0.1;
 
-std::vector<TrialProposal> proposals_of(const Link& link, const TrialGroup& group,
+std::vector<TrialProposal> proposals_of(const Link& link, const DrawnTrials& drawn,
                                         const std::atomic<bool>* stop, channel::StageClock* clock) {
-  if (!link.ideal) return module_proposals(link, group, stop, clock);
+  if (!link.ideal) return module_proposals(link, drawn, stop, clock);
   std::vector<TrialProposal> proposals;
-  for (std::size_t i = 0; i < group.sent.size(); ++i)
-    proposals.push_back(matched_proposal(link, group.sent[i], group.inputs[i].carrier_phase));
+  for (std::size_t i = 0; i < drawn.sent.size(); ++i)
+    proposals.push_back(matched_proposal(link, drawn.sent[i], drawn.inputs[i].carrier_phase));
   return proposals;
 }
 
@@ -67,7 +63,7 @@ struct Runs {
 /// Some trials that are drawn together, and how.
 struct Trials {
   std::uint32_t first;
-  TrialGroup drawn;
+  DrawnTrials drawn;
   std::vector<TrialProposal> proposals;
 };
 
@@ -130,9 +126,9 @@ GroupResult count_runs(const Link& link, const Trials& trials, const Runs& runs,
   return result;
 }
 
-Trials draw_trials(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
-                   channel::StageClock* clock) {
-  Trials trials{first, draw_group(link, first, n), {}};
+Trials draw_proposals(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
+                      channel::StageClock* clock) {
+  Trials trials{first, draw_trials(link, first, n), {}};
   trials.proposals = proposals_of(link, trials.drawn, stop, clock);
   return trials;
 }
@@ -141,22 +137,21 @@ Trials draw_trials(const Link& link, std::uint32_t first, int n, const std::atom
 
 std::vector<GroupResult> run_weighted_groups(const Link& link, std::uint32_t first, int n,
                                              const std::atomic<bool>* stop, bool profiled) {
-  const Clock::time_point began = Clock::now();
+  Stopwatch watch;
   channel::StageClock clock;
   channel::StageClock* const timed = profiled ? &clock : nullptr;
-  const Trials trials = draw_trials(link, first, n, stop, timed);
+  const Trials trials = draw_proposals(link, first, n, stop, timed);
   const Runs runs = draw_runs(link, trials);
   std::vector<dsp::LogicTrace> pins = pins_of(link, runs.sent, runs.inputs, stop, timed);
-  const Clock::time_point heard = Clock::now();
+  const double hearing_s = watch.lap();
   std::vector<GroupResult> results;
   for (const TrialSpan& group : groups_of(pins.size()))
     results.push_back(count_runs(link, trials, runs, group, pins));
   if (!profiled) return results;
   double chain = 0;
   for (const double stage : clock.seconds()) chain += stage;
-  results.front().profile = {.messages_s = seconds(heard - began) - chain,
-                             .chain_s = clock.seconds(),
-                             .decoding_s = seconds(Clock::now() - heard)};
+  results.front().profile = {
+      .messages_s = hearing_s - chain, .chain_s = clock.seconds(), .decoding_s = watch.seconds()};
   return results;
 }
 

@@ -216,7 +216,8 @@ std::vector<Key> run_keys() {
       whole("stop.max_frames", "1", from(1, 4e9), stop, &StopSettings::max_frames,
             "messages after which a point ends", "trial numbers are 32 bits"),
       whole("stop.max_frame_errors", "1", from(0, 1e12), stop, &StopSettings::max_frame_errors,
-            "lost messages after which a point ends", "0: no such limit"),
+            "lost messages after which a point ends",
+            "under importance sampling as many as weights are worth; 0: no such limit"),
       number("stop.rel_ci", "1", from(0, 1), stop, &StopSettings::rel_ci,
              "half width of the interval of the bit error ratio, over the ratio, at which a point "
              "is finished",

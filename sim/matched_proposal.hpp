@@ -2,8 +2,8 @@
 // What makes a matched receiver miss a bit, as a proposal for importance sampling: one reading of
 // the noise a bit, against the carrier's phase where the bit is light and along it where it is
 // dark; for the envelope, which has no phase, of a dark bit in several directions.
+#include "sim/drawn_trials.hpp"
 #include "sim/link.hpp"
-#include "sim/trial_group.hpp"
 #include "sim/trial_proposal.hpp"
 
 namespace sim {

@@ -1,6 +1,10 @@
 // `cosys-sim merge`: one result of several machines' shards.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "sim/closing_lines.hpp"
 #include "sim/commands.hpp"
 #include "sim/experiment.hpp"
@@ -29,22 +33,35 @@ void refuse_to_lose_a_shard(const MergeRequest& request) {
                       "name another file");
 }
 
-StoredResult merged(const MergeRequest& request) {
-  StoredResult sum = read_result(request.results.front());
-  const ProgramInfo& by = sum.origin.program;
+/// What is to be added up: shards of one run, none of them twice.
+std::vector<StoredResult> read_shards(const MergeRequest& request) {
+  std::vector<StoredResult> all{read_result(request.results.front())};
+  const ProgramInfo& by = all.front().origin.program;
   if (by.version != request.program.version || by.commit != request.program.commit)
     throw bad_input("cannot merge " + request.results.front().string(),
                     "another version of the program counted it",
                     "use cosys-sim " + by.version + " (" + by.commit + ")");
   for (std::size_t i = 1; i < request.results.size(); ++i) {
-    const StoredResult more = read_result(request.results[i]);
-    const std::string why = mismatch(sum.origin, more.origin);
+    StoredResult more = read_result(request.results[i]);
+    const std::string why = mismatch(all.front().origin, more.origin);
     if (!why.empty()) refuse(request, i, why);
-    const Shard* twice = overlapping(sum.result.shards, more.result.shards);
-    if (twice != nullptr)
-      refuse(request, i, "trials of its shard " + shards_text({*twice}) + " are there already");
-    add(sum.result, more.result);
+    for (const StoredResult& before : all) {
+      const Shard* twice = overlapping(before.result.shards, more.result.shards);
+      if (twice != nullptr)
+        refuse(request, i, "trials of its shard " + shards_text({*twice}) + " are there already");
+    }
+    all.push_back(std::move(more));
   }
+  return all;
+}
+
+/// Sums of weights depend in their last digits on the order: it is that of the trials.
+StoredResult merged(const MergeRequest& request) {
+  std::vector<StoredResult> all = read_shards(request);
+  std::ranges::sort(all, comes_before,
+                    [](const StoredResult& one) { return one.result.shards.front(); });
+  StoredResult sum = std::move(all.front());
+  for (std::size_t i = 1; i < all.size(); ++i) add(sum.result, all[i].result);
   describe_points(sum.scenario, sum.result);
   sum.result.command = request.command;
   return sum;

@@ -222,7 +222,6 @@ class Builder {
 struct Trial {
   std::shared_ptr<PeakReadings> peaks;
   std::vector<Part> parts;
-  std::vector<float> quiet_normals;
   std::vector<channel::MarginWindow> margins;
   std::vector<channel::NoiseWindow> noise;
 };
@@ -246,23 +245,31 @@ Trial open_trial(const Link& link, const Transmission& sent, const channel::Chai
       channel::fundamental_phase(carrier, input.carrier_phase));
   trial.parts = parts_of(link, sent, *trial.peaks);
   trial.margins = margin_windows(trial.parts);
-  std::int64_t longest = 0;
-  for (const Stretch& s : stretches_of(trial)) longest = std::max(longest, s.n);
-  trial.quiet_normals.assign(static_cast<std::size_t>(longest), quiet);
-  for (const Stretch& s : stretches_of(trial))
-    trial.noise.push_back({s.first, s.n, trial.quiet_normals.data()});
   return trial;
+}
+
+/// Gives all of them next to no noise; what it returns must outlive its use.
+std::vector<float> silence(std::vector<Trial>& trials) {
+  std::int64_t longest = 0;
+  for (const Trial& trial : trials)
+    for (const Stretch& s : stretches_of(trial)) longest = std::max(longest, s.n);
+  std::vector<float> normals(static_cast<std::size_t>(longest), quiet);
+  for (Trial& trial : trials)
+    for (const Stretch& s : stretches_of(trial))
+      trial.noise.push_back({s.first, s.n, normals.data()});
+  return normals;
 }
 
 }  // namespace
 
-std::vector<TrialProposal> module_proposals(const Link& link, const TrialGroup& group,
+std::vector<TrialProposal> module_proposals(const Link& link, const DrawnTrials& drawn,
                                             const std::atomic<bool>* stop,
                                             channel::StageClock* clock) {
   std::vector<Trial> trials;
-  for (std::size_t i = 0; i < group.sent.size(); ++i)
-    trials.push_back(open_trial(link, group.sent[i], group.inputs[i]));
-  std::vector<channel::ChainInput> inputs = group.inputs;
+  for (std::size_t i = 0; i < drawn.sent.size(); ++i)
+    trials.push_back(open_trial(link, drawn.sent[i], drawn.inputs[i]));
+  const std::vector<float> silent = silence(trials);
+  std::vector<channel::ChainInput> inputs = drawn.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     inputs[i].margin_windows = trials[i].margins;
     inputs[i].noise_windows = trials[i].noise;
@@ -276,13 +283,6 @@ std::vector<TrialProposal> module_proposals(const Link& link, const TrialGroup& 
         {stretches_of(trial), builder.take(), trial.peaks, builder.dark_likelihood()});
   }
   return proposals;
-}
-
-int missed_cycles(const channel::ModuleData& module, dsp::Hertz carrier, bool population) {
-  const double centre_hz = module.centre_hz * (population ? 1 + module.centre_tolerance : 1);
-  const double cycles =
-      (module.comparator_hold_cycles + module.integrator_cycles) * carrier.value / centre_hz;
-  return std::max(1, static_cast<int>(std::ceil(cycles)) - 1);
 }
 
 }  // namespace sim

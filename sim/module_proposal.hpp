@@ -6,19 +6,15 @@
 #include <atomic>
 #include <vector>
 
+#include "sim/drawn_trials.hpp"
 #include "sim/link.hpp"
-#include "sim/trial_group.hpp"
 #include "sim/trial_proposal.hpp"
 
 namespace sim {
 
-/// Of each trial of a group.
-std::vector<TrialProposal> module_proposals(const Link& link, const TrialGroup& group,
+/// Of each of these trials.
+std::vector<TrialProposal> module_proposals(const Link& link, const DrawnTrials& drawn,
                                             const std::atomic<bool>* stop,
                                             channel::StageClock* clock);
-
-/// Carrier cycles in a row without a comparator's pulse that empty the integrator of a module, or
-/// of the unit of its population that needs the fewest.
-int missed_cycles(const channel::ModuleData& module, dsp::Hertz carrier, bool population);
 
 }  // namespace sim

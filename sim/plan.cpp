@@ -61,8 +61,10 @@ std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard
 double expected_frames(const Pilot& pilot) {
   const StopRule& rule = pilot.rule;
   double frames = most_frames;
-  if (rule.max_frame_errors > 0 && pilot.tally.n_frames_lost > 0)
-    frames = static_cast<double>(rule.max_frame_errors) / loss(pilot.tally);
+  const double lost = worth_of_losses(pilot.tally);
+  if (rule.max_frame_errors > 0 && lost > 0)
+    frames = static_cast<double>(rule.max_frame_errors) *
+             static_cast<double>(pilot.tally.n_frames) / lost;
   if (rule.rel_ci > 0) frames = std::min(frames, frames_for_width(pilot));
   if (rule.target_flr > 0) frames = std::min(frames, frames_for_target(pilot));
   return std::min(in_groups(std::max(frames, 1.0)), static_cast<double>(rule.max_frames));

@@ -14,9 +14,10 @@ constexpr double left_share = 1e-3;
 constexpr double surely = 10;
 
 /// Of the noise as it comes, where anything else is drawn.
-constexpr double natural_share = 0.1;
+constexpr double defensive_share = 0.1;
 
-/// With the tilt of just these levels: one of about them makes weights ten times as large.
+/// With the tilt of just these levels: with that of levels rounded to a grid the largest weights
+/// were ten times as large.
 dsp::TruncatedOrthant orthant_of(const Eigen::MatrixXd& cholesky, const Eigen::VectorXd& lower) {
   return {cholesky, lower, dsp::minimax_tilt(cholesky, lower).shift};
 }
@@ -36,8 +37,8 @@ Proposal::Proposal(Readings readings, const std::vector<WeakSpot>& spots,
     components_.push_back({spot, spot.likelihood});
   }
   if (components_.empty()) return;
-  natural_share_ = natural_share;
-  for (Component& component : components_) component.share *= (1 - natural_share) / kept;
+  natural_share_ = defensive_share;
+  for (Component& component : components_) component.share *= (1 - defensive_share) / kept;
 }
 
 void Proposal::draw(TrialNoise& noise, const dsp::RandomAddress& draws) const {

@@ -32,12 +32,17 @@ struct WeakSpot {
 class Proposal {
  public:
   Proposal() = default;  // the noise as it comes and nothing else
+  Proposal(Proposal&&) = default;
+  Proposal& operator=(Proposal&&) = default;
   /// `coefficients`: what the readings refer to, unless it lives elsewhere.
   Proposal(Readings readings, const std::vector<WeakSpot>& spots,
            std::vector<std::vector<float>> coefficients = {});
 
   /// About how probable it is by nature that any of the spots fails; may exceed 1.
   double likelihood() const { return likelihood_; }
+
+  /// Of the noise as it comes: no weight exceeds its inverse. 1: there is nothing else.
+  double natural_share() const { return natural_share_; }
 
   /// Makes of natural noise one that is drawn from this.
   void draw(TrialNoise& noise, const dsp::RandomAddress& draws) const;
@@ -62,7 +67,7 @@ class Proposal {
   Readings readings_;
   std::vector<Component> components_;
   double likelihood_ = 0;
-  double natural_share_ = 1;  // of the noise as it comes; no weight exceeds its inverse
+  double natural_share_ = 1;
 };
 
 }  // namespace sim

@@ -76,7 +76,7 @@ std::uint64_t outside_of(const ExperimentResult& line) {
 double loss_at(const ExperimentResult& result, std::size_t axis, double coordinate) {
   double frames = 0, lost = 0;
   for (const PointResult& p : result.points) {
-    if (p.coordinates[axis] != coordinate) continue;
+    if (p.coordinates[axis] != coordinate || p.tally.is_weighted()) continue;
     frames += static_cast<double>(p.tally.n_frames);
     lost += static_cast<double>(p.tally.n_frames_lost);
   }
@@ -211,12 +211,13 @@ std::string list(const ExperimentResult& result, const Ranking& ranking) {
 }  // namespace
 
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
-  if (is_weighted(result)) return {};  // fits are to counts
   Ranking ranking = axes_of(result.axes, question);
   if (ranking.abscissa == Ranking::none) return ranking;
-  for (Row& row : rows_of(result, ranking))
+  for (Row& row : rows_of(result, ranking)) {
+    if (is_weighted(row.line)) continue;  // fits are to counts
     ranking.rows.push_back(
         {std::move(row.others), frame_loss_crossing(row.line, question.flr), outside_of(row.line)});
+  }
   if (ranking.best_first) sort_best_first(result, ranking);
   return ranking;
 }

@@ -123,24 +123,23 @@ std::string mark_notes(const ExperimentResult& result) {
 
 namespace {
 
-std::string weighted_note(const ExperimentResult& result) {
-  std::uint64_t frames = 0, lost = 0;
-  for (const PointResult& p : result.points) {
-    frames += p.tally.n_frames;
-    lost += p.tally.n_frames_lost;
-  }
+/// All points that are counted, or all that are weighted.
+Tally sum_of(const ExperimentResult& result, bool weighted) {
+  Tally all;
+  for (const PointResult& p : result.points)
+    if (p.tally.is_weighted() == weighted) all += p.tally;
+  return all;
+}
+
+std::string weighted_note(const Tally& all) {
+  if (all.n_frames == 0) return "";
   return fmt::format(
       "importance sampling: {} of {} frames lost as drawn; ratios are weighted to what comes by "
       "nature\n",
-      lost, frames);
+      all.n_frames_lost, all.n_frames);
 }
 
-}  // namespace
-
-std::string loss_reasons(const ExperimentResult& result) {
-  if (is_weighted(result)) return weighted_note(result);
-  Tally all;
-  for (const PointResult& p : result.points) all += p.tally;
+std::string reasons_note(const Tally& all) {
   if (all.n_frames_lost == 0) return "";
   const std::pair<const char*, std::uint64_t> reasons[]{
       {"nothing heard", all.n_frames_unheard},
@@ -155,6 +154,12 @@ std::string loss_reasons(const ExperimentResult& result) {
     if (count > 0) known.push_back(fmt::format("{} {}", reason, count));
   return fmt::format("{} frames lost: {}{}\n", all.n_frames_lost, fmt::join(known, ", "),
                      known.size() > 1 ? " (a frame may have several reasons)" : "");
+}
+
+}  // namespace
+
+std::string loss_reasons(const ExperimentResult& result) {
+  return reasons_note(sum_of(result, false)) + weighted_note(sum_of(result, true));
 }
 
 std::string unfinished_note(const ExperimentResult& result) {

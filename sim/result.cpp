@@ -161,8 +161,8 @@ void append_point(std::string& bytes, const PointResult& p) {
     const auto* counter = std::get_if<std::uint64_t Tally::*>(&column.value);
     if (counter) append(bytes, p.tally.**counter);
   }
+  if (!p.tally.is_weighted()) return;
   Weighted weighted = p.tally.weighted;
-  if (weighted.n_groups == 0) return;
   for (const Column& column : table) {
     const auto* sum = std::get_if<Column::Sum>(&column.value);
     if (sum) append(bytes, std::bit_cast<std::uint64_t>((*sum)(weighted)));
@@ -177,7 +177,7 @@ bool measured(const PointResult& point) { return point.tally.n_frames > 0; }
 
 bool is_weighted(const ExperimentResult& result) {
   return std::ranges::any_of(result.points,
-                             [](const PointResult& p) { return p.tally.weighted.n_groups > 0; });
+                             [](const PointResult& p) { return p.tally.is_weighted(); });
 }
 
 std::vector<const Column*> columns_of(const ExperimentResult& result) {

@@ -53,7 +53,7 @@ struct ExperimentResult {
 };
 
 /// One variable of the result file and of the JSON report: the table of them drives both, and the
-/// digest too, which covers every column that is a member of Tally.
+/// digest too, which covers every column that is a count of Tally, or a sum of its weights.
 struct Column {
   using Real = double (*)(const PointResult&, double ci_level);
   using Sum = double& (*)(Weighted&);
@@ -78,7 +78,8 @@ std::span<const Column> columns();
 /// Whether anything was counted at this point: false for those a stopped run never reached.
 bool measured(const PointResult& point);
 
-/// Hash (32 hex digits) of all counts of all points with their coordinates and of nothing else:
+/// Hash (32 hex digits) of all counts and sums of weights of all points with their coordinates and
+/// of nothing else:
 /// equal digests, equal results.
 std::string result_digest(const ExperimentResult& result);
 

@@ -113,19 +113,18 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
 Estimate bit_error_ratio(const Tally& tally, double level) {
   if (tally.n_bits == 0) return {nothing, nothing, nothing};
   const Weighted& weighted = tally.weighted;
-  if (weighted.n_groups > 0)
+  if (tally.is_weighted())
     return weighted_ratio(weighted.bit_errors, weighted.n_groups, tally.n_bits, level);
   return estimate(ratio(tally.n_bit_errors, tally.n_bits), bit_error_interval(tally, level));
 }
 
 Estimate frame_loss_ratio(const Tally& tally, double level) {
-  const Weighted& weighted = tally.weighted;
-  if (weighted.n_groups > 0) return weighted_loss(weighted, tally.n_frames, level);
+  if (tally.is_weighted()) return weighted_loss(tally.weighted, tally.n_frames, level);
   return frame_ratio(tally.n_frames_lost, tally.n_frames, level);
 }
 
 Estimate undetected_error_ratio(const Tally& tally, double level) {
-  if (tally.weighted.n_groups > 0) return {nothing, nothing, nothing};
+  if (tally.is_weighted()) return {nothing, nothing, nothing};
   return frame_ratio(tally.n_frames_undetected, tally.n_frames, level);
 }
 

@@ -18,19 +18,18 @@ bool is_narrow(const Estimate& e, double relative) {
   return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;
 }
 
-/// Weighted losses are worth as many as would say as much of both ratios.
-double worth_of_losses(const Tally& counted) {
-  const Weighted& weighted = counted.weighted;
-  if (weighted.n_groups == 0) return static_cast<double>(counted.n_frames_lost);
-  return std::min(weighted.bit_errors.effective_size(), weighted.frames_lost.effective_size());
-}
-
 }  // namespace
 
 std::span<const char* const> stop_reason_names() { return reason_names; }
 
 const char* stop_reason_name(StopReason reason) {
   return reason_names.at(static_cast<std::size_t>(reason));
+}
+
+double worth_of_losses(const Tally& counted) {
+  if (!counted.is_weighted()) return static_cast<double>(counted.n_frames_lost);
+  const Weighted& weighted = counted.weighted;
+  return std::min(weighted.bit_errors.effective_size(), weighted.frames_lost.effective_size());
 }
 
 Side side_of(const Tally& counted, double flr) {

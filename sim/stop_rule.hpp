@@ -24,13 +24,16 @@ const char* stop_reason_name(StopReason reason);
 
 struct StopRule {
   std::uint64_t max_frames = 1000;
-  std::uint64_t max_frame_errors = 0;  // 0: no such limit
+  std::uint64_t max_frame_errors = 0;  // of worth_of_losses(); 0: no such limit
   /// Half the width of the bit error ratio's 95 % interval over the ratio; 0: no such rule.
   double rel_ci = 0;
   /// A frame loss ratio from which the point's is surely told, below or above it: by its 99.9 %
   /// interval. 0: no such rule.
   double target_flr = 0;
 };
+
+/// Lost frames; weighted ones are worth as many as would say as much of both ratios.
+double worth_of_losses(const Tally& counted);
 
 /// On which side of a level a point's frame loss surely is.
 enum class Side { unknown, below, above };

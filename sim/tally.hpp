@@ -1,7 +1,7 @@
 #pragma once
 // Tally: what was sent against what was heard, in integers, so that the order of adding cannot
-// change a result; but for the sums of weighted trials, which an engine adds in their order. Names
-// and meanings are those of the result file.
+// change a result; but for the sums of weighted trials, which are added in their order. Names and
+// meanings are those of the result file.
 #include <cstdint>
 
 #include "sim/weighted.hpp"
@@ -33,9 +33,10 @@ struct Tally {
   std::uint64_t sum_bit_errors_squared = 0;
   std::uint64_t sum_bits_squared = 0;
   std::uint64_t sum_bit_errors_times_bits = 0;
-  Weighted
-      weighted{};  // where trials have weights: then this, and not the counts, tells the ratios
+  // Where trials have weights this, and not the counts, tells the ratios.
+  Weighted weighted{};
 
+  bool is_weighted() const { return weighted.n_groups > 0; }
   Tally& operator+=(const Tally& o);
   bool operator==(const Tally&) const = default;
 };

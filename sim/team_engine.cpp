@@ -1,20 +1,19 @@
 #include "sim/team_engine.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "channel/instruction_set.hpp"
+#include "sim/batch_sizes.hpp"
+#include "sim/stopwatch.hpp"
 #include "sim/team.hpp"
 #include "sim/worker_threads.hpp"
 
 namespace sim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t group_size = channel::lanes_per_group;
 
@@ -23,10 +22,9 @@ constexpr std::uint64_t group_size = channel::lanes_per_group;
 constexpr double short_wave_s = 0.25, long_wave_s = 1;
 constexpr std::uint64_t largest_wave = 1 << 16;  // groups of a member
 
-/// Groups that a thread takes at once: at least as many as the widest processors have lanes for,
-/// and where there are more, up to eight times as many (sim/engine.cpp).
-constexpr std::uint64_t least_batch = channel::most_lanes / group_size;
-constexpr std::uint64_t most_batch = 8 * least_batch;
+/// Groups of a thread in the shortest wave: as many as the widest processors have lanes for, since
+/// the members must agree and their processors may differ.
+constexpr std::uint64_t least_share = channel::most_lanes / group_size;
 
 std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
@@ -43,9 +41,9 @@ struct Wave {
 };
 
 /// Batches of a thread, all alike.
-std::uint64_t batch_size(std::uint64_t share, std::uint64_t threads) {
-  const std::uint64_t rounds = divided_up(share, most_batch * threads);
-  return divided_up(divided_up(share, rounds * threads), least_batch) * least_batch;
+std::uint64_t batch_size(const BatchSizes& sizes, std::uint64_t share, std::uint64_t threads) {
+  const std::uint64_t rounds = divided_up(share, sizes.most * threads);
+  return divided_up(divided_up(share, rounds * threads), sizes.least) * sizes.least;
 }
 
 /// Runs a member's share of a wave on some threads.
@@ -55,7 +53,8 @@ class WaveRun {
       : link_(link),
         wave_(wave),
         first_(wave.first + rank * wave.share),
-        batch_(batch_size(wave.share, static_cast<std::uint64_t>(options.threads))),
+        batch_(
+            batch_size(batch_sizes(link), wave.share, static_cast<std::uint64_t>(options.threads))),
         options_(options),
         results_(wave.share) {}
 
@@ -111,7 +110,7 @@ std::optional<StopReason> add_in_order(const std::vector<GroupResult>& all, cons
 std::uint64_t next_share(const Wave& done, std::uint64_t members, double seconds) {
   std::uint64_t share = done.share;
   if (seconds < short_wave_s) share = std::min(2 * share, largest_wave);
-  if (seconds > long_wave_s) share = std::max(share / 2, least_batch);
+  if (seconds > long_wave_s) share = std::max(share / 2, least_share);
   const std::uint64_t next = done.first + done.share * members;
   const std::uint64_t left = divided_up(done.end_trial, group_size) - next;
   return std::min(share, divided_up(left, members));
@@ -122,27 +121,25 @@ std::uint64_t next_share(const Wave& done, std::uint64_t members, double seconds
 PointResult run_point_together(const Link& link, const StopRule& stop, const EngineOptions& options,
                                const PointResult& before) {
   Team& team = *options.team;
-  const auto began = Clock::now();
-  const auto since = [](Clock::time_point then) {
-    return std::chrono::duration<double>(Clock::now() - then).count();
+  const Stopwatch watch;
+  const auto point = [&](const GroupResult& counted, StopReason reason) {
+    return as_point(counted, reason, link, before.elapsed_s + watch.seconds());
   };
   const auto members = static_cast<std::uint64_t>(team.size());
   const auto rank = static_cast<std::uint64_t>(team.rank());
   GroupResult sum{before.tally, before.simulated_s, before.n_samples, before.profile};
   Wave wave{(options.first_trial + sum.tally.n_frames) / group_size,
-            least_batch * static_cast<std::uint64_t>(team.largest(options.threads)),
+            least_share * static_cast<std::uint64_t>(team.largest(options.threads)),
             options.first_trial + stop.max_frames};
   for (;;) {
-    const auto wave_began = Clock::now();
+    const Stopwatch wave_watch;
     const auto mine = WaveRun(link, wave, rank, options).run();
-    const double seconds = team.largest(since(wave_began));
+    const double seconds = team.largest(wave_watch.seconds());
     if (team.any(options.interrupt != nullptr && *options.interrupt))
-      return as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began));
+      return point(sum, StopReason::interrupted);
     const auto reason = add_in_order(team.exchange(mine), stop, sum);
-    if (reason) return as_point(sum, *reason, link, before.elapsed_s + since(began));
-    if (options.on_progress)
-      options.on_progress(
-          as_point(sum, StopReason::interrupted, link, before.elapsed_s + since(began)));
+    if (reason) return point(sum, *reason);
+    if (options.on_progress) options.on_progress(point(sum, StopReason::interrupted));
     const std::uint64_t share = next_share(wave, members, seconds);
     wave.first += wave.share * members;
     wave.share = share;

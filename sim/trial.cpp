@@ -1,16 +1,16 @@
 #include "sim/trial.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
 #include "sim/decision_trial.hpp"
 #include "sim/disturbance.hpp"
+#include "sim/drawn_trials.hpp"
 #include "sim/envelope_trial.hpp"
 #include "sim/importance_trial.hpp"
-#include "sim/trial_group.hpp"
+#include "sim/stopwatch.hpp"
 
 namespace sim {
 namespace {
@@ -157,10 +157,6 @@ GroupResult count_group(const Link& link, std::uint32_t first, const TrialSpan& 
   return result;
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 /// Trials after step 7, and where the time went.
 struct Heard {
   std::vector<Transmission> sent;
@@ -170,27 +166,25 @@ struct Heard {
 
 Heard hear_waveforms(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
                      bool profiled) {
-  const Clock::time_point began = Clock::now();
-  TrialGroup group = draw_group(link, first, n);
-  const Clock::time_point drawn = Clock::now();
+  const Stopwatch watch;
+  DrawnTrials trials = draw_trials(link, first, n);
+  const double messages_s = watch.seconds();
   channel::StageClock clock;
   std::vector<dsp::LogicTrace> pins =
-      pins_of(link, pointers(group.sent), group.inputs, stop, profiled ? &clock : nullptr);
-  return {std::move(group.sent),
+      pins_of(link, pointers(trials.sent), trials.inputs, stop, profiled ? &clock : nullptr);
+  return {std::move(trials.sent),
           std::move(pins),
-          {.messages_s = seconds(drawn - began), .chain_s = clock.seconds()}};
+          {.messages_s = messages_s, .chain_s = clock.seconds()}};
 }
 
 Heard hear_envelopes(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  const Clock::time_point began = Clock::now();
+  Stopwatch watch;
   std::vector<Transmission> sent;
   for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-  const Clock::time_point drawn = Clock::now();
+  const double messages_s = watch.lap();
   std::vector<dsp::LogicTrace> pins = envelope_pins(link, first, sent, stop);
-  const Clock::time_point done = Clock::now();
-  return {std::move(sent),
-          std::move(pins),
-          {.messages_s = seconds(drawn - began), .envelope_s = seconds(done - drawn)}};
+  return {
+      std::move(sent), std::move(pins), {.messages_s = messages_s, .envelope_s = watch.seconds()}};
 }
 
 std::vector<GroupResult> decide_groups(const Link& link, std::uint32_t first, int n,
@@ -303,13 +297,13 @@ std::vector<GroupResult> run_groups(const Link& link, std::uint32_t first, int n
   if (link.importance) return run_weighted_groups(link, first, n, stop, profiled);
   Heard heard = link.envelope ? hear_envelopes(link, first, n, stop)
                               : hear_waveforms(link, first, n, stop, profiled);
-  const Clock::time_point began = Clock::now();
+  const Stopwatch watch;
   std::vector<GroupResult> results;
   for (const TrialSpan& group : groups_of(heard.sent.size()))
     results.push_back(count_group(link, first, group, heard.sent, heard.pins));
   if (!profiled) return results;
   results.front().profile = heard.profile;
-  results.front().profile.decoding_s = seconds(Clock::now() - began);
+  results.front().profile.decoding_s = watch.seconds();
   return results;
 }
 

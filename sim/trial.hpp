@@ -14,7 +14,7 @@
 //   9 frames      COSYS decode                                    frame or a reason    CosysFrame
 //  10 count       sent against heard                              counters             Tally
 //
-// Steps 3-7 are channel::propagate, per sample, for one trial or eight; for a matched receiver they
+// Steps 3-7 are channel::propagate, per sample, for one trial or many; for a matched receiver they
 // can be one draw a bit (sim/decision_trial), for a module one step a carrier cycle
 // (sim/envelope_trial). For errors too rare to count, step 5 is drawn to make them, and step 10
 // weighs what comes of it (sim/importance_trial). Inside step 6

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 namespace {
@@ -23,6 +24,7 @@ WeightedSum& WeightedSum::operator+=(const WeightedSum& o) {
 double WeightedSum::effective_size() const { return squares > 0 ? sum * sum / squares : 0; }
 
 double WeightedSum::coefficient_of_variation(double groups) const {
+  if (!(sum > 0) || groups < 2) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(std::max(0.0, groups * group_squares / (sum * sum) - 1) / (groups - 1));
 }
 

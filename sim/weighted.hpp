@@ -16,7 +16,7 @@ struct WeightedSum {
 
   /// (sum x)^2 / sum x^2: as many equal runs would say as much.
   double effective_size() const;
-  /// Of the sum, seen as an estimate, from so many groups.
+  /// Of the sum, seen as an estimate, from so many groups; NaN where nothing is known of it.
   double coefficient_of_variation(double groups) const;
   /// Whether the estimate can be trusted: not where a few runs make it.
   bool is_sound() const;

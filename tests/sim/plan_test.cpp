@@ -35,6 +35,19 @@ TEST(Plan, ExpectsTheFramesThatTheRuleWillNeed) {
   EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .max_frame_errors = 50})), 100000);
 }
 
+// 1000 drawn frames that are all lost are worth half if half of the weights are small.
+TEST(Plan, ExpectsOfWeightedLossesWhatTheyAreWorth) {
+  Pilot pilot = pilot_of(1000, {.max_frames = 100000, .max_frame_errors = 50});
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<double> weight{i % 2 == 0 ? 1 : 0.01};
+    pilot.tally.weighted.n_groups += 1;
+    pilot.tally.weighted.bit_errors += weighted_sum(weight);
+    pilot.tally.weighted.frames_lost += weighted_sum(weight);
+  }
+  // (500 + 5)^2 / (500 + .05) are 510.
+  EXPECT_NEAR(expected_frames(pilot), 98, 8);
+}
+
 TEST(Plan, FillsTheTime) {
   const StopRule any{.max_frames = 1};
   const std::vector<Pilot> pilots{pilot_of(0, any), pilot_of(0, any), pilot_of(0, any)};

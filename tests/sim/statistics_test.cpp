@@ -217,15 +217,18 @@ TEST(TallySum, AddsEveryCounter) {
 }
 
 TEST(TallySum, AddsEveryWeightedSum) {
-  sim::WeightWords ones{};
-  ones.fill(1);
-  Tally sum{.weighted = std::bit_cast<sim::Weighted>(ones)};
-  ones.fill(2);
-  sum += {.weighted = std::bit_cast<sim::Weighted>(ones)};
+  sim::WeightWords a{}, b{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = static_cast<double>(i + 1);
+    b[i] = static_cast<double>(1000 * (i + 1));
+  }
+  Tally sum{.weighted = std::bit_cast<sim::Weighted>(a)};
+  sum += {.weighted = std::bit_cast<sim::Weighted>(b)};
+  const auto words = std::bit_cast<sim::WeightWords>(sum.weighted);
   int largest = 0;
-  for (const double word : std::bit_cast<sim::WeightWords>(sum.weighted)) {
-    largest += word == 2;
-    EXPECT_TRUE(word == 3 || word == 2) << word;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest += words[i] == b[i];
+    EXPECT_TRUE(words[i] == a[i] + b[i] || words[i] == b[i]) << i;
   }
   EXPECT_EQ(largest, 2);  // of bit errors and of frames lost
 }

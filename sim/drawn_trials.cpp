@@ -1,20 +1,20 @@
-#include "sim/trial_group.hpp"
+#include "sim/drawn_trials.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sim {
 
-TrialGroup draw_group(const Link& link, std::uint32_t first, int n) {
-  TrialGroup group;
+DrawnTrials draw_trials(const Link& link, std::uint32_t first, int n) {
+  DrawnTrials drawn;
   for (int i = 0; i < n; ++i) {
-    group.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-    group.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
+    drawn.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+    drawn.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
   }
-  for (std::size_t i = 0; i < group.sent.size(); ++i)
-    group.inputs.push_back(
-        chain_input(link, first + static_cast<std::uint32_t>(i), group.sent[i], group.units[i]));
-  return group;
+  for (std::size_t i = 0; i < drawn.sent.size(); ++i)
+    drawn.inputs.push_back(
+        chain_input(link, first + static_cast<std::uint32_t>(i), drawn.sent[i], drawn.units[i]));
+  return drawn;
 }
 
 std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const Transmission*>& sent,

@@ -1,5 +1,6 @@
 #pragma once
-// What is drawn for trials that run together, and their pins; and which of them are a group.
+// What is drawn for trials that run together, and their pins; and which of them are a group of
+// eight.
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -10,14 +11,14 @@
 
 namespace sim {
 
-struct TrialGroup {
+struct DrawnTrials {
   std::vector<Transmission> sent;
   std::vector<std::optional<channel::ModuleDesign>> units;
   std::vector<channel::ChainInput> inputs;  // point to the rest
 };
 
 /// Of the trials first ... first + n - 1.
-TrialGroup draw_group(const Link& link, std::uint32_t first, int n);
+DrawnTrials draw_trials(const Link& link, std::uint32_t first, int n);
 
 /// Steps 3-7 of such inputs, sent[i] being what the drive of inputs[i] sends.
 std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const Transmission*>& sent,
@@ -32,7 +33,7 @@ struct TrialSpan {
 /// So many trials in groups, the last of which may be smaller.
 std::vector<TrialSpan> groups_of(std::size_t trials);
 
-/// To each of them.
+/// To each of these.
 std::vector<const Transmission*> pointers(const std::vector<Transmission>& sent);
 
 /// Adds what a trial costs.
