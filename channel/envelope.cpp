@@ -144,12 +144,12 @@ class EnvelopeLane {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       begins_.push_back(clock_.at_or_after(input.begins[i]));
       rests_.push_back(begins_.back() - done);
+      assert(rests_.back() >= 0);
       done = begins_.back() + steps[i];
     }
     add_edges(chain, input, steps);
     for (std::size_t i = 0; i < steps.size(); ++i)
-      stretches_.push_back({edges_[i].data(), edges_[i].size(),
-                            static_cast<float>(std::max<std::int64_t>(rests_[i], 0))});
+      stretches_.push_back({edges_[i].data(), edges_[i].size(), static_cast<float>(rests_[i])});
   }
 
   const EnvelopeStretch* stretches() const { return stretches_.data(); }

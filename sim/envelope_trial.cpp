@@ -11,10 +11,15 @@ std::int32_t whole_blocks(double steps) {
   return static_cast<std::int32_t>(std::ceil(steps / block) * block);
 }
 
+/// By how much jitter can make a message longer: the first byte's moves all of it.
+dsp::Seconds most_jitter(const Link& link) {
+  return static_cast<double>(link.bytes.size() - 1) * link.start_jitter;
+}
+
 /// Longest time from the start of a message's first byte to its end.
 dsp::Seconds longest_message(const Link& link) {
-  const auto characters = static_cast<double>(link.bytes.size());
-  return characters * (dsp::period(link.device_baud) * protocol::bits_per_byte + link.start_jitter);
+  const auto bits = static_cast<double>(link.bytes.size() * protocol::bits_per_byte);
+  return bits * dsp::period(link.device_baud) + most_jitter(link);
 }
 
 /// How the trials of a group are computed.
@@ -59,8 +64,9 @@ EnvelopeLink make_envelope_link(const Link& link, const channel::LightSettings& 
   EnvelopeLink envelope{.chain = channel::design_envelope(link.module, light, link.chain)};
   const channel::EnvelopeUnit& unit = envelope.chain.unit;
   const dsp::Hertz rate = light.carrier;
-  const double dark =
-      dsp::cycles(link.interval_min, rate) - unit.ending - 2 * channel::envelope_block;
+  // A stretch is as long as the longest message; the next may come behind the shortest.
+  const double dark = dsp::cycles(link.interval_min - most_jitter(link), rate) - unit.ending -
+                      2 * channel::envelope_block;
   if (dark < 0) return envelope;
   const double light_steps = dsp::cycles(longest_message(link), rate) + unit.ending;
   for (int i = 0; i <= link.warmup_messages; ++i) {

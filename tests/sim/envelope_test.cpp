@@ -87,6 +87,13 @@ TEST(EnvelopeAgrees, WherePausesAreShort) {
   expect_agreement({"TSOP4856", "2.5", 8e-2}, 320);
 }
 
+// A message that drew little jitter ends early; the pause behind it is no longer for that.
+TEST(EnvelopeAgrees, WhereCharactersJitter) {
+  const Keys jitter{"device.start_jitter_us=5000", "device.interval_min_ms=20",
+                    "device.interval_max_ms=20"};
+  expect_agreement({"TSOP4856", "1.5", 0.39, jitter}, 320);
+}
+
 // With more samples a cycle, as near 60 kHz the waveform has whole cycles in its samples.
 TEST(EnvelopeAgrees, OffTheCentreAndAtAnotherDuty) {
   const Keys fine = with(short_pauses, {"simulation.sample_rate_hz=1010000"});
@@ -135,6 +142,35 @@ TEST(Envelope, LeavesOutMostOfAPause) {
     EXPECT_LT(stretch.steps / 59e3, 0.4) << "s; a message takes 0.28 s";
   const Link dense = link_of(keys({"device.interval_min_ms=1"}));
   EXPECT_TRUE(dense.envelope->stretches.empty());
+}
+
+/// Least time from the end of a stretch to the begin of the next in some trials.
+dsp::Seconds least_rest(const Link& link) {
+  dsp::Seconds least(1e9);
+  for (std::uint32_t trial = 0; trial < 16; ++trial) {
+    const Transmission sent = transmit(link, trial);
+    dsp::Seconds done(0);
+    for (std::size_t i = 0; i < sent.messages.size(); ++i) {
+      const auto [before, steps] = link.envelope->stretches[i];
+      const dsp::Seconds begin = sent.messages[i].byte_start.front() - before;
+      least = std::min(least, begin - done);
+      done = begin + steps * dsp::period(link.envelope->chain.carrier);
+    }
+  }
+  return least;
+}
+
+// A stretch has steps for the longest message; one without jitter ends earlier.
+TEST(Envelope, StretchesDoNotOverlap) {
+  const auto jittered = [](const char* min_ms, const char* jitter_us) {
+    return link_of(
+        keys({"receiver.module=TSOP4856", "simulation.warmup_messages=4",
+              std::string("device.interval_min_ms=") + min_ms, "device.interval_max_ms=200",
+              std::string("device.start_jitter_us=") + jitter_us}));
+  };
+  EXPECT_TRUE(jittered("20", "5000").envelope->stretches.empty());
+  for (const char* jitter_us : {"0", "1000", "5000"})
+    EXPECT_GE(least_rest(jittered("120", jitter_us)).value, 0) << jitter_us << " us";
 }
 
 TEST(Envelope, MakesNoSamples) {
