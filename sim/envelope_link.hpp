@@ -23,7 +23,10 @@ struct EnvelopeLink {
   std::vector<Stretch> stretches{};
 };
 
-/// Of a link that is complete but for this.
+/// Steps of the longest stretch that a trial may have, of a link that knows its device.
+double longest_stretch(const Link& link, const channel::EnvelopeChain& chain);
+
+/// Of a link that is complete but for this, and whose stretches' steps an int32_t holds.
 EnvelopeLink make_envelope_link(const Link& link, const channel::LightSettings& light);
 
 }  // namespace sim

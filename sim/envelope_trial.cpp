@@ -22,6 +22,27 @@ dsp::Seconds longest_message(const Link& link) {
   return bits * dsp::period(link.device_baud) + most_jitter(link);
 }
 
+/// Dark that a pause has for sure once the pin is idle. A stretch is as long as the longest
+/// message; the next may come behind the shortest.
+double least_dark(const Link& link, const channel::EnvelopeChain& chain) {
+  return dsp::cycles(link.interval_min - most_jitter(link), chain.carrier) - chain.unit.ending -
+         2 * channel::envelope_block;
+}
+
+double lead_in_steps(const channel::EnvelopeChain& chain) {
+  return dsp::cycles(lead_in, chain.carrier) - 1;
+}
+
+/// Of so much dark as much as the gain needs to settle.
+double settled_before(const channel::EnvelopeChain& chain, double dark) {
+  return std::floor(std::min(chain.unit.settling, dark));
+}
+
+/// Of the stretch of a message with so much dark before it.
+double stretch_steps(const Link& link, const channel::EnvelopeChain& chain, double before) {
+  return before + dsp::cycles(longest_message(link), chain.carrier) + chain.unit.ending;
+}
+
 /// How the trials of a group are computed.
 struct Inputs {
   std::vector<channel::EnvelopeInput> trials;
@@ -60,20 +81,23 @@ Inputs inputs_of(const Link& link, std::uint32_t first, std::span<const Transmis
 
 }  // namespace
 
+double longest_stretch(const Link& link, const channel::EnvelopeChain& chain) {
+  const double dark = least_dark(link, chain);
+  if (dark < 0) return dsp::cycles(longest_length(link), chain.carrier) + 1;
+  return stretch_steps(
+      link, chain,
+      std::max(settled_before(chain, lead_in_steps(chain)), settled_before(chain, dark)));
+}
+
 EnvelopeLink make_envelope_link(const Link& link, const channel::LightSettings& light) {
   EnvelopeLink envelope{.chain = channel::design_envelope(link.module, light, link.chain)};
-  const channel::EnvelopeUnit& unit = envelope.chain.unit;
-  const dsp::Hertz rate = light.carrier;
-  // A stretch is as long as the longest message; the next may come behind the shortest.
-  const double dark = dsp::cycles(link.interval_min - most_jitter(link), rate) - unit.ending -
-                      2 * channel::envelope_block;
+  const channel::EnvelopeChain& chain = envelope.chain;
+  const double dark = least_dark(link, chain);
   if (dark < 0) return envelope;
-  const double light_steps = dsp::cycles(longest_message(link), rate) + unit.ending;
   for (int i = 0; i <= link.warmup_messages; ++i) {
-    const double quiet = i == 0 ? dsp::cycles(lead_in, rate) - 1 : dark;
-    const double before = std::floor(std::min(unit.settling, quiet));
-    envelope.stretches.push_back(
-        {before / rate.value * dsp::Seconds(1), whole_blocks(before + light_steps)});
+    const double before = settled_before(chain, i == 0 ? lead_in_steps(chain) : dark);
+    envelope.stretches.push_back({dsp::Seconds(before / chain.carrier.value),
+                                  whole_blocks(stretch_steps(link, chain, before))});
   }
   return envelope;
 }

@@ -20,6 +20,8 @@ constexpr std::array table{FidelityName{"waveform", Fidelity::waveform},
 constexpr double most_detuned = 0.08, least_level_over_noise = 5, least_q = 7;
 constexpr double least_hold_cycles = 1.1, least_integrator_cycles = 2;
 
+constexpr double most_steps = 2e9;
+
 constexpr const char* key = "simulation.fidelity";
 
 /// "KEY = VALUE in x.toml:3" of a text.
@@ -60,8 +62,8 @@ void check_envelope_alone(const Scenario& s, const std::string& asked, const Pla
 }
 
 /// Where it was compared with the waveform (tests/sim/envelope_test.cpp).
-void check_envelope_bounds(const Scenario& s, const std::string& asked) {
-  const EnvelopeBounds bounds = envelope_bounds(s);
+void check_envelope_bounds(const Scenario& s, const EnvelopeBounds& bounds,
+                           const std::string& asked) {
   const auto refuse = [&](const std::string& what, const char* why) {
     throw bad_input(asked + what, why, "use the fidelity waveform");
   };
@@ -86,23 +88,23 @@ void check_envelope_bounds(const Scenario& s, const std::string& asked) {
            "it counts in steps of a cycle");
 }
 
-/// Where pauses may be short all of a trial is computed (sim/envelope_trial), and its steps counted
-/// in 31 bits.
-void check_envelope_length(const Scenario& s, const std::string& asked, const Places& places) {
-  constexpr double short_ms = 20, longest_ms = 2e7;
-  if (s.device.interval_min_ms >= short_ms) return;
-  if (s.simulation.warmup_messages * s.device.interval_max_ms <= longest_ms) return;
+/// Where pauses may be short all of a trial is one stretch (sim/envelope_trial), whose steps are
+/// counted in 31 bits.
+void check_envelope_length(const EnvelopeBounds& bounds, const std::string& asked) {
+  if (bounds.steps <= most_steps) return;
   throw bad_input(
-      asked + number_setting("device.interval_max_ms", s.device.interval_max_ms, places),
-      "a trial that may have short pauses may not last for hours",
-      "use device.interval_min_ms = 20 or more");
+      asked + fmt::format("messages and pauses of {:.4g} carrier cycles in one go", bounds.steps),
+      fmt::format("up to {:g} are counted", most_steps),
+      "use a longer device.interval_min_ms, so that pauses are left out, or a shorter "
+      "device.interval_max_ms, a shorter message or fewer simulation.warmup_messages");
 }
 
 void check_envelope(const Scenario& s, const Places& places) {
   const std::string asked = setting(key, s.simulation.fidelity, places) + " with ";
   check_envelope_alone(s, asked, places);
-  check_envelope_bounds(s, asked);
-  check_envelope_length(s, asked, places);
+  const EnvelopeBounds bounds = envelope_bounds(s);
+  check_envelope_bounds(s, bounds, asked);
+  check_envelope_length(bounds, asked);
 }
 
 }  // namespace

@@ -95,6 +95,17 @@ std::uint32_t point_hash(const Scenario& scenario) {
   return XXH32(text.data(), text.size(), 0);
 }
 
+/// What sends, and when.
+void set_device(Link& link, const Scenario& s) {
+  link.message = s.device.message;
+  link.bytes = protocol::cosys_encode(s.device.message);
+  link.device_baud = true_baud(s);
+  link.start_jitter = dsp::Seconds(s.device.start_jitter_us * 1e-6);
+  link.interval_min = dsp::Seconds(s.device.interval_min_ms * 1e-3);
+  link.interval_max = dsp::Seconds(s.device.interval_max_ms * 1e-3);
+  link.warmup_messages = static_cast<int>(s.simulation.warmup_messages);
+}
+
 void add_disturbances(Link& link, const Scenario& s) {
   for (const auto& [name, disturbance] : s.disturbances) {
     link.disturbances.push_back(disturbance);
@@ -129,22 +140,19 @@ EnvelopeBounds envelope_bounds(const Scenario& scenario) {
   const auto chain = channel::design_chain(point.scenario.module, point.light,
                                            dsp::Hertz(scenario.simulation.sample_rate_hz));
   const channel::ModuleData& module = point.scenario.module;
+  Link link;
+  set_device(link, scenario);
   return {.detuning = std::abs(point.light.carrier.value / module.centre_hz - 1),
           .overload = point.light.signal.value / module.emax_w_per_m2,
           .level_over_noise = channel::comparator_level(module, point.light.ambient) /
-                              channel::noise_deviation(module, chain)};
+                              channel::noise_deviation(module, chain),
+          .steps = longest_stretch(link, channel::design_envelope(module, point.light, chain))};
 }
 
 Link make_link(const Scenario& scenario) {
   const auto [s, light] = point_light(scenario);
   Link link;
-  link.message = s.device.message;
-  link.bytes = protocol::cosys_encode(s.device.message);
-  link.device_baud = true_baud(s);
-  link.start_jitter = dsp::Seconds(s.device.start_jitter_us * 1e-6);
-  link.interval_min = dsp::Seconds(s.device.interval_min_ms * 1e-3);
-  link.interval_max = dsp::Seconds(s.device.interval_max_ms * 1e-3);
-  link.warmup_messages = static_cast<int>(s.simulation.warmup_messages);
+  set_device(link, s);
   link.chain = channel::design_chain(s.module, light, dsp::Hertz(s.simulation.sample_rate_hz));
   link.delay = channel::nominal_delay(s.module);
   link.module = s.module;

@@ -54,11 +54,12 @@ dsp::Hertz carrier_of(const Link& link);
 
 Link make_link(const Scenario& scenario);
 
-/// What bounds the envelope (sim/fidelity) at a point.
+/// What bounds the envelope (sim/fidelity) at a point of a module.
 struct EnvelopeBounds {
   double detuning;          // of the carrier from f0, as a share of f0
   double overload;          // the light's irradiance over the limiter's
   double level_over_noise;  // the comparator's level over the deviation of the noise in the dark
+  double steps;             // carrier cycles at a stretch, at most
 };
 
 EnvelopeBounds envelope_bounds(const Scenario& scenario);

@@ -157,6 +157,16 @@ GroupResult count_group(const Link& link, std::uint32_t first, const TrialSpan& 
   return result;
 }
 
+/// A trial all of whose draws are `u`.
+dsp::Seconds length_at(const Link& link, double u) {
+  const double pauses = link.warmup_messages, messages = pauses + 1;
+  const auto characters = static_cast<double>(link.bytes.size());
+  const dsp::Seconds bit = dsp::period(link.device_baud);
+  const dsp::Seconds character = bit * protocol::bits_per_byte + u * link.start_jitter;
+  return lead_in + u * bit + messages * characters * character +
+         pauses * ((1 - u) * link.interval_min + u * link.interval_max) + lead_out;
+}
+
 /// Trials after step 7, and where the time went.
 struct Heard {
   std::vector<Transmission> sent;
@@ -221,14 +231,9 @@ Transmission transmit(const Link& link, std::uint32_t trial) {
   return sent;
 }
 
-dsp::Seconds mean_length(const Link& link) {
-  const double pauses = link.warmup_messages, messages = pauses + 1;
-  const auto characters = static_cast<double>(link.bytes.size());
-  const dsp::Seconds bit = dsp::period(link.device_baud);
-  const dsp::Seconds character = bit * protocol::bits_per_byte + 0.5 * link.start_jitter;
-  return lead_in + 0.5 * bit + messages * characters * character +
-         0.5 * pauses * (link.interval_min + link.interval_max) + lead_out;
-}
+dsp::Seconds mean_length(const Link& link) { return length_at(link, 0.5); }
+
+dsp::Seconds longest_length(const Link& link) { return length_at(link, 1); }
 
 std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial) {
   return address(link, trial, Purpose::noise).block(0);

@@ -89,6 +89,9 @@ Transmission transmit(const Link& link, std::uint32_t trial);
 /// How long that is on average, dark before and behind included.
 dsp::Seconds mean_length(const Link& link);
 
+/// How long that is at most.
+dsp::Seconds longest_length(const Link& link);
+
 /// Seed of all noise of a trial.
 std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial);
 

@@ -212,13 +212,43 @@ TEST(Envelope, IsRefusedWhereItWasNotCompared) {
   EXPECT_NE(refused({"noise.scale=2"}).find("standard deviations of noise"), std::string::npos);
   EXPECT_NE(refused({"module.q=6", "noise.scale=0.5"}).find("module.q = 6"), std::string::npos);
   EXPECT_NE(refused({"module.comparator_hold_cycles=1"}).find("must last"), std::string::npos);
+  EXPECT_NE(refused({"module.integrator_cycles=1"}).find("in steps"), std::string::npos);
+}
+
+// Steps are counted in 31 bits: those of messages and pauses that are computed in one go.
+TEST(Envelope, IsRefusedWhereItsStepsCannotBeCounted) {
+  const auto refused = [](const Keys& more) { return refusal("", keys(more)); };
   const Keys hours{"device.interval_max_ms=1000000", "simulation.warmup_messages=100"};
   EXPECT_EQ(refused(hours), "accepted");
   EXPECT_EQ(refused(with(hours, {"device.interval_min_ms=1"})),
-            asked +
-                "device.interval_max_ms = 1000000 in --set (a trial that may have short pauses "
-                "may not last for hours) use device.interval_min_ms = 20 or more");
-  EXPECT_NE(refused({"module.integrator_cycles=1"}).find("in steps"), std::string::npos);
+            "simulation.fidelity = \"envelope\" in --set with messages and pauses of 5.902e+09 "
+            "carrier cycles in one go (up to 2e+09 are counted) use a longer "
+            "device.interval_min_ms, so that pauses are left out, or a shorter "
+            "device.interval_max_ms, a shorter message or fewer simulation.warmup_messages");
+  // The gain may settle for days: no longer than a pause.
+  EXPECT_EQ(refused({"module.agc_attack_db_per_ms=1e-8"}), "accepted");
+  const Keys fast{"device.carrier_hz=455000",      "module.centre_hz=455000",
+                  "simulation.sample_rate_hz=2e6", "device.interval_min_ms=0",
+                  "device.interval_max_ms=1e6",    "noise.scale=0.1"};
+  EXPECT_NE(refused(with(fast, {"simulation.warmup_messages=20"})).find("in one go"),
+            std::string::npos);
+  EXPECT_EQ(refused(with(fast, {"simulation.warmup_messages=4"})), "accepted");
+  const Keys slow{"device.baud=1", "device.interval_min_ms=0",
+                  "device.message=" + std::string(64, 'A')};
+  EXPECT_EQ(refused(with(slow, {"simulation.warmup_messages=4"})), "accepted");
+  EXPECT_NE(refused(with(slow, {"simulation.warmup_messages=100", "device.interval_max_ms=2e5"}))
+                .find("in one go"),
+            std::string::npos);
+  // Jitter may be longer than the pause; one message alone may be too long.
+  EXPECT_NE(refused(with(hours, {"device.interval_min_ms=20", "device.start_jitter_us=5000"}))
+                .find("in one go"),
+            std::string::npos);
+  const Keys faster =
+      with(fast, {"device.carrier_hz=1e6", "module.centre_hz=1e6", "simulation.sample_rate_hz=4e6",
+                  "device.baud=1", "device.interval_min_ms=1e6", "simulation.warmup_messages=0"});
+  EXPECT_EQ(refused(faster), "accepted");
+  EXPECT_NE(refused(with(faster, {"device.message=" + std::string(220, 'A')})).find("in one go"),
+            std::string::npos);
 }
 
 }  // namespace
