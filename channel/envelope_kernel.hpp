@@ -41,7 +41,7 @@ struct EnvelopeKernelInput {
   std::size_t n_stretches = 0;
   /// Called when a lane's pin changes: at how many steps from the stretch's begin.
   void (*on_flip)(void* context, int lane, std::size_t stretch, double step) = nullptr;
-  /// Whether to give up, asked now and then.
+  /// Whether to give up, asked in each block.
   bool (*stopped)(void* context) = nullptr;
   void* context = nullptr;
 };

@@ -21,7 +21,7 @@ class EnvelopeLoop {
   }
 
   void run() {
-    for (std::size_t i = 0; i < in_.n_stretches && !in_.stopped(in_.context); ++i) run_stretch(i);
+    for (std::size_t i = 0; i < in_.n_stretches; ++i) run_stretch(i);
   }
 
  private:
@@ -33,7 +33,7 @@ class EnvelopeLoop {
     T xy[2 * block];
     Envelope<T> envelope[block];
     const std::int32_t steps = in_.steps[stretch];
-    for (std::int32_t first = 0; first < steps; first += block) {
+    for (std::int32_t first = 0; first < steps && !in_.stopped(in_.context); first += block) {
       noise_.fill(xy, 2 * block);
       fill(first, xy, envelope);
       demodulate(stretch, first, envelope);

@@ -158,6 +158,24 @@ TEST(Envelope, DarkThatIsLeftOutIsTheSameWithoutNoise) {
   }
 }
 
+// A stretch may take a minute.
+TEST(Envelope, IsStoppedWithinAStretch) {
+  const Chains chains(ModuleData{}, light_of(1));
+  const EnvelopeStretch dark;
+  const std::int32_t steps = 1000 * envelope_block;
+  int asked = 0;
+  EnvelopeKernelInput input;
+  for (EnvelopeKernelInput::Lane& lane : input.lane) lane.stretches = &dark;
+  input.design = &chains.envelope.unit.design;
+  input.steps = &steps;
+  input.n_stretches = 1;
+  input.on_flip = [](void*, int, std::size_t, double) {};
+  input.stopped = [](void* context) { return ++*static_cast<int*>(context) == 3; };
+  input.context = &asked;
+  run_envelopes_baseline(input);
+  EXPECT_EQ(asked, 3);
+}
+
 // Noise behind the band-pass has the waveform's deviation: sqrt(2 N B).
 TEST(Envelope, NoiseIsThatOfTheBandPass) {
   const Chains chains(ModuleData{}, light_of(1));
