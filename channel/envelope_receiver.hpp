@@ -196,10 +196,10 @@ class EnvelopeIntegrator {
     const T first = level_ + lit.end;
     const T fallen = dsp::smaller(first, top_) - (lit.begin - lit.end);
     const T last = dsp::larger(fallen, zero) + (one - lit.begin);
-    const auto full = last >= top_;
-    on_ = full | ((on_ | (first >= top_)) & (fallen > zero));
-    flip_ = dsp::choose(full, one - (last - top_),
-                        dsp::choose(on_, top_ - level_, lit.begin + dsp::smaller(fallen, zero)));
+    const auto early = first >= top_, full = last >= top_;
+    on_ = full | ((on_ | early) & (fallen > zero));
+    const T late = dsp::choose(full, one - (last - top_), lit.begin + dsp::smaller(fallen, zero));
+    flip_ = dsp::choose(early, top_ - level_, late);
     level_ = dsp::smaller(last, top_);
     return on_;
   }

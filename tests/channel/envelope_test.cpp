@@ -2,11 +2,14 @@
 // waveform. Whole links: tests/sim/envelope_test.cpp.
 #include "channel/envelope.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "channel/chain.hpp"
+#include "channel/envelope_receiver.hpp"
 #include "channel/noise.hpp"
 #include "channel/receiver_module.hpp"
 #include "gtest/gtest.h"
@@ -120,20 +123,25 @@ std::vector<dsp::LogicTrace> waveform_pins(const ChainDesign& chain,
   return propagate(chain, inputs);
 }
 
-// A step is a cycle; edges are met to a tenth of one, from weak light to strong.
+// A step is a cycle; edges are met to a tenth of one, from weak light to strong, wherever in a step
+// the integrator is full.
 TEST(Envelope, EdgesAreThoseOfTheWaveform) {
   ModuleData module;
   module.agc_attack_db_per_ms = 0;
-  for (const double mw_per_m2 : {0.4, 1.0, 10.0, 1000.0}) {
-    const Chains chains(module, light_of(mw_per_m2, 0.3));
-    const dsp::LogicTrace drive = train(40, dsp::Seconds(1.6713e-3));
-    const auto inputs = trials(drive);
-    const auto waveform = waveform_pins(chains.waveform, inputs);
-    const auto envelope =
-        propagate_envelopes(chains.envelope, inputs, whole(drive, chains.envelope));
-    for (const std::size_t kind : {0u, 1u})
-      EXPECT_NEAR(mean_delay(drive, envelope, kind), mean_delay(drive, waveform, kind), 0.1)
-          << mw_per_m2 << " mW/m2, " << (kind == 0 ? "light" : "dark");
+  for (const double integrator : {8.0, 7.1, 7.45, 11.25}) {
+    module.integrator_cycles = integrator;
+    for (const double mw_per_m2 : {0.4, 1.0, 10.0, 1000.0}) {
+      const Chains chains(module, light_of(mw_per_m2, 0.3));
+      const dsp::LogicTrace drive = train(40, dsp::Seconds(1.6713e-3));
+      const auto inputs = trials(drive);
+      const auto waveform = waveform_pins(chains.waveform, inputs);
+      const auto envelope =
+          propagate_envelopes(chains.envelope, inputs, whole(drive, chains.envelope));
+      for (const std::size_t kind : {0u, 1u})
+        EXPECT_NEAR(mean_delay(drive, envelope, kind), mean_delay(drive, waveform, kind), 0.1)
+            << integrator << " cycles, " << mw_per_m2 << " mW/m2, "
+            << (kind == 0 ? "light" : "dark");
+    }
   }
 }
 
@@ -174,6 +182,46 @@ TEST(Envelope, IsStoppedWithinAStretch) {
   input.context = &asked;
   run_envelopes_baseline(input);
   EXPECT_EQ(asked, 3);
+}
+
+/// Parts of a step that are lit, all times in 1/64 of one.
+struct Lit64 {
+  int end, begin;
+};
+
+/// Light that comes and goes, and as often as not without a gap between hold and next pulse.
+Lit64 lit_part(std::mt19937& draw, bool light) {
+  const int end = static_cast<int>(draw() % 65);
+  if (!light) return {end / 8, 64};
+  return {end, draw() % 2 == 0 ? end : std::min(64, end + static_cast<int>(draw() % 16))};
+}
+
+// An integrator that counts 64 times a step is the same to the last bit, as all times are 64ths.
+TEST(Envelope, IntegratorSwitchesWhereAFineSteppedOneDoes) {
+  std::mt19937 draw(1);
+  for (const int top : {128, 150, 512}) {
+    EnvelopeIntegrator<float> integrator(static_cast<float>(top) / 64);
+    int level = 0, flips = 0;
+    bool light = false, on = false;
+    for (int step = 0; step < 20000; ++step) {
+      if (draw() % 16 == 0) light = !light;
+      const Lit64 lit = lit_part(draw, light);
+      const bool before = on;
+      int flip = 0;
+      for (int i = 0; i < 64; ++i) {
+        const bool was = on;
+        level = std::clamp(level + (i < lit.end || i >= lit.begin ? 1 : -1), 0, top);
+        on = level == top || (on && level > 0);
+        if (on != was) flip = i + 1;
+      }
+      ASSERT_EQ(integrator({static_cast<float>(lit.end) / 64, static_cast<float>(lit.begin) / 64}),
+                on);
+      if (on == before) continue;
+      ++flips;
+      EXPECT_EQ(integrator.flip() * 64, static_cast<float>(flip)) << lit.end << ' ' << lit.begin;
+    }
+    EXPECT_GT(flips, 100);
+  }
 }
 
 // Noise behind the band-pass has the waveform's deviation: sqrt(2 N B).
