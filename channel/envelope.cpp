@@ -17,10 +17,6 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Share of a step's noise that its peak does not see: the front end is slower than white noise.
-/// From the variance of the waveform's peaks, 0.965 of that behind a band-pass alone (Q = 10).
-constexpr double newest_share = 0.04;
-
 /// Noise does not pass this, in standard deviations, as far as a gain is concerned.
 constexpr double unseen_deviations = 5.5;
 
@@ -77,6 +73,20 @@ double seen_peak(const ChainDesign& waveform, double q) {
     peak = std::max(peak, seen);
   }
   return sum / cycles;
+}
+
+/// Share of the noise's variance behind the band-pass that the front end takes from it, gains at f0
+/// being equal: the integral of |resonator|^2 / (1 + (f/f1)^2) over all f, in closed form.
+double front_end_loss(const ModuleData& data) {
+  const double ratio = data.front_end_hz / data.centre_hz, loss = ratio / data.q;
+  return loss / (1 + ratio * ratio + loss);
+}
+
+/// Share of a step's noise that its peak sees. The front end is slower than white noise: what it
+/// takes is missing from the newest.
+double seen_share(const ModuleData& data, const Resonator& resonator, double cycle) {
+  const double newest = 1 - std::exp(2 * resonator.pole.real() * cycle);
+  return std::sqrt(1 - front_end_loss(data) / newest);
 }
 
 EnvelopeNoise<float> cholesky(double power, Complex pseudo) {
@@ -300,7 +310,7 @@ EnvelopeDesign design_receiver(const ModuleData& module, const LightSettings& li
           .keep_im = f(keep.imag()),
           .drift_re = f(drift.real()),
           .drift_im = f(drift.imag()),
-          .seen = f(1 - newest_share),
+          .seen = f(seen_share(module, r, cycle)),
           .dark = noise_of(r, dark, cycle),
           .lit = noise_of(r, lit, cycle),
           .resting = noise_of(r, dark, 1),

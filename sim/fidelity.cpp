@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
@@ -17,9 +18,13 @@ constexpr std::array table{FidelityName{"waveform", Fidelity::waveform},
                            FidelityName{"envelope", Fidelity::envelope},
                            FidelityName{"decision", Fidelity::decision}};
 
-constexpr double most_detuned = 0.08, least_level_over_noise = 5, least_q = 7;
+// The envelope was compared with the waveform up to here (tests/sim/envelope_test.cpp), and to the
+// other ends of these keys.
+constexpr double most_detuned = 0.08, least_level_over_noise = 5;
+constexpr double least_q = 7, most_q = 30;
+constexpr double least_front_end_hz = 4e4, most_front_end_hz = 2e5;
+// By its steps: a pulse a cycle must last for more than one, and a switch takes more than one.
 constexpr double least_hold_cycles = 1.1, least_integrator_cycles = 2;
-
 constexpr double most_steps = 2e9;
 
 constexpr const char* key = "simulation.fidelity";
@@ -61,32 +66,63 @@ void check_envelope_alone(const Scenario& s, const std::string& asked, const Pla
                   "remove that light or use the fidelity waveform");
 }
 
-/// Where it was compared with the waveform (tests/sim/envelope_test.cpp).
-void check_envelope_bounds(const Scenario& s, const EnvelopeBounds& bounds,
-                           const std::string& asked) {
-  const auto refuse = [&](const std::string& what, const char* why) {
-    throw bad_input(asked + what, why, "use the fidelity waveform");
-  };
-  if (!(bounds.detuning <= most_detuned))
-    refuse(fmt::format("a carrier {:.2g} of f0 from it", bounds.detuning),
-           "the envelope is compared with the waveform up to 0.08");
-  if (!(bounds.overload <= 1))
-    refuse(fmt::format("{:.3g} of the limiter's irradiance", bounds.overload),
-           "the envelope is that of a linear input");
-  if (!(bounds.level_over_noise >= least_level_over_noise))
-    refuse(
-        fmt::format("a threshold of {:.3g} standard deviations of noise", bounds.level_over_noise),
-        "the envelope is compared with the waveform from 5 on");
-  if (!(s.module.q >= least_q))
-    refuse(fmt::format("module.q = {}", s.module.q),
-           "the envelope is compared with the waveform from 7 on");
-  if (!(s.module.comparator_hold_cycles >= least_hold_cycles))
-    refuse(fmt::format("module.comparator_hold_cycles = {}", s.module.comparator_hold_cycles),
-           "a pulse a cycle must last a cycle and more");
-  if (!(s.module.integrator_cycles >= least_integrator_cycles))
-    refuse(fmt::format("module.integrator_cycles = {}", s.module.integrator_cycles),
-           "it counts in steps of a cycle");
+/// In as many digits, three at least, as tell it from a limit that it is beyond.
+std::string number_beyond(double limit, double value) {
+  const auto text = [](double x, int digits) { return fmt::format("{:.{}g}", x, digits); };
+  int digits = 3;
+  while (digits < 17 && text(value, digits) == text(limit, digits)) ++digits;
+  return text(value, digits);
 }
+
+/// Where the envelope is not worked out, or was not compared with the waveform.
+class EnvelopeLimits {
+ public:
+  EnvelopeLimits(std::string asked, const Places& places)
+      : asked_(std::move(asked)), places_(places) {}
+
+  void check_light(const EnvelopeBounds& bounds) const {
+    if (!(bounds.detuning <= most_detuned))
+      refuse(
+          fmt::format("a carrier {} of f0 from it", number_beyond(most_detuned, bounds.detuning)),
+          compared("up to", most_detuned));
+    if (!(bounds.overload <= 1))
+      refuse(number_beyond(1, bounds.overload) + " of the limiter's irradiance",
+             "the envelope is that of a linear input");
+    if (!(bounds.level_over_noise >= least_level_over_noise))
+      refuse(fmt::format("a threshold of {} standard deviations of noise",
+                         number_beyond(least_level_over_noise, bounds.level_over_noise)),
+             compared("from", least_level_over_noise));
+  }
+  void check_module(const channel::ModuleData& module) const {
+    within(least_q, most_q, "module.q", module.q);
+    within(least_front_end_hz, most_front_end_hz, "module.front_end_hz", module.front_end_hz);
+    at_least(least_hold_cycles, "module.comparator_hold_cycles", module.comparator_hold_cycles,
+             fmt::format("a pulse a cycle must last a cycle and more, from {}", least_hold_cycles));
+    at_least(least_integrator_cycles, "module.integrator_cycles", module.integrator_cycles,
+             fmt::format("it counts in steps of a cycle, from {}", least_integrator_cycles));
+  }
+
+ private:
+  void at_least(double least, const char* name, double value, const std::string& why) const {
+    if (!(value >= least)) refuse_setting(name, value, why);
+  }
+  void within(double least, double most, const char* name, double value) const {
+    at_least(least, name, value, compared("from", least));
+    if (!(value <= most)) refuse_setting(name, value, compared("up to", most));
+  }
+  static std::string compared(const char* side, double limit) {
+    return fmt::format("the envelope is compared with the waveform {} {}", side, limit);
+  }
+  [[noreturn]] void refuse_setting(const char* name, double value, const std::string& why) const {
+    refuse(number_setting(name, value, places_), why);
+  }
+  [[noreturn]] void refuse(const std::string& what, const std::string& why) const {
+    throw bad_input(asked_ + what, why, "use the fidelity waveform");
+  }
+
+  std::string asked_;
+  const Places& places_;
+};
 
 /// Where pauses may be short all of a trial is one stretch (sim/envelope_trial), whose steps are
 /// counted in 31 bits.
@@ -103,7 +139,9 @@ void check_envelope(const Scenario& s, const Places& places) {
   const std::string asked = setting(key, s.simulation.fidelity, places) + " with ";
   check_envelope_alone(s, asked, places);
   const EnvelopeBounds bounds = envelope_bounds(s);
-  check_envelope_bounds(s, bounds, asked);
+  const EnvelopeLimits limits(asked, places);
+  limits.check_light(bounds);
+  limits.check_module(s.module);
   check_envelope_length(bounds, asked);
 }
 

@@ -237,5 +237,44 @@ TEST(Envelope, NoiseIsThatOfTheBandPass) {
   EXPECT_NEAR(noise_deviation(ModuleData{}, chains.waveform) / deviation, 1, 1e-6);
 }
 
+/// Variance of the output of a waveform's front end and band-pass in white samples of variance 1,
+/// on average over the places where its comparator looks.
+double looked_at_variance(const ModuleDesign& module) {
+  const BandPassDesign& d = module.band_pass;
+  const auto after = [](const BandPassStep<float>& step, double u, double v, double x) {
+    return static_cast<double>(step.u) * u + static_cast<double>(step.v) * v +
+           static_cast<double>(step.x) * x;
+  };
+  double x = static_cast<double>(module.front_end), u = 0, v = 0, sum = 0;
+  for (int sample = 0; sample < 5000; ++sample) {
+    const double third = after(d.third, u, v, x), two_thirds = after(d.two_thirds, u, v, x);
+    const double integral = after(d.integral, u, v, x);
+    u = after(d.output, u, v, x);
+    v = integral;
+    sum += (third * third + two_thirds * two_thirds + u * u) / 3;
+    x *= 1 - static_cast<double>(module.front_end);
+  }
+  return sum;
+}
+
+// Of a step's noise a peak sees what the front end leaves of the waveform's.
+TEST(Envelope, PeaksSeeTheNoiseThatTheFrontEndLeaves) {
+  for (const double q : {7.0, 10.0, 30.0})
+    for (const double front_end_hz : {40e3, 70e3, 150e3, 200e3}) {
+      ModuleData module;
+      module.q = q;
+      module.front_end_hz = front_end_hz;
+      const Chains chains(module, light_of(1));
+      const double white = 2 * noise_bandwidth(module).value / rate.value;
+      const EnvelopeDesign& d = chains.envelope.unit.design;
+      const double kept =
+          std::hypot(static_cast<double>(d.keep_re), static_cast<double>(d.keep_im));
+      const double seen = static_cast<double>(d.seen);
+      EXPECT_NEAR(1 - (1 - kept * kept) * (1 - seen * seen),
+                  looked_at_variance(chains.waveform.module) / white, 1e-3)
+          << "Q = " << q << ", " << front_end_hz << " Hz";
+    }
+}
+
 }  // namespace
 }  // namespace channel

@@ -102,6 +102,21 @@ TEST(EnvelopeAgrees, OffTheCentreAndAtAnotherDuty) {
   expect_agreement({"TSSP4056", "11.5", 1e-2, with(fine, {"device.carrier_duty=0.3"})}, 320);
 }
 
+// What is accepted of a module ends here, or where its keys do.
+TEST(EnvelopeAgrees, AtTheCornersOfWhatIsAccepted) {
+  const auto module = [](const char* set) {
+    return with(short_pauses, {std::string("module.") + set});
+  };
+  expect_agreement({"TSSP4056", "12.3", 3.5e-3, module("front_end_hz=4e4")}, 400);
+  expect_agreement({"TSSP4056", "12.5", 1.8e-2, module("front_end_hz=2e5")}, 160);
+  expect_agreement({"TSSP4056", "12.8", 2.6e-3, module("q=7")}, 320);
+  expect_agreement({"TSSP4056", "9.6", 2.3e-2, module("q=30")}, 160);
+  expect_agreement({"TSSP4056", "12.5", 1.1e-2, module("comparator_hold_cycles=1.1")}, 160);
+  expect_agreement({"TSSP4056", "11.8", 1.6e-2, module("comparator_hold_cycles=20")}, 160);
+  expect_agreement({"TSSP4056", "12.2", 8e-3, module("integrator_cycles=2")}, 160);
+  expect_agreement({"TSSP4056", "12", 0.165, module("integrator_cycles=100")}, 160);
+}
+
 Keys keys(const Keys& more = {}) {
   return with(
       {"simulation.fidelity=envelope", "receiver.range_m=2.3", "simulation.warmup_messages=1"},
@@ -203,16 +218,30 @@ TEST(Envelope, IsRefusedWhereItWasNotCompared) {
                 "device's light alone) remove that light or use the fidelity waveform");
   EXPECT_EQ(refused({"device.carrier_hz=61000"}),
             asked +
-                "a carrier 0.089 of f0 from it (the envelope is compared with the waveform up "
+                "a carrier 0.0893 of f0 from it (the envelope is compared with the waveform up "
                 "to 0.08) use the fidelity waveform");
   EXPECT_EQ(refused({"receiver.range_m=0.02"}),
             asked +
                 "3.62 of the limiter's irradiance (the envelope is that of a linear input) use "
                 "the fidelity waveform");
   EXPECT_NE(refused({"noise.scale=2"}).find("standard deviations of noise"), std::string::npos);
-  EXPECT_NE(refused({"module.q=6", "noise.scale=0.5"}).find("module.q = 6"), std::string::npos);
-  EXPECT_NE(refused({"module.comparator_hold_cycles=1"}).find("must last"), std::string::npos);
-  EXPECT_NE(refused({"module.integrator_cycles=1"}).find("in steps"), std::string::npos);
+  EXPECT_EQ(refused({"module.q=6", "noise.scale=0.5"}),
+            asked +
+                "module.q = 6 in --set (the envelope is compared with the waveform from 7) use the "
+                "fidelity waveform");
+  EXPECT_NE(refused({"module.q=31"})
+                .find("module.q = 31 in --set (the envelope is compared with "
+                      "the waveform up to 30)"),
+            std::string::npos);
+  EXPECT_NE(refused({"module.front_end_hz=39999"}).find("from 40000)"), std::string::npos);
+  EXPECT_NE(refused({"module.front_end_hz=2e6"}).find("up to 200000)"), std::string::npos);
+  EXPECT_NE(refused({"module.comparator_hold_cycles=1"}).find("= 1 in --set (a pulse a cycle must"),
+            std::string::npos);
+  // Just beyond a limit a number is not printed as the limit.
+  EXPECT_NE(refused({"device.carrier_hz=60480.4"}).find("carrier 0.08001 of f0 from it (the"),
+            std::string::npos);
+  EXPECT_NE(refused({"module.integrator_cycles=1"}).find("= 1 in --set (it counts in steps"),
+            std::string::npos);
 }
 
 // Steps are counted in 31 bits: those of messages and pauses that are computed in one go.
