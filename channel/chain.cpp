@@ -6,6 +6,7 @@
 
 #include "channel/bursts.hpp"
 #include "channel/chain_loop.hpp"
+#include "channel/kernel_choice.hpp"
 #include "channel/kernel_disturbances.hpp"
 #include "channel/lane_parts.hpp"
 #include "channel/noise.hpp"
@@ -100,15 +101,13 @@ struct PreparedGroup {
   }
 };
 
-/// The narrowest kernel that has lanes for so many trials.
-void run_kernel(const ChainKernelInput& input, [[maybe_unused]] std::size_t trials,
-                [[maybe_unused]] InstructionSet set) {
+constexpr Kernels<ChainKernelInput> kernels{
+    .baseline = run_lanes_baseline,
 #ifdef COSYS_HAVE_X86
-  if (trials > lanes_per_group) return run_lanes_v4(input);
-  if (runs_v3(set)) return run_lanes_v3(input);
+    .v3 = run_lanes_v3,
+    .v4 = run_lanes_v4,
 #endif
-  run_lanes_baseline(input);
-}
+};
 
 /// Runs the kernel, under a clock if there is one.
 void run(ChainKernelInput& input, std::size_t trials, InstructionSet set, StageClock* clock) {
@@ -117,7 +116,7 @@ void run(ChainKernelInput& input, std::size_t trials, InstructionSet set, StageC
     input.stage_context = clock;
     clock->start();
   }
-  run_kernel(input, trials, set);
+  run_narrowest(kernels, input, trials, set);
 }
 
 std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {

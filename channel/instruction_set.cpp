@@ -34,6 +34,6 @@ bool runs_v3(InstructionSet wanted) {
   return wanted != InstructionSet::baseline && has;
 }
 
-int trials_at_once(InstructionSet wanted) { return runs_v4(wanted) ? most_lanes : 8; }
+int trials_at_once(InstructionSet wanted) { return runs_v4(wanted) ? most_lanes : narrow_lanes; }
 
 }  // namespace channel

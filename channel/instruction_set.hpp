@@ -7,8 +7,8 @@ namespace channel {
 /// processor has.
 enum class InstructionSet { best, v3, baseline };
 
-/// Lanes of the widest kernels, those built for x86-64-v4 (AVX-512); the others have eight.
-constexpr int most_lanes = 16;
+/// Lanes of the widest kernels, those built for x86-64-v4 (AVX-512), and of the others.
+constexpr int most_lanes = 16, narrow_lanes = 8;
 
 /// Whether the kernels built for x86-64-v4 or v3 are to run: they exist, are wanted, and this
 /// processor has the set.
