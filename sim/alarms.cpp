@@ -57,7 +57,9 @@ constexpr std::array table{
     Alarm{"monotone", "frame loss rises and falls along the sweep by more than its intervals",
           nullptr},
     Alarm{"weights",
-          "importance sampling drew too few failures, or a few of them weigh too much: no estimate",
+          "importance sampling drew too few failures, or a few of them weigh too much: a ratio has "
+          "no "
+          "estimate",
           has_uneven_weights},
     Alarm{"dark", "noise may make dark bits light, which importance sampling did not draw",
           leaves_dark_bits_out},

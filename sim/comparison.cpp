@@ -6,6 +6,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "sim/statistics.hpp"
 
@@ -30,14 +32,14 @@ double normal_approximation(double lost_a, double n_a, double lost_b, double n_b
 
 /// Holm, Scand. J. Statist. 6 (1979) 65-70: from the smallest p on, as long as they are below alpha
 /// over the number that is left.
-void mark_different(std::vector<PointComparison>& points, double alpha) {
-  std::vector<std::size_t> order(points.size());
+void mark_different(std::vector<RatioTest>& tests, double alpha) {
+  std::vector<std::size_t> order(tests.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::size_t i) { return points[i].p_value; });
+  std::ranges::sort(order, {}, [&](std::size_t i) { return tests[i].p_value; });
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    PointComparison& point = points[order[rank]];
-    if (point.p_value > alpha / static_cast<double>(order.size() - rank)) return;
-    point.different = true;
+    RatioTest& test = tests[order[rank]];
+    if (test.p_value > alpha / static_cast<double>(order.size() - rank)) return;
+    test.different = true;
   }
 }
 
@@ -64,14 +66,36 @@ double p_value_of_weighted(const Tally& a, const Tally& b) {
   return 2 * cdf(complement(t, std::abs(std::log(ratio)) / deviation));
 }
 
-/// Weights may be such that there is no estimate.
-bool has_loss(const Tally& t) { return !std::isnan(frame_loss_ratio(t, 0.99).value); }
-
-double p_value(const Tally& a, const Tally& b) {
+double p_value_of_loss(const Tally& a, const Tally& b) {
   if (a.is_weighted() && b.is_weighted()) return p_value_of_weighted(a, b);
   if (a.is_weighted()) return p_value_of_count(b, a);
   if (b.is_weighted()) return p_value_of_count(a, b);
   return fisher_exact(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames);
+}
+
+/// Two-sided, that two bit error ratios are one: of the widest interval of their difference that
+/// has no 0 in it, made of the intervals of both (Zou & Donner, Statist. Med. 27 (2008) 1693-1702).
+double p_value_of_bits(const Tally& a, const Tally& b) {
+  const auto apart = [&](double p) {
+    Estimate x = bit_error_ratio(a, 1 - p), y = bit_error_ratio(b, 1 - p);
+    if (x.value > y.value) std::swap(x, y);
+    return y.value - x.value > std::hypot(y.value - y.low, x.high - x.value);
+  };
+  double together = 1e-12, p = 0.5;
+  if (!apart(p)) return 1;
+  if (apart(together)) return together;
+  while (p > 1.01 * together) {
+    const double middle = std::sqrt(p * together);
+    (apart(middle) ? p : together) = middle;
+  }
+  return p;
+}
+
+using RatioOf = Estimate (*)(const Tally&, double);
+
+/// Weights may be such that there is no estimate, and there may be no bits.
+bool both_have(RatioOf ratio_of, const Tally& a, const Tally& b) {
+  return !std::isnan(ratio_of(a, 0.99).value) && !std::isnan(ratio_of(b, 0.99).value);
 }
 
 }  // namespace
@@ -94,20 +118,24 @@ double fisher_exact(std::uint64_t lost_a, std::uint64_t frames_a, std::uint64_t 
 }
 
 std::size_t ResultComparison::different() const {
-  return static_cast<std::size_t>(std::ranges::count(points, true, &PointComparison::different));
+  std::set<std::size_t> points;
+  for (const RatioTest& test : tests)
+    if (test.different) points.insert(test.point);
+  return points.size();
 }
 
 ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha) {
-  ResultComparison comparison{.equal = result_digest(a) == result_digest(b), .points = {}};
+  ResultComparison comparison{.equal = result_digest(a) == result_digest(b)};
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Tally &one = a.points[i].tally, &other = b.points[i].tally;
     if (one.n_frames == 0 || other.n_frames == 0) continue;
-    if (has_loss(one) && has_loss(other))
-      comparison.points.push_back({i, p_value(one, other), false});
-    else
-      ++comparison.unknown;
+    const bool losses = both_have(frame_loss_ratio, one, other);
+    const bool bits = both_have(bit_error_ratio, one, other);
+    if (losses) comparison.tests.push_back({i, Ratio::loss, p_value_of_loss(one, other), false});
+    if (bits) comparison.tests.push_back({i, Ratio::bits, p_value_of_bits(one, other), false});
+    (losses || bits ? comparison.compared : comparison.unknown) += 1;
   }
-  mark_different(comparison.points, alpha);
+  mark_different(comparison.tests, alpha);
   return comparison;
 }
 

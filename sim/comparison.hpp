@@ -1,6 +1,6 @@
 #pragma once
-// Whether two results of the same sweep say the same: equal counts, or losses that differ by no
-// more than chance.
+// Whether two results of the same sweep say the same: equal counts, or frame loss and bit error
+// ratios that differ by no more than chance.
 #include <cstddef>
 #include <vector>
 
@@ -13,20 +13,24 @@ namespace sim {
 double fisher_exact(std::uint64_t lost_a, std::uint64_t frames_a, std::uint64_t lost_b,
                     std::uint64_t frames_b);
 
-struct PointComparison {
+enum class Ratio { loss, bits };
+
+struct RatioTest {
   std::size_t point;  // index in both
-  double p_value;     // of one and the same frame loss
-  bool different;     // after Holm's correction for the number of points
+  Ratio ratio;
+  double p_value;  // of one and the same ratio
+  bool different;  // after Holm's correction for the number of tests
 };
 
 struct ResultComparison {
-  bool equal = false;                   // the same digest
-  std::vector<PointComparison> points;  // those with an estimate of the loss in both
-  std::size_t unknown = 0;              // measured in both, without an estimate in one
-  std::size_t different() const;
+  bool equal = false;              // the same digest
+  std::vector<RatioTest> tests{};  // of the ratios that have an estimate in both
+  std::size_t compared = 0;        // points measured in both
+  std::size_t unknown = 0;         // the same, but without an estimate of either ratio in one
+  std::size_t different() const;   // points
 };
 
-/// Both must have the same axes. `alpha`: probability of calling equals different, all points
+/// Both must have the same axes. `alpha`: probability of calling equals different, all tests
 /// together.
 ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha);
 

@@ -247,11 +247,10 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
       return fmt::format("frame loss rises and falls along {}: no single crossing of {:g} %",
                          axis.key, level * 100);
     case Kind::all_below:
-      return fmt::format("frame loss stays at most {:g} % over the whole sweep, ", level * 100) +
-             range + doubt(c, level);
-    case Kind::all_above:
-      return fmt::format("frame loss is above {:g} % over the whole sweep, ", level * 100) + range +
+      return fmt::format("frame loss stays at most {:g} % over ", level * 100) + range +
              doubt(c, level);
+    case Kind::all_above:
+      return fmt::format("frame loss is above {:g} % over ", level * 100) + range + doubt(c, level);
     case Kind::unclear:
       break;
   }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "sim/standard_output.hpp"
 #include "sim/statistics.hpp"
 
@@ -15,9 +17,11 @@ bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 std::string line_of(const Progress& p) {
   const Tally& tally = p.result.points[p.point].tally;
-  return fmt::format("point {} of {}: {} of at most {} frames, {} lost, BER {:.2g}", p.point + 1,
+  const double ber = bit_error_ratio(tally, p.result.ci_level).value;
+  return fmt::format("point {} of {}: {} of at most {} frames, {} lost{}, BER {}", p.point + 1,
                      p.result.points.size(), tally.n_frames, p.max_frames, tally.n_frames_lost,
-                     tally.n_bits > 0 ? ratio(tally.n_bit_errors, tally.n_bits) : 0.0);
+                     tally.is_weighted() ? " as drawn" : "",
+                     std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber));
 }
 
 }  // namespace

@@ -123,7 +123,11 @@ std::string with_overrides(std::string text, const std::vector<std::string>& ove
 LoadedScenario load_scenario(const std::filesystem::path& path,
                              const std::vector<std::string>& overrides,
                              const std::vector<std::filesystem::path>& roots) {
-  return parse_scenario(read_text_file(path, "scenario"), path, overrides, roots);
+  const std::string text = read_text_file(path, "scenario");
+  if (text.starts_with("\x89HDF"))
+    throw bad_input(path.string(), "it is an HDF5 file, not a scenario",
+                    "give the .toml; with --resume it goes on with its result");
+  return parse_scenario(text, path, overrides, roots);
 }
 
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,

@@ -56,6 +56,12 @@ double effective_bits(const Tally& t, double r, double level) {
   return std::max(effective / widened, as_real(t.n_frames));
 }
 
+/// A bad frame has one wrong bit at least, whatever is known of bursts.
+double least_ratio(const Tally& t, double level) {
+  const double frames = as_real(t.n_frames), bad = as_real(t.n_frames_bit_errors);
+  return clopper_pearson(bad, frames, level).low * frames / as_real(t.n_bits);
+}
+
 /// Log-normal interval of a weighted mean, by Student's t for so many groups; nothing where a few
 /// groups make the mean.
 Estimate weighted_ratio(const WeightedSum& x, double groups, std::uint64_t whole, double level) {
@@ -103,7 +109,11 @@ Interval bit_error_interval(const Tally& tally, double level) {
   const bool no_spread_to_see = r == 0 || r == 1 || tally.n_frames < 2;
   const double trials =
       no_spread_to_see ? as_real(tally.n_frames) : effective_bits(tally, r, level);
-  return clopper_pearson(r * trials, trials, level);
+  Interval ci = clopper_pearson(r * trials, trials, level);
+  const Interval of_bits =
+      clopper_pearson(as_real(tally.n_bit_errors), as_real(tally.n_bits), level);
+  ci.low = std::max(ci.low, std::min(least_ratio(tally, level), of_bits.low));
+  return ci;
 }
 
 double ratio(std::uint64_t part, std::uint64_t whole) {

@@ -22,8 +22,9 @@ Interval clopper_pearson(double successes, double trials, double level);
 
 /// Interval of the bit error ratio with frames as clusters (Korn & Graubard 1998): Clopper-Pearson
 /// on the effective number of bits, n / design effect, and by Student's t for as many frames as had
-/// errors. With no error seen, the frames count as trials: nothing is then known about how bits
-/// fail together.
+/// errors; its lower end is not below one wrong bit a bad frame, of which there are so many at
+/// least. With no error seen, the frames count as trials: nothing is then known about how bits fail
+/// together.
 Interval bit_error_interval(const Tally& tally, double level);
 
 /// Ratio that is NaN where nothing was counted.

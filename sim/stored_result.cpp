@@ -91,6 +91,17 @@ bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
   return shards && result_digest(result) == file.text("result_digest");
 }
 
+/// Who reads a result cannot mend its scenario.
+LoadedScenario carried_scenario(const Origin& origin, const std::filesystem::path& path) {
+  try {
+    return parse_scenario(origin.scenario_toml, path, {}, {});
+  } catch (const Failure&) {
+    throw bad_input(path.string(),
+                    "the scenario in it cannot be read: it is damaged, or of another version",
+                    "choose another file");
+  }
+}
+
 StoredResult read_result(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
@@ -100,7 +111,7 @@ StoredResult read_result(const std::filesystem::path& path) {
                     "give a file that run wrote");
   const NetcdfReader file(path);
   StoredResult stored{origin_of(file), {}, {}};
-  stored.scenario = parse_scenario(stored.origin.scenario_toml, path, {}, {});
+  stored.scenario = carried_scenario(stored.origin, path);
   stored.result = unfinished(stored.scenario, file.text("command"));
   stored.result.scenario_toml = stored.origin.scenario_toml;
   if (!read_counts(file, stored.result))

@@ -28,7 +28,7 @@ TEST_F(Find, IsASweepThatCanBeRepeated) {
             0);
   write("again.toml", tool("/usr/bin/python3", {"-c",
                                                 "import netCDF4; print(netCDF4.Dataset('s-find.h5')"
-                                                ".scenario_toml)"}));
+                                                ".scenario_toml, end='')"}));
   const Outcome again = program({"run", "again.toml", "-q"});
   ASSERT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(program({"diff", "s-find.h5", "again.h5"}).out,

@@ -108,8 +108,9 @@ TEST_F(Importance, OfNothingThatFailedNothingIsKnown) {
   const Outcome o = program({"diff", "drawn.h5", "counted.h5"});
   EXPECT_EQ(o.code, 1);
   EXPECT_EQ(o.out,
-            "unknown: no point has an estimate of its loss in both\n"
-            "not compared: 1 points whose weights give no estimate (alarm weights)\n");
+            "unknown: no point has an estimate in both\n"
+            "not compared: a point whose weights give no estimate (alarm weights)\n"
+            "they are of other scenarios, options or seeds\n");
 }
 
 TEST_F(Importance, RefusesLossesThatCannotBeSharedOut) {

@@ -71,16 +71,20 @@ TEST_F(CommandLine, ResumeRefusesDamage) {
   const std::string digest = digest_of(program({"run", "s.toml", "-q"}).out);
   const std::string whole = content(path("s.h5"));
   int refused = 0;
+  std::string words;
   for (std::size_t at = 8; at < whole.size(); at += whole.size() / 60) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
     write("s.h5", damaged);
     const Outcome o = program({"run", "s.toml", "-q", "--resume"});
     refused += o.code == 2;
+    words += program({"diff", "s.h5", "s.h5"}).err;
     EXPECT_TRUE(o.code == 2 || (o.code == 0 && digest_of(o.out) == digest)) << at << o.err;
     EXPECT_LE(std::ranges::count(o.err, '\n'), 1) << o.err;
   }
   EXPECT_GT(refused, 0);
+  EXPECT_NE(words.find("the scenario in it cannot be read: it is damaged"), std::string::npos);
+  EXPECT_EQ(words.find("correct this line"), std::string::npos) << words;
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ std::string digest_in(const std::string& out) {
 TEST_F(CommandLine, RefusesWhatItCannotRead) {
   write_scenario("s.toml", "receiver.range_m = [1, 2]");
   expect_refused({}, bad_input, "A subcommand is required (wrong usage) see cosys-sim --help");
+  write("r.h5", "\x89HDF\r\n\x1a\n...");
+  expect_refused(
+      {"run", "r.h5"}, bad_input,
+      "r.h5 (it is an HDF5 file, not a scenario) give the .toml; with --resume it goes on "
+      "with its result");
   expect_refused({"rnu"}, bad_input, "rnu (no such command) did you mean run?");
   expect_refused({"run"}, bad_input, "SCENARIO is required (wrong usage) see cosys-sim run --help");
   expect_refused({"run", "s.toml", "--thread", "2"}, bad_input,

@@ -61,9 +61,44 @@ TEST(Comparison, TwiceTheLossIsFound) {
     const auto a = drawn({0.1, 0.1, 0.1, 0.1, 0.1}, 1000, random);
     const auto b = drawn({0.1, 0.1, 0.2, 0.1, 0.1}, 1000, random);
     const auto comparison = sim::compare(a, b, 0.01);
-    found += comparison.points[2].different;
+    found += comparison.tests[2].different;
   }
   EXPECT_GE(found, 198);
+}
+
+/// Points of frames that are all lost, with this many wrong bits of 170 on average, in bursts.
+sim::ExperimentResult lost(const std::vector<double>& errors, std::mt19937_64& random) {
+  sim::ExperimentResult result;
+  for (const double mean : errors) {
+    sim::Tally tally{.n_frames = 100, .n_frames_lost = 100};
+    for (int frame = 0; frame < 100; ++frame) {
+      const std::uint64_t wrong =
+          std::geometric_distribution<std::uint64_t>(1 / (1 + mean))(random);
+      const std::uint64_t bits = 170;
+      tally += {.n_bits = bits,
+                .n_bit_errors = wrong,
+                .n_frames_bit_errors = wrong > 0,
+                .sum_bit_errors_squared = wrong * wrong,
+                .sum_bits_squared = bits * bits,
+                .sum_bit_errors_times_bits = wrong * bits};
+    }
+    result.points.push_back({.tally = tally});
+  }
+  return result;
+}
+
+// Where every frame is lost bit errors tell results apart.
+TEST(Comparison, OfBitErrorsThatComeInBursts) {
+  const std::vector<double> errors{0.05, 0.5, 2, 5, 10};
+  std::mt19937_64 random(5);
+  int alarms = 0, found = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto a = lost(errors, random), b = lost(errors, random);
+    alarms += sim::compare(a, b, 0.01).different() > 0;
+    found += sim::compare(a, lost({0.05, 0.5, 5, 5, 10}, random), 0.01).different() == 1;
+  }
+  EXPECT_LE(alarms, 10);
+  EXPECT_GE(found, 970);
 }
 
 TEST_F(CommandLine, DiffTellsEqualCompatibleAndDifferent) {
@@ -81,7 +116,9 @@ TEST_F(CommandLine, DiffTellsEqualCompatibleAndDifferent) {
   EXPECT_EQ(program({"diff", "a.h5", "again.h5"}).out, "equal: the same counts at every point\n");
   const Outcome chance = program({"diff", "a.h5", "seed.h5"});
   EXPECT_EQ(chance.code, 0);
-  EXPECT_EQ(chance.out, "compatible: no point of 2 differs in frame loss by more than chance\n");
+  EXPECT_EQ(chance.out,
+            "compatible: no point of 2 differs in frame loss or BER by more than chance\n"
+            "they are of other scenarios, options or seeds\n");
   const Outcome dim = program({"diff", "a.h5", "dim.h5"});
   EXPECT_EQ(dim.code, 1) << dim.out;
   EXPECT_TRUE(dim.out.starts_with("different: ")) << dim.out;

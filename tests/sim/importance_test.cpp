@@ -364,7 +364,7 @@ Tally drawn(double weight) {
 }
 
 double p_value(const Tally& a, const Tally& b) {
-  return compare(result_of(a), result_of(b), 0.01).points[0].p_value;
+  return compare(result_of(a), result_of(b), 0.01).tests[0].p_value;
 }
 
 TEST(Comparison, OfAWeightedLossWithACount) {
@@ -380,7 +380,7 @@ TEST(Comparison, LeavesOutWhatHasNoEstimate) {
   nothing.weighted.n_groups = 100;
   for (const Tally& other : {Tally{.n_frames = 100, .n_frames_lost = 100}, drawn(0.02)}) {
     const ResultComparison c = compare(result_of(nothing), result_of(other), 0.01);
-    EXPECT_TRUE(c.points.empty());
+    EXPECT_TRUE(c.tests.empty());
     EXPECT_EQ(c.unknown, 1u);
   }
 }

@@ -4,6 +4,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <string>
+#include <vector>
+
 #include "gtest/gtest.h"
 
 namespace sim {
@@ -19,8 +22,7 @@ ExperimentResult two_points() {
   return result;
 }
 
-void show_at_once(bool shown) {
-  const ExperimentResult result = two_points();
+void show_at_once(bool shown, const ExperimentResult& result = two_points()) {
   ProgressLine line(shown, std::chrono::milliseconds(0));
   line.show({result, 1, 4000000000u});
   line.clear();
@@ -31,6 +33,19 @@ TEST(ProgressLine, SaysHowFarARunIs) {
   show_at_once(true);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "point 2 of 2: 16 of at most 4000000000 frames, 3 lost, BER 0.02\n");
+}
+
+// Of frames that are drawn to fail the counts say nothing, their weights do.
+TEST(ProgressLine, SaysOfWeightedFramesWhatTheyAreWorth) {
+  ExperimentResult drawn = two_points();
+  drawn.points[1].tally.weighted.n_groups = 2;
+  testing::internal::CaptureStderr();
+  show_at_once(true, drawn);
+  drawn.points[1].tally.weighted.bit_errors = weighted_sum(std::vector<double>(30, 1e-9));
+  show_at_once(true, drawn);
+  const std::string frames = "point 2 of 2: 16 of at most 4000000000 frames, 3 lost as drawn, BER ";
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            frames + "not yet known\n" + frames + "3e-11\n");
 }
 
 TEST(ProgressLine, IsSilentWhenAskedToBe) {

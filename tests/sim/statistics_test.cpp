@@ -175,6 +175,15 @@ TEST(BitErrorInterval, TakesEvenlySpreadErrorsForIndependentBits) {
   EXPECT_NEAR(clustered.high / plain.high, 1, 0.01);
 }
 
+// Nothing is known of bursts, but one frame of 200 was bad and one bit of it wrong: 1 -
+// 0.975^(1/200) of the frames at least, by a bit of 170 each.
+TEST(BitErrorInterval, OfOneBadFrameIsNotBelowItsOneBit) {
+  Tally t;
+  for (int i = 0; i < 200; ++i) add_frame(t, 170, i == 7 ? 5 : 0);
+  EXPECT_NEAR(sim::bit_error_interval(t, 0.95).low, -std::expm1(std::log(0.975) / 200) / 170,
+              1e-12);
+}
+
 TEST(BitErrorInterval, CountsFramesWhenNothingOrEverythingFailed) {
   Tally none, all;
   for (int i = 0; i < 50; ++i) add_frame(none, 170, 0);
