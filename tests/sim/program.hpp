@@ -2,6 +2,7 @@
 // The built program, run from outside in a folder of its own: what users and their scripts see.
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,6 +21,7 @@ using Words = std::vector<std::string>;
 struct Outcome {
   int code = 0;  // of the exit; minus the signal's number if one killed it
   std::string out, err;
+  long peak_kb = 0;  // of its memory
 };
 
 inline std::string content(const std::filesystem::path& path) {
@@ -52,11 +54,12 @@ class Running {
     if (signal != 0) ::kill(pid_, signal);
     while (!line().empty()) continue;
     int status = 0;
-    ::waitpid(pid_, &status, 0);
+    rusage used{};
+    ::wait4(pid_, &status, 0, &used);
     ::close(out_);
     pid_ = -1;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return {code, read_, content(err_)};
+    return {code, read_, content(err_), used.ru_maxrss};
   }
 
  private:
