@@ -2,34 +2,20 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <numeric>
 #include <utility>
 
+#include "protocol/ascii.hpp"
+
 namespace protocol {
 namespace {
-
-bool is_printable(char c) { return c >= ' ' && c <= '~'; }
-
-std::string hex(std::uint8_t byte) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  return {digits[byte >> 4U], digits[byte & 0xFU]};
-}
-
-std::optional<std::uint8_t> parse_hex(std::string_view text) {
-  std::uint8_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value, 16);
-  if (text.size() != 2 || parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
-  return value;
-}
 
 CosysOutcome judge(std::string_view line) {
   if (!std::ranges::all_of(line, is_printable)) return CosysOutcome::unprintable;
   const std::size_t space = line.rfind(' ');
   if (space == std::string_view::npos || line.size() - space < tail_size - 1)
     return CosysOutcome::too_short;
-  const auto checksum = parse_hex(line.substr(space + 1));
+  const auto checksum = parse_hex_byte(line.substr(space + 1));
   if (!checksum) return CosysOutcome::not_hex;
   const bool right = *checksum == cosys_checksum(line.substr(0, space));
   return right ? CosysOutcome::ok : CosysOutcome::wrong_checksum;
@@ -47,7 +33,7 @@ std::optional<std::string> problem_in_message(std::string_view device_message,
                                               std::size_t max_line) {
   const auto* bad = std::ranges::find_if_not(device_message, is_printable);
   if (bad != device_message.end()) {
-    return "byte 0x" + hex(static_cast<std::uint8_t>(*bad)) + " at position " +
+    return "byte 0x" + hex_byte(static_cast<std::uint8_t>(*bad)) + " at position " +
            std::to_string(bad - device_message.begin()) + " is not printable ASCII, 0x20 to 0x7e";
   }
   const std::size_t line_size = device_message.size() + tail_size;
@@ -58,7 +44,7 @@ std::optional<std::string> problem_in_message(std::string_view device_message,
 
 Bytes cosys_encode(std::string_view device_message) {
   assert(!problem_in_message(device_message));
-  const std::string tail = ' ' + hex(cosys_checksum(device_message)) + '\n';
+  const std::string tail = ' ' + hex_byte(cosys_checksum(device_message)) + '\n';
   Bytes bytes(device_message.begin(), device_message.end());
   bytes.insert(bytes.end(), tail.begin(), tail.end());
   return bytes;
