@@ -74,6 +74,10 @@ std::uint8_t shared_link_checksum(std::string_view characters) {
                          });
 }
 
+std::size_t shared_link_size(const SharedLinkMessage& message) {
+  return text_before_checksum(message).size() + checksum_size + brackets + line_end.size();
+}
+
 std::optional<std::string> problem_in_text(std::string_view text) {
   const auto allowed = [](char c) { return is_printable(c) && c != '[' && c != ']' && c != '|'; };
   const auto* bad = std::ranges::find_if_not(text, allowed);
@@ -91,8 +95,7 @@ std::optional<std::string> problem_in_message(const SharedLinkMessage& message,
       return std::string{'\'', address, '\''} + " is no address, 'A' to 'P'";
   for (const SharedLinkField& field : message.fields)
     if (auto problem = problem_in_text(field.text)) return problem;
-  const std::size_t size =
-      text_before_checksum(message).size() + checksum_size + brackets + line_end.size();
+  const std::size_t size = shared_link_size(message);
   if (size <= max_size) return std::nullopt;
   return "it would be " + std::to_string(size) + " bytes long, " + std::to_string(size - max_size) +
          " over the limit of " + std::to_string(max_size);

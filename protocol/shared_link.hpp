@@ -42,6 +42,9 @@ struct SharedLinkMessage {
   friend bool operator==(const SharedLinkMessage&, const SharedLinkMessage&) = default;
 };
 
+/// Bytes on the line, from `[` to LF.
+std::size_t shared_link_size(const SharedLinkMessage& message);
+
 /// Why this text cannot be a value or a name, if it cannot.
 std::optional<std::string> problem_in_text(std::string_view text);
 
@@ -64,6 +67,9 @@ enum class SharedLinkOutcome {
   overlong,        // no `]` within the limit
   unended,         // another `[` before the `]`
 };
+
+inline constexpr std::size_t shared_link_outcomes =
+    static_cast<std::size_t>(SharedLinkOutcome::unended) + 1;
 
 constexpr std::string_view name(SharedLinkOutcome outcome) {
   switch (outcome) {

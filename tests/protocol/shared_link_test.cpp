@@ -116,9 +116,9 @@ TEST(SharedLink, EachRejectionHasItsName) {
   EXPECT_EQ(outcome(checked("AB||D1")), Outcome::unknown_field);
   EXPECT_EQ(outcome(checked("AB")), Outcome::ok);
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Outcome::unended); ++i)
+  for (std::size_t i = 0; i < shared_link_outcomes; ++i)
     names.insert(name(static_cast<Outcome>(i)));
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(Outcome::unended) + 1);
+  EXPECT_EQ(names.size(), shared_link_outcomes);
   EXPECT_FALSE(names.contains(""));
 }
 

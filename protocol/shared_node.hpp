@@ -1,0 +1,99 @@
+#pragma once
+// One end of a SharedLink: an outbound list of named variables, which the peer mirrors, and an
+// inbound list, which mirrors the peer's. A pure state machine: bytes and the time go in, bytes and
+// changed variables come out. It has no clock, no thread and no port.
+//
+// A value that has not changed is sent as an empty field, so no value is empty. The sum of a
+// message finds every byte that is changed, lost or added, but not all pairs of them: what passes
+// is taken.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsp/units.hpp"
+#include "protocol/shared_link.hpp"
+
+namespace protocol {
+
+struct SharedNodeSettings {
+  char address = 'A', peer = 'B';
+  std::vector<std::string> outbound{}, inbound{};  // names, known to both ends beforehand
+  bool compressed = true;  // leave out what has not changed, but for full sets
+  dsp::Seconds full_set_every{1};
+  dsp::Seconds query_timeout{1};
+  std::size_t max_size = default_max_shared_link;  // of a message, bytes
+};
+
+/// Why there can be no such node, if there cannot.
+std::optional<std::string> problem_in_node(const SharedNodeSettings& settings);
+
+struct SharedVariable {
+  std::string name;
+  std::string value{};               // empty: not yet known
+  std::optional<dsp::Seconds> at{};  // when it was heard last, changed or not
+};
+
+/// What happened to a node.
+struct SharedNodeCounts {
+  std::uint64_t sent = 0;      // messages
+  std::uint64_t accepted = 0;  // messages, that is: none of the following
+  std::array<std::uint64_t, shared_link_outcomes> rejected{};  // by SharedLinkOutcome
+  std::uint64_t for_others = 0;                                // to another address
+  std::uint64_t from_others = 0;                               // not from the peer
+  std::uint64_t bad_index = 0;  // no number, or a value outside of the list
+  std::uint64_t misplaced = 0;  // a value with neither index nor name, or a name without a value
+  std::uint64_t unknown_asked = 0;    // queries that were not answered: no such value here
+  std::uint64_t unknown_replies = 0;  // values of a name that is not in the list
+  std::uint64_t asked = 0, answered = 0, timed_out = 0;  // queries of this node's own
+};
+
+class SharedNode {
+ public:
+  /// The settings must have no problem.
+  explicit SharedNode(SharedNodeSettings settings);
+
+  /// A new value of an outbound variable; why it cannot be sent, if it cannot.
+  [[nodiscard]] std::optional<std::string> set(std::size_t variable, const std::string& value);
+  /// Asks the peer for an inbound variable, with what is sent next.
+  void ask(std::size_t variable);
+
+  /// What is to be sent now: answers, queries, and values: all where a full set is due, else those
+  /// that have changed.
+  Bytes transmit(dsp::Seconds now);
+  /// The inbound variables that this byte changes.
+  std::vector<std::size_t> receive(const UartByte& byte);
+
+  const std::vector<SharedVariable>& outbound() const { return outbound_; }
+  const std::vector<SharedVariable>& inbound() const { return inbound_; }
+  const SharedNodeCounts& counts() const { return counts_; }
+
+ private:
+  struct Content;
+  class ContentReader;
+
+  std::optional<Content> content_of(const SharedLinkMessage& message);
+  std::vector<std::size_t> take(const Content& content, dsp::Seconds now);
+  void answer(const std::vector<std::string>& names);
+  void give_up(dsp::Seconds now);
+  SharedLinkMessage to_peer() const { return {settings_.peer, settings_.address, {}}; }
+  void append(Bytes& bytes, const SharedLinkMessage& message);
+  void append_answers(Bytes& bytes);
+  void append_queries(Bytes& bytes, dsp::Seconds now);
+  void append_values(Bytes& bytes, bool full);
+
+  SharedNodeSettings settings_;
+  SharedLinkDecoder decoder_;
+  std::vector<SharedVariable> outbound_, inbound_;
+  std::vector<bool> changed_;                  // of the outbound ones, since they were sent
+  std::vector<std::size_t> to_answer_;         // outbound variables
+  std::vector<std::size_t> to_ask_;            // inbound ones
+  std::map<std::size_t, dsp::Seconds> asked_;  // inbound variables, when they were asked for
+  std::optional<dsp::Seconds> full_set_at_;
+  SharedNodeCounts counts_;
+};
+
+}  // namespace protocol
