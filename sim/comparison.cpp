@@ -131,8 +131,10 @@ ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, d
     if (one.n_frames == 0 || other.n_frames == 0) continue;
     const bool losses = both_have(frame_loss_ratio, one, other);
     const bool bits = both_have(bit_error_ratio, one, other);
-    if (losses) comparison.tests.push_back({i, Ratio::loss, p_value_of_loss(one, other), false});
-    if (bits) comparison.tests.push_back({i, Ratio::bits, p_value_of_bits(one, other), false});
+    if (losses)
+      comparison.tests.push_back({i, ComparedRatio::flr, p_value_of_loss(one, other), false});
+    if (bits)
+      comparison.tests.push_back({i, ComparedRatio::ber, p_value_of_bits(one, other), false});
     (losses || bits ? comparison.compared : comparison.unknown) += 1;
   }
   mark_different(comparison.tests, alpha);

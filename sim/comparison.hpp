@@ -13,11 +13,11 @@ namespace sim {
 double fisher_exact(std::uint64_t lost_a, std::uint64_t frames_a, std::uint64_t lost_b,
                     std::uint64_t frames_b);
 
-enum class Ratio { loss, bits };
+enum class ComparedRatio { flr, ber };
 
 struct RatioTest {
   std::size_t point;  // index in both
-  Ratio ratio;
+  ComparedRatio ratio;
   double p_value;  // of one and the same ratio
   bool different;  // after Holm's correction for the number of tests
 };

@@ -21,7 +21,7 @@ std::string coordinates_of(const ExperimentResult& result, std::size_t point) {
 
 std::string ratio_of(const ExperimentResult& result, const RatioTest& test) {
   const Tally& tally = result.points[test.point].tally;
-  const bool loss = test.ratio == Ratio::loss;
+  const bool loss = test.ratio == ComparedRatio::flr;
   const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, result.ci_level);
   return fmt::format(
       "{} of {} {} ({:.3g} [{:.3g}, {:.3g}])", loss ? tally.n_frames_lost : tally.n_bit_errors,

@@ -97,13 +97,15 @@ void explain_snr(Target& in) {
     in.file.set_numbers("snr_db", "bandwidth_hz", std::span<const double>(bandwidths));
 }
 
-constexpr const char* intervals =
-    "flr, uer: Clopper-Pearson; ber: Clopper-Pearson on the effective number of bits, frames as "
-    "clusters (Korn & Graubard 1998)";
-constexpr const char* weighted_intervals =
-    "where n_groups > 0, ber and flr: log-normal, by Student's t for so many groups; elsewhere "
-    "flr, uer: Clopper-Pearson; ber: Clopper-Pearson on the effective number of bits, frames as "
-    "clusters (Korn & Graubard 1998)";
+std::string interval_methods(bool weighted) {
+  std::string counted =
+      "flr, uer: Clopper-Pearson; ber: Clopper-Pearson on the effective number of bits, frames as "
+      "clusters (Korn & Graubard 1998)";
+  if (!weighted) return counted;
+  return "where n_groups > 0, ber and flr: log-normal, by Student's t for so many groups; "
+         "elsewhere " +
+         counted;
+}
 
 void write_root(Target& to) {
   const ExperimentResult& result = to.result;
@@ -114,7 +116,7 @@ void write_root(Target& to) {
   to.file.set_text(root, "shards", shards_text(result.shards));
   to.file.set_text(root, "result_digest", result_digest(result));
   to.file.set_numbers(root, "ci_level", std::span<const double>(&result.ci_level, 1));
-  to.file.set_text(root, "ci_method", is_weighted(result) ? weighted_intervals : intervals);
+  to.file.set_text(root, "ci_method", interval_methods(is_weighted(result)));
 }
 
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
