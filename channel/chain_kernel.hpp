@@ -53,6 +53,7 @@ struct ChainKernelInput {
   };
   struct Carrier {
     const CarrierDesign* design = nullptr;
+    const float* gain = nullptr;  // knots, or none: always 1 (channel/interference.hpp)
     const Burst* bursts[most_lanes] = {};
     std::size_t n_bursts[most_lanes] = {};
     std::uint32_t phase[most_lanes] = {};

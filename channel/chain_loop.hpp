@@ -27,7 +27,7 @@ struct NoProbe {
 
 /// Samples made at a time: few enough to stay in the first-level cache.
 constexpr int block = 256;
-static_assert(block <= longest_interference_block);
+static_assert(block <= longest_interference_block && gain_step % block == 0);
 
 /// Samples [from, to) of a carrier's block, no edge in them: noise of the lit or the dark strength,
 /// and the light.
@@ -81,10 +81,25 @@ class Interference {
   void add(std::int64_t first, T* x, int n) {
     for (Tone<T>& tone : tones_) tone.add(x, n);
     for (PeriodicTable<T>& table : tables_) table.add(x, n);
-    for (KeyedCarrier<T>& carrier : carriers_) add_light(carrier, T(1.0f), T(1.0f), first, x, n);
+    for (Sender& sender : senders_) add(sender, first, x, n);
   }
 
  private:
+  struct Sender {
+    KeyedCarrier<T> carrier;
+    const float* gain;
+  };
+
+  static void add(Sender& sender, std::int64_t first, T* x, int n) {
+    KeyedCarrier<T>& carrier = sender.carrier;
+    if (carrier.begin_block(first, n) == n && carrier.dark(n)) return carrier.skip(n);
+    if (sender.gain == nullptr) return add_light(carrier, T(1.0f), T(1.0f), first, x, n);
+    T light[block] = {};
+    add_light(carrier, T(1.0f), T(1.0f), first, light, n);
+    const GainRamp<T> gain(sender.gain, first);
+    for (int i = 0; i < n; ++i) x[i] = dsp::fused(light[i], gain(i), x[i]);
+  }
+
   void load(const ChainKernelInput::Tone& in) {
     Tone<T>& tone = tones_.emplace_back(*in.design);
     for (int i = 0; i < dsp::lanes<T>; ++i) tone.load(i, in.phase[i]);
@@ -94,14 +109,14 @@ class Interference {
     for (int i = 0; i < dsp::lanes<T>; ++i) table.load(i, in.phase[i]);
   }
   void load(const ChainKernelInput::Carrier& in) {
-    KeyedCarrier<T>& carrier = carriers_.emplace_back(*in.design);
+    senders_.push_back({KeyedCarrier<T>(*in.design), in.gain});
     for (int i = 0; i < dsp::lanes<T>; ++i)
-      carrier.load(i, {in.bursts[i], in.n_bursts[i]}, in.phase[i]);
+      senders_.back().carrier.load(i, {in.bursts[i], in.n_bursts[i]}, in.phase[i]);
   }
 
   std::vector<Tone<T>> tones_;
   std::vector<PeriodicTable<T>> tables_;
-  std::vector<KeyedCarrier<T>> carriers_;
+  std::vector<Sender> senders_;
 };
 
 /// Tells whoever asked that a loop over a block is done.

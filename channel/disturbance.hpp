@@ -21,6 +21,9 @@ struct Disturbance {
   /// As PeriodicTable wants it, its period followed by a block; empty: none.
   std::vector<float> table{};
   std::optional<CarrierDesign> carrier{};
+  /// Factor on the carrier's light at every gain_step samples, linear between, up to one knot
+  /// behind the trial's last sample; empty: always 1.
+  std::vector<float> gain{};
 };
 
 /// What is random of one disturbance in one trial.

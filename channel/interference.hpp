@@ -1,7 +1,8 @@
 #pragma once
 // Light of others at the module, sample by sample. Three kinds of source add up to any lamp or
 // sender: sinusoids (the fast ripple of an electronic ballast), a table of one period (what follows
-// the mains, PWM) and keyed carriers (remotes, other devices; channel/keyed_carrier.hpp).
+// the mains, PWM) and keyed carriers (remotes, other devices; channel/keyed_carrier.hpp). What
+// reaches the module of a carrier may change along a way: its gain.
 #include <cstdint>
 
 #include "dsp/lanes.hpp"
@@ -22,6 +23,28 @@ struct ToneDesign {
 
 /// Samples that a source may add at a time.
 constexpr int longest_interference_block = 256;
+
+/// Samples from one knot of a gain to the next; between them it is a straight line. A whole number
+/// of blocks.
+constexpr int gain_step = 4096;
+
+/// A gain over the samples of one block.
+template <class T>
+class GainRamp {
+ public:
+  /// `knots`: at samples 0, gain_step, 2 gain_step ..., one behind the block at least.
+  GainRamp(const float* knots, std::int64_t first)
+      : start_(knots[first / gain_step]),
+        slope_((knots[first / gain_step + 1] - start_) * (1.0f / gain_step)),
+        offset_(static_cast<int>(first % gain_step)) {}
+
+  /// At sample `i` of the block.
+  T operator()(int i) const { return T(start_ + slope_ * static_cast<float>(offset_ + i)); }
+
+ private:
+  float start_, slope_;
+  int offset_;
+};
 
 /// One sinusoid: its phase is counted exactly, its wave turned from sample to sample in a block.
 template <class T>

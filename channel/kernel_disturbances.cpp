@@ -13,7 +13,9 @@ void KernelDisturbances::add_sources(const std::vector<Disturbance>& designs) {
       tables_.push_back(
           {.samples = design.table.data(),
            .period = static_cast<std::uint32_t>(design.table.size()) - longest_interference_block});
-    if (design.carrier) carriers_.push_back({.design = &*design.carrier});
+    if (design.carrier)
+      carriers_.push_back(
+          {.design = &*design.carrier, .gain = design.gain.empty() ? nullptr : design.gain.data()});
   }
 }
 

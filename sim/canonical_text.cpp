@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "sim/arena/keys.hpp"
 #include "sim/disturbance_keys.hpp"
 #include "sim/entries.hpp"
 #include "sim/keys.hpp"
@@ -13,17 +14,21 @@ namespace {
 
 bool is_physics(const Key& key) {
   return key.facts.type != KeyType::part && key.name() != "title" &&
-         key.name() != "simulation.seed" && !key.name().starts_with("stop.");
-}
-
-/// Of texts, as no number is younger yet.
-bool is_younger_default(const Key& key, Scenario& s) {
-  if (!key.younger) return false;
-  Scenario defaults;
-  return key.text(s) == key.text(defaults);
+         key.name() != "simulation.seed" && key.name() != "arena.runs" &&
+         !key.name().starts_with("stop.");
 }
 
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
+
+std::string value_text(const Key& key, Scenario& s) {
+  return key.is_number() ? exact(key.number(s)) : toml_string(key.text(s));
+}
+
+bool is_younger_default(const Key& key, Scenario& s) {
+  if (!key.younger) return false;
+  Scenario defaults;
+  return value_text(key, s) == value_text(key, defaults);
+}
 
 std::string curve_text(const std::string& name, const channel::Curve& curve) {
   std::string line = name + " =";
@@ -71,6 +76,17 @@ std::string disturbances_text(const Scenario& s) {
   return lines;
 }
 
+std::string devices_text(Scenario& s) {
+  std::string lines;
+  for (const auto& [name, device] : s.devices) {
+    for (const Key& key : placed_device_keys(name))
+      lines += fmt::format("{} = {}\n", key.name(), value_text(key, s));
+    if (!device.led.empty())
+      lines += numbers_text(led_keys(), device.emitter) + curves_text(led_keys(), device.emitter);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string canonical_text(const Scenario& scenario) {
@@ -78,9 +94,8 @@ std::string canonical_text(const Scenario& scenario) {
   std::string lines;
   for (const Key& key : scenario_keys())
     if (is_physics(key) && !is_younger_default(key, s))
-      lines += fmt::format("{} = {}\n", key.name(),
-                           key.is_number() ? exact(key.number(s)) : toml_string(key.text(s)));
-  return lines + disturbances_text(s) + choices_text(module_keys(), s.module) +
+      lines += fmt::format("{} = {}\n", key.name(), value_text(key, s));
+  return lines + disturbances_text(s) + devices_text(s) + choices_text(module_keys(), s.module) +
          curves_text(module_keys(), s.module) + numbers_text(led_keys(), s.emitter) +
          curves_text(led_keys(), s.emitter);
 }

@@ -6,6 +6,7 @@
 
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
+#include "sim/number_text.hpp"
 #include "sim/shard.hpp"
 #include "sim/sweep.hpp"
 

@@ -24,6 +24,10 @@ struct ScenarioOptions {
 /// Parts beside the scenario come before all others.
 LoadedScenario load_with(const ScenarioOptions& options, const std::filesystem::path& scenario);
 
+/// The same for commands that take nothing but links.
+LoadedScenario load_link(const ScenarioOptions& options, const std::filesystem::path& scenario,
+                         const std::string& command);
+
 struct RunRequest {
   std::vector<std::filesystem::path> scenarios;
   ScenarioOptions options;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "sim/failure.hpp"
+#include "sim/number_text.hpp"
 #include "sim/sweep.hpp"
 #include "sim/text_file.hpp"
 

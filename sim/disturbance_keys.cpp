@@ -7,11 +7,13 @@
 #include <optional>
 
 #include "sim/failure.hpp"
+#include "sim/named_key.hpp"
 
 namespace sim {
 namespace {
 
-const std::string prefix = "disturbance.";
+const std::string table = "disturbance";
+const std::string prefix = table + ".";
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
@@ -19,16 +21,7 @@ std::vector<std::string> kind_names() {
   return names;
 }
 
-/// "NAME" and "WHAT" of "disturbance.NAME.WHAT".
-struct Parsed {
-  std::string name, what;
-};
-
-std::optional<Parsed> parsed(const std::string& key) {
-  const std::size_t last = key.rfind('.');
-  if (!key.starts_with(prefix) || last < prefix.size()) return std::nullopt;
-  return Parsed{key.substr(prefix.size(), last - prefix.size()), key.substr(last + 1)};
-}
+std::optional<NamedKey> parsed(const std::string& key) { return named_key(table, key); }
 
 // ---- keys ----
 
@@ -61,7 +54,7 @@ const DisturbanceNumber* find_number(const std::string& what) {
   return nullptr;
 }
 
-std::optional<Key> make_key(const Parsed& key) {
+std::optional<Key> make_key(const NamedKey& key) {
   if (key.what == "kind") return kind_key(key.name);
   if (key.what == "message") return message_key(key.name);
   if (const DisturbanceNumber* number = find_number(key.what)) return number_key(key.name, *number);
@@ -103,7 +96,7 @@ const Key* find_disturbance_key(const std::string& name) {
   const auto old = keys.find(name);
   if (old != keys.end()) return &old->second;
   const auto of = parsed(name);
-  if (!of || !is_disturbance_name(of->name)) return nullptr;
+  if (!of || !is_table_name(of->name)) return nullptr;
   auto key = make_key(*of);
   if (!key) return nullptr;
   key->facts.name = name;
@@ -121,13 +114,6 @@ std::vector<std::string> disturbance_key_names(const std::string& name) {
 std::string disturbance_of(const std::string& key) {
   const auto of = parsed(key);
   return of ? of->name : "";
-}
-
-bool is_disturbance_name(const std::string& name) {
-  return !name.empty() && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_';
-  });
 }
 
 void take_defaults(DisturbanceSettings& disturbance) {

@@ -34,9 +34,6 @@ std::vector<std::string> disturbance_key_names(const std::string& name);
 /// NAME of "disturbance.NAME.WHAT", whatever it holds; empty if the key is no such thing.
 std::string disturbance_of(const std::string& key);
 
-/// Letters, digits, - and _.
-bool is_disturbance_name(const std::string& name);
-
 /// Sets all numbers to what they are for its kind unless it says otherwise.
 void take_defaults(DisturbanceSettings& disturbance);
 

@@ -19,6 +19,7 @@
 #include "sim/link.hpp"
 #include "sim/list_text.hpp"
 #include "sim/method.hpp"
+#include "sim/number_text.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
@@ -86,14 +87,14 @@ Over over_of(const std::string& text, const LoadedScenario& scenario) {
 
 /// What the search runs: the user's scenario, with points stopped as soon as their side is told.
 LoadedScenario load_for_search(const FindRequest& request) {
-  refuse_weighted(load_with(request.options, request.scenario).base,
+  refuse_weighted(load_link(request.options, request.scenario, "find").base,
                   "find tells losses from a level frame by frame");
   ScenarioOptions options{{fmt::format("stop.max_frames={}", enough_frames(request.flr)),
                            "stop.max_frame_errors=0", "stop.rel_ci=0"},
                           request.options.parts};
   std::ranges::copy(request.options.overrides, std::back_inserter(options.overrides));
   options.overrides.push_back(fmt::format("stop.target_flr={}", request.flr));
-  return load_with(options, request.scenario);
+  return load_link(options, request.scenario, "find");
 }
 
 /// The same with the key swept over these values. Its text carries the parts, so no file is read

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "protocol/cosys.hpp"
+#include "sim/list_text.hpp"
+#include "sim/number_text.hpp"
 
 namespace sim {
 namespace {
@@ -39,6 +41,19 @@ void check_title(const std::string& value, const std::string& problem) {
     throw bad_input(problem, "a text is one line without control characters", "remove them");
 }
 
+void check_number_list(const Key& key, const std::string& value, const std::string& place) {
+  KeyFacts each = key.facts;
+  each.type = KeyType::number;
+  for (const double number :
+       parse_values(value, fmt::format("{} = {} {}", key.name(), value, place)))
+    check_number(each, number, place);
+}
+
+void check_messages(const std::string& value, const std::string& problem) {
+  for (const std::string_view message : split(value, '\n'))
+    check_message(std::string(message), problem);
+}
+
 }  // namespace
 
 std::string in_words(const Range& range) {
@@ -67,6 +82,8 @@ void check_text(const Key& key, const std::string& value, const std::string& pla
   const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), shown_value, place);
   if (key.facts.type == KeyType::message) return check_message(value, problem);
   if (key.facts.type == KeyType::choice) return check_choice(key, value, problem);
+  if (key.facts.type == KeyType::number_list) return check_number_list(key, value, place);
+  if (key.facts.type == KeyType::messages) return check_messages(value, problem);
   check_title(value, problem);
 }
 

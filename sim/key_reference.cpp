@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "protocol/cosys.hpp"
+#include "sim/arena/keys.hpp"
 #include "sim/disturbance_keys.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
@@ -38,6 +39,11 @@ std::string allowed(const Key& key) {
       return fmt::format("`{}`", fmt::join(key.choices, "` or `"));
     case KeyType::part:
       return "a part's name";
+    case KeyType::number_list:
+      return "list, " + in_words(key.facts.range);
+    case KeyType::messages:
+      return fmt::format("a text or a list of them, printable ASCII, up to {}",
+                         protocol::longest_message);
   }
   return "";
 }
@@ -80,6 +86,15 @@ std::string disturbance_table(const DisturbanceKind& kind) {
   return out;
 }
 
+std::string device_table() {
+  std::string out = table_head("`[devices.NAME]` of an arena");
+  for (const Key& key : placed_device_keys("NAME")) {
+    const std::string name = key.name().substr(key.name().rfind('.') + 1);
+    out += table_row(key.facts, name, default_of(key), allowed(key));
+  }
+  return out;
+}
+
 std::string disturbance_tables() {
   std::string out;
   for (const DisturbanceKind& kind : disturbance_kinds()) out += disturbance_table(kind);
@@ -115,7 +130,7 @@ std::string part_table(const PartKeys<Part>& keys, const std::string& heading) {
 }  // namespace
 
 std::string key_reference() {
-  return scenario_tables() + disturbance_tables() +
+  return scenario_tables() + disturbance_tables() + device_table() +
          part_table(module_keys(), "`modules/NAME.toml`") +
          part_table(led_keys(), "`leds/NAME.toml`") +
          part_table(floor_keys(), "`floors/NAME.toml`") +

@@ -5,8 +5,11 @@
 
 #include "channel/conditions.hpp"
 #include "protocol/uart.hpp"
+#include "sim/arena/keys.hpp"
 #include "sim/disturbance_keys.hpp"
+#include "sim/experiment_kind.hpp"
 #include "sim/fidelity.hpp"
+#include "sim/key_making.hpp"
 #include "sim/method.hpp"
 
 namespace sim {
@@ -14,49 +17,20 @@ namespace {
 
 constexpr double largest_whole = 9007199254740991;  // 2^53 - 1: every one up to it is exact
 
-template <class Group>
-Key number(std::string name, std::string unit, Range range, Group Scenario::*group,
-           double Group::*member, std::string long_name, std::string note = "",
-           KeyType type = KeyType::number) {
-  return {{std::move(name), std::move(unit), range, std::move(long_name), std::move(note), type},
-          [=](Scenario& s) -> double& { return s.*group.*member; },
-          {},
-          {}};
-}
-
-template <class... Rest>
-Key whole(Rest&&... rest) {
-  Key key = number(std::forward<Rest>(rest)...);
-  key.facts.type = KeyType::whole_number;
-  return key;
-}
-
-template <class Group>
-Key flag(std::string name, Group Scenario::*group, double Group::*member, std::string long_name,
-         std::string note) {
-  return number(std::move(name), "1", from(0, 1), group, member, std::move(long_name),
-                std::move(note), KeyType::flag);
-}
-
-template <class Group>
-Key text(KeyType type, std::string name, Group Scenario::*group, std::string Group::*member,
-         std::string long_name, std::string note = "", std::vector<std::string> choices = {}) {
-  return {{std::move(name), "", {}, std::move(long_name), std::move(note), type},
-          {},
-          [=](Scenario& s) -> std::string& { return s.*group.*member; },
-          std::move(choices)};
-}
-
-Key younger(Key key) {
-  key.younger = true;
-  return key;
-}
-
 Key title_key() {
   return {{"title", "", {}, "name of the experiment", "before the first table", KeyType::text},
           {},
           [](Scenario& s) -> std::string& { return s.title; },
           {}};
+}
+
+Key experiment_key() {
+  Key key{{"experiment", "", {}, "what is simulated", "before the first table", KeyType::choice},
+          {},
+          [](Scenario& s) -> std::string& { return s.experiment; },
+          names_of(experiment_kinds())};
+  key.swept = false;
+  return younger(key);
 }
 
 std::vector<Key> device_keys() {
@@ -100,13 +74,6 @@ std::vector<Key> led_settings_keys() {
       number("led.elevation_deg", "degree", from(-90, 90), at, &L::elevation_deg,
              "elevation of the LED's axis", "positive: up"),
   };
-}
-
-template <class Row>
-std::vector<std::string> names_of(std::span<const Row> table) {
-  std::vector<std::string> names;
-  for (const Row& row : table) names.emplace_back(row.name);
-  return names;
 }
 
 std::vector<Key> receiver_keys() {
@@ -229,12 +196,12 @@ std::vector<Key> run_keys() {
 }
 
 std::vector<Key> make_scenario_keys() {
-  std::vector<Key> all{title_key()};
+  std::vector<Key> all{title_key(), experiment_key()};
   for (const auto& group :
        {device_keys(), led_settings_keys(), receiver_keys(),
         override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
         override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
-        run_keys()})
+        run_keys(), path_keys(), arena_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -259,7 +226,9 @@ const std::vector<Key>& scenario_keys() {
 const Key* find_key(const std::string& name) {
   const auto& keys = scenario_keys();
   const auto at = std::ranges::find(keys, name, &Key::name);
-  return at == keys.end() ? find_disturbance_key(name) : &*at;
+  if (at != keys.end()) return &*at;
+  const Key* disturbance = find_disturbance_key(name);
+  return disturbance != nullptr ? disturbance : find_placed_device_key(name);
 }
 
 }  // namespace sim

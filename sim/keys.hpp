@@ -20,7 +20,17 @@ struct Range {
 constexpr Range above(double low, double high) { return {low, high, true}; }
 constexpr Range from(double low, double high) { return {low, high, false}; }
 
-enum class KeyType { number, whole_number, flag, text, message, choice, part };
+enum class KeyType {
+  number,
+  whole_number,
+  flag,
+  text,
+  message,
+  choice,
+  part,
+  number_list,  // a text to the program: "1,2,5"; its unit and range are those of each
+  messages      // the same, a line each
+};
 
 /// What a key is called and what it may hold, whoever owns it.
 struct KeyFacts {
@@ -41,6 +51,7 @@ struct Key {
   /// Younger than results of its default, which must stay results of equal input: the text that
   /// tells points apart has it only where it is not at that.
   bool younger = false;
+  bool swept = true;  // false of a choice that a whole run makes
 
   const std::string& name() const { return facts.name; }
   bool is_number() const { return static_cast<bool>(number); }
@@ -95,7 +106,7 @@ const std::vector<Key>& scenario_keys();
 /// Whether a part gives that key its value where the scenario does not.
 bool is_given_by_part(const std::string& name);
 
-/// The key of that name, those of disturbances included, or nothing. While scenarios are loaded
+/// The key of that name, those of named tables included, or nothing. While scenarios are loaded
 /// only: it makes the latter as they are asked for.
 const Key* find_key(const std::string& name);
 

@@ -26,32 +26,10 @@ dsp::Hertz off_by(double nominal_hz, double ppm) {
 
 double in_db(double power_ratio) { return 10 * std::log10(power_ratio); }
 
-/// |H| of the band-pass at `f`: the formula of channel/band_pass.hpp (Vishay 82459 rev 1.8 Fig. 5).
-double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
-  const double ratio = f.value / module.centre_hz;
-  return 1 / std::hypot(1.0, module.q * (ratio - 1 / ratio));
-}
-
-/// The part as it is where and how it is used.
-channel::ModuleData module_of(const Scenario& s) {
-  return channel::under({.celsius = s.receiver.temperature_c,
-                         .supply_v = s.receiver.supply_v,
-                         .ripple_mv_rms = s.receiver.supply_ripple_mv,
-                         .ripple_at = channel::ripple_frequency(s.receiver.supply_ripple_at)},
-                        s.module);
-}
-
 dsp::Hertz true_baud(const Scenario& s) { return off_by(s.device.baud, s.device.clock_error_ppm); }
 
-/// What the module makes of the LED's colour, relative to 940 nm.
-double colour_response(const Scenario& s) {
-  constexpr double nm = 1e9;
-  return channel::spectral_response(s.module,
-                                    channel::wavelength(s.emitter, s.led.temperature_c).value * nm);
-}
-
 channel::LightSettings light_settings(const Scenario& s) {
-  return {.signal = light_of(s).total() * colour_response(s),
+  return {.signal = light_of(s).total() * colour_response(s.module, s.emitter, s.led.temperature_c),
           .ambient = ambient_of(s),
           .carrier = off_by(s.device.carrier_hz, s.device.carrier_error_ppm),
           .duty = s.device.carrier_duty,
@@ -90,11 +68,6 @@ OperatingPoint operating_point(const Scenario& s, const channel::LightSettings& 
           .ebn0_db = in_db(ebn0)};
 }
 
-std::uint32_t point_hash(const Scenario& scenario) {
-  const std::string text = canonical_text(scenario);
-  return XXH32(text.data(), text.size(), 0);
-}
-
 /// What sends, and when.
 void set_device(Link& link, const Scenario& s) {
   link.message = s.device.message;
@@ -114,6 +87,30 @@ void add_disturbances(Link& link, const Scenario& s) {
 }
 
 }  // namespace
+
+std::uint32_t point_hash(const Scenario& scenario) {
+  const std::string text = canonical_text(scenario);
+  return XXH32(text.data(), text.size(), 0);
+}
+
+double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
+  const double ratio = f.value / module.centre_hz;
+  return 1 / std::hypot(1.0, module.q * (ratio - 1 / ratio));
+}
+
+channel::ModuleData module_of(const Scenario& s) {
+  return channel::under({.celsius = s.receiver.temperature_c,
+                         .supply_v = s.receiver.supply_v,
+                         .ripple_mv_rms = s.receiver.supply_ripple_mv,
+                         .ripple_at = channel::ripple_frequency(s.receiver.supply_ripple_at)},
+                        s.module);
+}
+
+double colour_response(const channel::ModuleData& module, const channel::EmitterData& led,
+                       double celsius) {
+  constexpr double nm = 1e9;
+  return channel::spectral_response(module, channel::wavelength(led, celsius).value * nm);
+}
 
 channel::ReceivedLight light_of(const Scenario& s) {
   const channel::Pose led{.z = s.led.height_mm * 1e-3,

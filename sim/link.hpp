@@ -64,6 +64,19 @@ struct EnvelopeBounds {
 
 EnvelopeBounds envelope_bounds(const Scenario& scenario);
 
+/// What makes its random numbers other than those of other points: a hash of its canonical text.
+std::uint32_t point_hash(const Scenario& scenario);
+
+/// The scenario's module as it is where and how it is used.
+channel::ModuleData module_of(const Scenario& scenario);
+
+/// |H| of its band-pass at `f`: the formula of channel/band_pass.hpp (Vishay 82459 rev 1.8 Fig. 5).
+double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f);
+
+/// What a module makes of an LED's colour, relative to 940 nm.
+double colour_response(const channel::ModuleData& module, const channel::EmitterData& led,
+                       double celsius);
+
 /// Light that the scenario's receiver gets, by path.
 channel::ReceivedLight light_of(const Scenario& scenario);
 

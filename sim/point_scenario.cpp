@@ -63,6 +63,10 @@ std::vector<Limit> limits_of(const Scenario& s) {
   std::vector<Limit> all = limits();
   for (const auto& [name, disturbance] : s.disturbances)
     for (const Limit& limit : limits_of(name, disturbance)) all.push_back(limit);
+  for (const auto& [name, device] : s.devices)
+    all.push_back({find_key("devices." + name + ".interval_min_ms"),
+                   find_key("devices." + name + ".interval_max_ms"), 1,
+                   "the shortest pause cannot exceed the longest"});
   return all;
 }
 

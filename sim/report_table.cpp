@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/alarms.hpp"
+#include "sim/estimate_text.hpp"
 #include "sim/flags.hpp"
 #include "sim/statistics.hpp"
 #include "sim/text_table.hpp"
@@ -14,8 +15,6 @@
 
 namespace sim {
 namespace {
-
-constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
 
 std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
   std::vector<TextColumn> columns = axis_columns(axes);
@@ -35,31 +34,6 @@ std::string number(double value) { return std::isnan(value) ? "-" : fmt::format(
 
 std::string decibel(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
-}
-
-// 1.23e-4: the exponent without its padding.
-std::string scientific(double value, int digits) {
-  if (value == 0) return "0";
-  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
-  const std::size_t e = text.find('e');
-  return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
-}
-
-int digits_supported(const Estimate& e) {
-  const double relative = (e.high - e.low) / 2 / e.value;
-  return std::clamp(2 + static_cast<int>(std::floor(-std::log10(relative))), 2, 3);
-}
-
-std::string estimate_text(const Estimate& e) {
-  if (std::isnan(e.value)) return "-";
-  if (e.value == 0) return "< " + scientific(e.high, 2);
-  const int digits = digits_supported(e);
-  const int places = digits - 1 - static_cast<int>(std::floor(std::log10(e.value)));
-  const bool small = e.value < 0.01;
-  const auto text = [=](double v) {
-    return small ? scientific(v, digits) : fmt::format("{:.{}f}", v, places);
-  };
-  return fmt::format("{} [{}, {}]", text(e.value), text(e.low), text(e.high));
 }
 
 std::string theory_text(double ratio) {

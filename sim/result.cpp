@@ -1,12 +1,11 @@
 #include "sim/result.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
 
+#include "sim/digest.hpp"
 #include "sim/statistics.hpp"
 
 namespace sim {
@@ -192,14 +191,7 @@ std::string result_digest(const ExperimentResult& result) {
   std::string bytes;
   for (const Axis& axis : result.axes) append_labels(bytes, axis);
   for (const PointResult& p : result.points) append_point(bytes, p);
-  XXH128_canonical_t hash;
-  XXH128_canonicalFromHash(&hash, XXH3_128bits(bytes.data(), bytes.size()));
-  std::string hex;
-  for (const unsigned char byte : hash.digest) {
-    hex += "0123456789abcdef"[byte >> 4];
-    hex += "0123456789abcdef"[byte & 15];
-  }
-  return hex;
+  return digest_of(bytes);
 }
 
 }  // namespace sim

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
+#include "sim/arena/arena_command.hpp"
 #include "sim/closing_lines.hpp"
 #include "sim/commands.hpp"
+#include "sim/dataset.hpp"
 #include "sim/engine.hpp"
 #include "sim/experiment.hpp"
+#include "sim/experiment_kind.hpp"
+#include "sim/experiment_run.hpp"
 #include "sim/failure.hpp"
 #include "sim/keeper.hpp"
 #include "sim/progress_line.hpp"
@@ -122,6 +126,38 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
                      : missing_lines(result) + closing_lines(result, run.output));
 }
 
+// ---- experiments that are no links ----
+
+using RunExperiment = void (*)(const ExperimentRun&);
+
+/// Nothing for a link.
+RunExperiment runner_of(const LoadedScenario& scenario) {
+  if (scenario.base.experiment == "arena") return run_arena_scenario;
+  return nullptr;
+}
+
+/// What such a run would not heed.
+void refuse_link_options(const RunRequest& request, const fs::path& scenario, const Team* team) {
+  const std::pair<bool, const char*> options[] = {
+      {request.resume, "--resume"},   {request.shard != Shard{}, "--shard"},
+      {request.plan, "--plan"},       {request.time_budget_s > 0, "--time-budget"},
+      {request.profile, "--profile"}, {team != nullptr, "mpirun"}};
+  for (const auto& [given, name] : options)
+    if (given)
+      throw bad_input(fmt::format("{} with {}", name, scenario.string()),
+                      "only experiments of a link know it", "leave it out");
+}
+
+void run_other(const RunRequest& request, const Run& run, RunExperiment runner) {
+  runner({.scenario = run.scenario,
+          .output = run.output,
+          .command = request.command,
+          .program = request.program,
+          .threads = threads_for(request.threads),
+          .json = request.json,
+          .interrupt = &heed_stop_signals()});
+}
+
 /// Everything that can be refused before the first trial.
 std::vector<Run> prepare(const RunRequest& request, Team* team) {
   if (team != nullptr && (request.plan || request.time_budget_s > 0))
@@ -131,14 +167,19 @@ std::vector<Run> prepare(const RunRequest& request, Team* team) {
   std::vector<Run> runs;
   for (const fs::path& path : request.scenarios) {
     runs.push_back({load_with(request.options, path), output_of(request, path), {}});
-    check_shard(runs.back().scenario, request.shard);
+    if (runner_of(runs.back().scenario) != nullptr)
+      refuse_link_options(request, path, team);
+    else
+      check_shard(runs.back().scenario, request.shard);
   }
   if (request.plan) return runs;
   if (speaks(team)) {
     make_output_folder(request);
-    for (const Run& run : runs) check_writable(run.output);
+    for (const Run& run : runs)
+      runner_of(run.scenario) != nullptr ? check_output(run.output) : check_writable(run.output);
   }
   for (Run& run : runs) {
+    if (runner_of(run.scenario) != nullptr) continue;
     if (request.time_budget_s > 0)
       run.scenario = within_budget(request, run.scenario, heed_stop_signals());
     run.result = so_far(request, run.scenario, run.output);
@@ -158,7 +199,18 @@ std::string start_of(const std::vector<Run>& runs) {
 LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
   PartRoots roots = {scenario.has_parent_path() ? scenario.parent_path() : fs::path(".")};
   roots.insert(roots.end(), options.parts.begin(), options.parts.end());
-  return load_scenario(scenario, options.overrides, roots);
+  LoadedScenario loaded = load_scenario(scenario, options.overrides, roots);
+  check_experiment(loaded);
+  return loaded;
+}
+
+LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenario,
+                         const std::string& command) {
+  LoadedScenario loaded = load_with(options, scenario);
+  if (loaded.base.experiment == "link") return loaded;
+  throw bad_input(scenario.string(),
+                  "an experiment \"" + loaded.base.experiment + "\" has no trials of a link",
+                  command + " takes links; use run");
 }
 
 ExitCode run_command(const RunRequest& request) {
@@ -178,7 +230,9 @@ ExitCode run_command(const RunRequest& request) {
   if (!agree(team.get(), start_of(runs))) return ExitCode::done;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
-    if (speaks(team.get()))
+    if (const RunExperiment runner = runner_of(run.scenario))
+      run_other(request, run, runner);
+    else if (speaks(team.get()))
       run_scenario(request, run, options);
     else
       run_experiment(run.scenario, run.result, options);

@@ -8,8 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "sim/arena/interval_file.hpp"
 #include "sim/disturbance_keys.hpp"
 #include "sim/entries.hpp"
+#include "sim/failure.hpp"
 #include "sim/key_check.hpp"
 #include "sim/keys.hpp"
 #include "sim/part_axis.hpp"
@@ -32,6 +34,38 @@ std::string asked_for(const Draft& draft, const std::string& key, const std::str
   return fmt::format("{} = \"{}\" {}", key, part, place_of(draft.places, key));
 }
 
+/// LEDs of devices that have one of their own.
+void load_device_leds(Scenario& s, const Draft& draft, const PartSources& from,
+                      std::vector<CarriedPart>& parts) {
+  for (auto& [name, device] : s.devices) {
+    if (device.led.empty()) continue;
+    auto led = load_led(device.led, from, asked_for(draft, "devices." + name + ".led", device.led));
+    device.emitter = std::move(led.data);
+    parts.push_back(std::move(led.source));
+  }
+}
+
+/// Files of pauses become lists in the draft, and in the options that repeat the run: they are not
+/// carried with it.
+void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
+                         std::vector<std::string>& options) {
+  const auto files = draft.texts;
+  for (const auto& [key, file] : files) {
+    if (!key->name().ends_with(".interval_file") || file.empty()) continue;
+    const std::string table = key->name().substr(0, key->name().rfind('.'));
+    const std::string list = table + ".intervals_ms";
+    const std::string place =
+        fmt::format("{} = \"{}\" {}", key->name(), file, place_of(draft.places, key->name()));
+    if (draft.texts.contains(find_key(list)))
+      throw bad_input(place, "the scenario also has " + list, "remove one of the two");
+    const std::string values = read_number_lines(scenario.parent_path() / file, place);
+    draft.texts[key] = "";
+    draft.set_text(*find_key(list), values, "in " + file);
+    options.push_back(key->name() + "=");
+    options.push_back(list + "=" + values);
+  }
+}
+
 Assembly assemble(const Draft& draft, const PartSources& from) {
   Scenario s;
   for (const auto& [key, value] : draft.texts) key->text(s) = value;
@@ -46,7 +80,10 @@ Assembly assemble(const Draft& draft, const PartSources& from) {
   auto floor = load_floor(floor_name, from, asked_for(draft, "floor.part", floor_name));
   s.floor = std::move(floor.data);
   for (const auto& [key, value] : draft.numbers) key->number(s) = value;
-  return {std::move(s), {std::move(module.source), std::move(led.source), std::move(floor.source)}};
+  std::vector<CarriedPart> parts{std::move(module.source), std::move(led.source),
+                                 std::move(floor.source)};
+  load_device_leds(s, draft, from, parts);
+  return {std::move(s), std::move(parts)};
 }
 
 bool is_part_axis(const Axis& axis) {
@@ -136,13 +173,14 @@ LoadedScenario parse_scenario(const std::string& text, const std::filesystem::pa
   Draft draft = draft_of(scenario_entries(text, path), overrides);
   count_points(draft.sweep);
   check_dimension_names(draft.sweep);
+  std::vector<std::string> options = overrides;
+  read_interval_files(draft, path, options);
   const PartSources from{roots, draft.parts, path};
   const std::vector<std::string> axes_of_all = keys_of_all(draft.sweep);
   PartVariants variants = load_variants(draft, from);
   Assembly assembly = assemble(draft, from);
   std::ranges::move(variants.parts, std::back_inserter(assembly.parts));
   const std::string whole = with_parts(text, assembly.parts, draft.parts);
-  std::vector<std::string> options = overrides;
   for (const std::string& key : axes_of_all) options.push_back(spelt_out(draft.sweep, key));
   LoadedScenario loaded{
       std::move(assembly.scenario), with_overrides(whole, options), path,

@@ -3,7 +3,6 @@
 // sim/keys.cpp, which gives its name, unit, bounds and meaning; scenarios/README.md prints it.
 // Loading turns text into a base and its sweep, all of whose points hold before any is run.
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "channel/emitter.hpp"
 #include "channel/floor.hpp"
 #include "channel/receiver_module.hpp"
+#include "sim/arena/settings.hpp"
 #include "sim/axis.hpp"
 
 namespace sim {
@@ -40,13 +40,13 @@ struct FloorSettings {
 
 struct ReceiverSettings {
   std::string module = "TSOP4856";
-  double ebn0_db = std::numeric_limits<double>::quiet_NaN();  // NaN: the geometry sets the light
+  double ebn0_db = unset;  // the geometry then sets the light
   double range_m = 1;
   double bearing_deg = 0;
   double height_mm = 10;
   double yaw_deg = 0, tilt_deg = 0;
   double temperature_c = 25;
-  double supply_v = std::numeric_limits<double>::quiet_NaN();  // NaN: the part's typical
+  double supply_v = unset;  // the part's typical
   double supply_ripple_mv = 0;
   std::string supply_ripple_at = "f0";  // of channel::ripple_frequencies()
   double population = 0;                // 1: each trial has a unit of its own
@@ -100,6 +100,7 @@ struct StopSettings {
 
 struct Scenario {
   std::string title;
+  std::string experiment = "link";  // of sim::experiment_kinds()
   DeviceSettings device;
   LedSettings led;
   ReceiverSettings receiver;
@@ -113,6 +114,9 @@ struct Scenario {
   NoiseSettings noise;
   SimulationSettings simulation;
   StopSettings stop;
+  PathSettings path;
+  ArenaSettings arena;
+  std::map<std::string, PlacedDevice> devices;  // by their names
 };
 
 /// Where each key was given: "in x.toml:14".

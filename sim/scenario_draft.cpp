@@ -1,15 +1,19 @@
 #include "sim/scenario_draft.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "sim/arena/keys.hpp"
 #include "sim/disturbance_keys.hpp"
 #include "sim/failure.hpp"
 #include "sim/key_check.hpp"
 #include "sim/list_text.hpp"
+#include "sim/named_key.hpp"
+#include "sim/number_text.hpp"
 #include "sim/sweep.hpp"
 #include "sim/text_axis.hpp"
 
@@ -49,14 +53,15 @@ constexpr std::string_view part_prefix = "part.";
 /// Names that could have been meant.
 std::vector<std::string> names_like(const std::string& name) {
   std::vector<std::string> names;
-  const std::string disturbance = disturbance_of(name);
-  if (!disturbance.empty()) names = disturbance_key_names(disturbance);
+  if (const auto of = named_key("disturbance", name)) names = disturbance_key_names(of->name);
+  if (const auto of = named_key("devices", name))
+    for (const Key& key : placed_device_keys(of->name)) names.push_back(key.name());
   for (const Key& key : scenario_keys()) names.push_back(key.name());
   return names;
 }
 
 std::vector<std::string> table_names() {
-  std::vector<std::string> tables{"sweep", "disturbance"};
+  std::vector<std::string> tables{"sweep", "disturbance", "devices"};
   for (const Key& key : scenario_keys()) {
     const std::string table = key.name().substr(0, key.name().find('.'));
     if (table != key.name() && table != tables.back()) tables.push_back(table);
@@ -64,15 +69,25 @@ std::vector<std::string> table_names() {
   return tables;
 }
 
+/// A table that a user names, and what it is.
+struct NamedTable {
+  std::string table, one, example;
+};
+
+void check_table_name(const NamedTable& named, const std::string& key, const std::string& place) {
+  const auto of = named_key(named.table, key);
+  if (of && !is_table_name(of->name))
+    throw bad_input(key + " " + place, "no name of a " + named.one,
+                    "use letters, digits, - and _ for it");
+  if (!of && key.starts_with(named.table))
+    throw bad_input(key + " " + place, "a " + named.one + " has a name",
+                    fmt::format("write [{0}.NAME], such as [{0}.{1}]", named.table, named.example));
+}
+
 const Key& known_key(const std::string& name, const std::string& place) {
   if (const Key* key = find_key(name)) return *key;
-  const std::string disturbance = disturbance_of(name);
-  if (!disturbance.empty() && !is_disturbance_name(disturbance))
-    throw bad_input(name + " " + place, "no name of a disturbance",
-                    "use letters, digits, - and _ for it");
-  if (disturbance.empty() && name.starts_with("disturbance"))
-    throw bad_input(name + " " + place, "a disturbance has a name",
-                    "write [disturbance.NAME], such as [disturbance.lamp]");
+  check_table_name({"disturbance", "disturbance", "lamp"}, name, place);
+  check_table_name({"devices", "device", "charger"}, name, place);
   throw bad_input(name + " " + place, "no such key",
                   "did you mean " + nearest(name, names_like(name)) + "?");
 }
@@ -96,9 +111,12 @@ bool is_empty_table(const Entry& entry) {
 /// A table without keys says nothing, but must still be one that could.
 void check_empty_table(const Entry& entry) {
   const auto tables = table_names();
-  if (is_disturbance_name(disturbance_of(entry.key + ".kind")))
+  if (is_table_name(disturbance_of(entry.key + ".kind")))
     throw bad_input("[" + entry.key + "] " + entry.place, "the disturbance has no kind",
                     "add its kind or remove the table");
+  if (named_key("devices", entry.key + ".x"))
+    throw bad_input("[" + entry.key + "] " + entry.place, "the device has no place",
+                    "add x_m or remove the table");
   if (std::ranges::find(tables, entry.key) == tables.end())
     throw bad_input("[" + entry.key + "] " + entry.place, "no such table",
                     "did you mean [" + nearest(entry.key, tables) + "]?");
@@ -113,17 +131,33 @@ double number_of(const Key& key, const Entry& entry) {
   refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
 }
 
+/// Lists become texts too.
+std::string text_of(const Key& key, const Entry& entry) {
+  if (const auto* value = std::get_if<std::string>(&entry.value)) return *value;
+  if (key.facts.type == KeyType::number_list) {
+    if (const auto* value = std::get_if<double>(&entry.value)) return fmt::format("{}", *value);
+    if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
+      return fmt::format("{}", fmt::join(*list, ","));
+    refuse_kind(entry, "a list of numbers", "write [1, 2, 5]");
+  }
+  if (key.facts.type == KeyType::messages) {
+    if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value))
+      return fmt::format("{}", fmt::join(*list, "\n"));
+    refuse_kind(entry, "a text or a list of texts", "write [\"A\", \"B\"]");
+  }
+  refuse_kind(entry, "text", "write the text in quotes");
+}
+
 void take_setting(Draft& draft, const Entry& entry) {
   const Key& key = known_key(entry.key, entry.place);
   if (key.is_number()) {
     draft.set_number(key, number_of(key, entry), entry.place);
   } else {
-    const auto* value = std::get_if<std::string>(&entry.value);
-    if (!value) refuse_kind(entry, "text", "write the text in quotes");
-    if (*value == all_texts && is_sweepable_text(key))
+    const auto value = text_of(key, entry);
+    if (value == all_texts && is_sweepable_text(key))
       throw bad_input(key.name() + " = \"*\" " + entry.place, "all are a sweep",
                       "write it in [sweep]");
-    draft.set_text(key, *value, entry.place);
+    draft.set_text(key, value, entry.place);
   }
 }
 

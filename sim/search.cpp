@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/number_text.hpp"
 #include "sim/stop_rule.hpp"
 #include "sim/sweep.hpp"
 

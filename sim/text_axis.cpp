@@ -42,6 +42,7 @@ void refuse_repetition(const Axis& axis, const std::string& place) {
 
 bool is_sweepable_text(const Key& key) {
   if (!disturbance_of(key.name()).empty()) return false;  // its kind says which keys it has
+  if (!key.swept) return false;
   return key.facts.type == KeyType::part || key.facts.type == KeyType::choice;
 }
 

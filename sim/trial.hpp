@@ -55,7 +55,9 @@ enum class Purpose : std::uint32_t {
   choice = 8,            // of the trial
   prescribed_noise = 9,  // where bits are decided, before it is changed
   proposal = 10,         // how it is changed
-  noise_around = 11      // elsewhere
+  noise_around = 11,     // elsewhere
+  // Of arenas.
+  sender = 12  // and the numbers that end in this byte: a few for each
 };
 
 /// The draws of a purpose in one trial of a link.

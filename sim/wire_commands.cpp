@@ -100,7 +100,7 @@ void refuse_without_memory(const Scenario& scenario, std::uint32_t trial) {
 }  // namespace
 
 ExitCode trace_command(const TraceRequest& request) {
-  const LoadedScenario scenario = load_with(request.options, request.scenario);
+  const LoadedScenario scenario = load_link(request.options, request.scenario, "trace");
   const std::size_t points = count_points(scenario.sweep);
   if (request.point >= points)
     throw bad_input(fmt::format("--point {}", request.point),

@@ -9,6 +9,7 @@
 
 #include "gtest/gtest.h"
 #include "sim/failure.hpp"
+#include "sim/number_text.hpp"
 
 namespace {
 

@@ -1,0 +1,37 @@
+#include "sim/arena/arena_command.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/arena/arena_report.hpp"
+#include "sim/dataset.hpp"
+#include "sim/standard_output.hpp"
+
+namespace sim {
+namespace {
+
+/// What there is to say of one point more than its row.
+std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
+  std::string text = "\n" + device_table(point) + "\n" + waterfall(together(point));
+  if (point.tally.n_false > 0)
+    text += fmt::format("{:>10}  accepted though nobody sent them\n", point.tally.n_false);
+  return text + "\n" + way_table(scenario.base, point);
+}
+
+}  // namespace
+
+void run_arena_scenario(const ExperimentRun& run) {
+  const LoadedScenario& scenario = run.scenario;
+  ArenaOptions options{.threads = run.threads, .interrupt = run.interrupt};
+  if (!run.json) {
+    print(arena_header(scenario.sweep));
+    options.on_point = [&](const ArenaPoint& point) { print(arena_row(scenario.sweep, point)); };
+  }
+  const std::vector<ArenaPoint> points = run_arenas(scenario, options);
+  const Dataset data = arena_dataset(scenario, run.command, points);
+  write_dataset(run.output, data, run.program);
+  if (run.json) return print(dataset_json(data) + "\n");
+  if (points.size() == 1 && points[0].tally.n_runs > 0) print(details(scenario, points[0]));
+  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+}
+
+}  // namespace sim

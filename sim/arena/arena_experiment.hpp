@@ -1,0 +1,52 @@
+#pragma once
+// An arena at all points of its scenario's sweep: the runs of each, and what is made of them.
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/arena/arena_tally.hpp"
+#include "sim/axis.hpp"
+#include "sim/scenario.hpp"
+
+namespace sim {
+
+/// A sender as reports know it.
+struct SenderFacts {
+  std::string name;
+  std::string kind;               // its table's NAME
+  double highest_irradiance = 0;  // mW/m2, along the way
+};
+
+struct ArenaPoint {
+  std::vector<double> coordinates;  // one value an axis
+  std::vector<SenderFacts> senders;
+  ArenaTally tally{};  // no runs: never reached
+  std::vector<HeardFrame> heard{};
+  double duration_s = 0, simulated_s = 0;
+  double reach_mw_per_m2 = 0;
+};
+
+/// Sum over the devices of a point.
+SenderTally together(const ArenaPoint& point);
+
+/// Share of time in which messages that reach the receiver are in the air, each for itself: G.
+double offered_load(const ArenaPoint& point, const SenderTally& tally);
+/// Share of time of those that were delivered: S.
+double throughput(const ArenaPoint& point, const SenderTally& tally);
+/// S of pure ALOHA at a load: G exp(-2 G) (Abramson 1970), for many senders of equal messages at
+/// random, each of which is lost to any other that overlaps it.
+double pure_aloha(double load);
+/// Mean time to the end of a device's first good message, s; NaN if it was never heard.
+double mean_latency_s(const SenderTally& tally);
+
+struct ArenaOptions {
+  int threads = 1;
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const ArenaPoint&)> on_point{};  // after each
+};
+
+/// All points, in the order of the sweep; those never reached after an interrupt have no runs.
+std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options);
+
+}  // namespace sim

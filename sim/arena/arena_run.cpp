@@ -1,0 +1,228 @@
+#include "sim/arena/arena_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "protocol/cosys.hpp"
+#include "sim/arena/air.hpp"
+#include "sim/disturbance.hpp"
+#include "sim/trial.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Seconds;
+
+dsp::RandomAddress address(const Arena& arena, std::uint32_t run, Purpose purpose) {
+  return {.seed = arena.seed,
+          .point = arena.point,
+          .trial = run,
+          .purpose = static_cast<std::uint32_t>(purpose)};
+}
+
+/// Draws of one sender; it takes three purposes, its carrier the fourth.
+dsp::RandomAddress sender_address(const Arena& arena, std::uint32_t run, std::size_t sender) {
+  dsp::RandomAddress draws = address(arena, run, Purpose::sender);
+  draws.purpose += static_cast<std::uint32_t>(sender) << 10U;
+  return draws;
+}
+
+std::uint32_t carrier_phase(dsp::RandomAddress draws) {
+  draws.purpose += 3U << 8U;
+  return draws.block(0)[0];
+}
+
+/// One run before it is heard.
+struct DrawnRun {
+  dsp::LogicTrace dark;  // the chain's own wire, of which there is no light
+  std::vector<SentFrames> sent;
+  channel::ChainInput input;
+};
+
+void draw_other_lights(const Arena& arena, std::uint32_t run, channel::ChainInput& input) {
+  dsp::RandomAddress draws = address(arena, run, Purpose::disturbance);
+  for (const DisturbanceSettings& disturbance : arena.disturbances) {
+    input.disturbances.push_back(draw_disturbance(disturbance, draws, arena.end));
+    draws.purpose += 1U << 8U;
+  }
+}
+
+void draw(const Arena& arena, std::uint32_t run, DrawnRun& drawn) {
+  drawn.dark = dsp::LogicTrace(true, arena.end);
+  drawn.input = {.drive = &drawn.dark,
+                 .carrier_phase = 0,
+                 .noise_seed = address(arena, run, Purpose::noise).block(0)};
+  draw_other_lights(arena, run, drawn.input);
+  for (std::size_t i = 0; i < arena.senders.size(); ++i) {
+    const dsp::RandomAddress draws = sender_address(arena, run, i);
+    drawn.sent.push_back(send(arena.senders[i], draws, arena.end));
+    drawn.input.disturbances.push_back(
+        {.phase = {carrier_phase(draws), 0}, .drive = std::move(drawn.sent.back().drive)});
+  }
+}
+
+/// What the decoder makes of a pin.
+struct Heard {
+  std::vector<protocol::UartByte> bytes;
+  std::vector<protocol::CosysFrame> frames;  // good ones
+};
+
+Heard listen(const Arena& arena, std::uint32_t run, const dsp::LogicTrace& pin) {
+  const double phase = address(arena, run, Purpose::uart_phase).uniform(0);
+  Heard heard{arena.uart->receive(pin, arena.receiver_baud, phase), {}};
+  protocol::CosysDecoder decoder;
+  for (const protocol::UartByte& byte : heard.bytes)
+    if (auto frame = decoder.push(byte); frame && frame->outcome == protocol::CosysOutcome::ok)
+      heard.frames.push_back(std::move(*frame));
+  return heard;
+}
+
+Seconds half_bit(const Sender& sender) { return dsp::period(sender.baud) * 0.5; }
+
+/// The first of `events` (by their `start`) that was heard when `sent` should be.
+template <class Event>
+const Event* heard_at(const std::vector<Event>& events, Seconds sent, Seconds delay, Seconds half,
+                      auto fits) {
+  auto at = std::ranges::lower_bound(events, sent + delay - half, {}, &Event::start);
+  for (; at != events.end() && at->start < sent + delay + half; ++at)
+    if (fits(*at)) return &*at;
+  return nullptr;
+}
+
+const protocol::CosysFrame* delivery_of(const SentFrame& frame, const Sender& sender,
+                                        const Heard& heard, Seconds delay) {
+  return heard_at(heard.frames, frame.start, delay, half_bit(sender),
+                  [&](const protocol::CosysFrame& f) { return f.message == frame.message; });
+}
+
+/// Whether each of its characters was heard as one, be it another.
+bool whole(const SentFrame& frame, const Sender& sender, const Heard& heard, Seconds delay) {
+  const Seconds character = frame_time(sender, 1);
+  const auto n = static_cast<std::size_t>(std::lround((frame.end - frame.start) / character));
+  for (std::size_t i = 0; i < n; ++i)
+    if (heard_at(heard.bytes, frame.start + static_cast<double>(i) * character, delay,
+                 half_bit(sender),
+                 [](const protocol::UartByte& b) { return !b.framing_error; }) == nullptr)
+      return false;
+  return true;
+}
+
+/// All that is known of one run.
+struct Witness {
+  const Arena& arena;
+  const Air& air;
+  const Heard& heard;
+  const Heard& without_slow_agc;
+};
+
+FrameFate fate_of(const Witness& w, std::size_t sender, const SentFrame& frame) {
+  const Sender& from = w.arena.senders[sender];
+  const Seconds delay = w.arena.delay;
+  if (frame.silent) return FrameFate::silent;
+  if (delivery_of(frame, from, w.heard, delay) != nullptr) return FrameFate::delivered;
+  if (!w.air.in_reach(sender, frame)) return FrameFate::out_of_reach;
+  if (delivery_of(frame, from, w.without_slow_agc, delay) != nullptr) return FrameFate::agc;
+  if (w.air.overlapped(sender, frame)) return FrameFate::collision;
+  return whole(frame, from, w.heard, delay) ? FrameFate::checksum : FrameFate::uart;
+}
+
+std::uint64_t microseconds(Seconds t) {
+  return static_cast<std::uint64_t>(std::llround(t.value * 1e6));
+}
+
+void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame, FrameFate fate,
+                   SenderTally& tally) {
+  const bool delivered = fate == FrameFate::delivered;
+  const std::uint64_t airtime = microseconds(frame.end - frame.start);
+  tally.airtime_us += airtime;
+  if (delivered) tally.airtime_delivered_us += airtime;
+  if (!w.air.in_reach(sender, frame)) return;
+  tally.airtime_in_reach_us += airtime;
+  ++tally.n_in_reach;
+  const bool overlapped = w.air.overlapped(sender, frame);
+  tally.n_overlapped += overlapped;
+  tally.n_captured += overlapped && delivered;
+}
+
+void count_first(SenderTally& tally, Seconds end) {
+  const std::uint64_t latency = microseconds(end);
+  tally.n_runs_heard = 1;
+  tally.latency_us = tally.worst_latency_us = latency;
+}
+
+/// Frames that start within the run.
+void count_sender(const Witness& w, std::size_t sender, const std::vector<SentFrame>& frames,
+                  std::uint32_t run, ArenaRuns& into) {
+  SenderTally tally;
+  for (const SentFrame& frame : frames) {
+    if (frame.start < Seconds(0) || frame.start >= w.arena.duration) continue;
+    const FrameFate fate = fate_of(w, sender, frame);
+    ++tally.fate[static_cast<std::size_t>(fate)];
+    if (fate == FrameFate::silent) continue;
+    count_airtime(w, sender, frame, fate, tally);
+    if (fate != FrameFate::delivered) continue;
+    if (tally.n_runs_heard == 0) count_first(tally, frame.end);
+    const Place place = w.arena.way.at(frame.end);
+    into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,
+                          frame.end.value, place.x, place.y, frame.message});
+  }
+  into.tally.senders[sender] += tally;
+}
+
+/// Whether somebody sent what was accepted.
+bool is_true(const Arena& arena, const std::vector<SentFrames>& sent,
+             const protocol::CosysFrame& heard) {
+  const Heard one{{}, {heard}};
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    for (const SentFrame& frame : sent[i].frames)
+      if (delivery_of(frame, arena.senders[i], one, arena.delay) != nullptr) return true;
+  return false;
+}
+
+void count_run(const Arena& arena, std::uint32_t run, const DrawnRun& drawn, const Heard& heard,
+               const Heard& without_slow_agc, ArenaRuns& into) {
+  const Air air(arena, drawn.sent);
+  const Witness witness{arena, air, heard, without_slow_agc};
+  for (std::size_t i = 0; i < arena.senders.size(); ++i)
+    count_sender(witness, i, drawn.sent[i].frames, run, into);
+  for (const protocol::CosysFrame& frame : heard.frames)
+    into.tally.n_false += !is_true(arena, drawn.sent, frame);
+  ++into.tally.n_runs;
+}
+
+/// Pins of the runs, with a module that has no slow AGC where `unit` is given.
+std::vector<dsp::LogicTrace> pins_of(const Arena& arena, const std::vector<DrawnRun>& runs,
+                                     const channel::ModuleDesign* unit,
+                                     const std::atomic<bool>* stop) {
+  std::vector<channel::ChainInput> inputs;
+  for (const DrawnRun& run : runs) {
+    inputs.push_back(run.input);
+    inputs.back().unit = unit;
+  }
+  return channel::propagate(arena.chain, inputs, stop);
+}
+
+}  // namespace
+
+ArenaRuns run_arena(const Arena& arena, std::uint32_t first, int n, const std::atomic<bool>* stop) {
+  std::vector<DrawnRun> runs(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    draw(arena, first + static_cast<std::uint32_t>(i), runs[i]);
+  const auto pins = pins_of(arena, runs, nullptr, stop);
+  const auto without =
+      arena.has_slow_agc ? pins_of(arena, runs, &arena.without_slow_agc, stop) : pins;
+  ArenaRuns result;
+  result.tally.senders.resize(arena.senders.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto run = first + static_cast<std::uint32_t>(i);
+    count_run(arena, run, runs[i], listen(arena, run, pins[i]), listen(arena, run, without[i]),
+              result);
+  }
+  std::ranges::sort(result.heard, {},
+                    [](const HeardFrame& h) { return std::tuple(h.run, h.end_s, h.sender); });
+  return result;
+}
+
+}  // namespace sim

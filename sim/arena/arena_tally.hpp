@@ -1,0 +1,49 @@
+#pragma once
+// What the runs of an arena count, device by device. All whole numbers: sums of them do not depend
+// on the order.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/arena/frame_fate.hpp"
+
+namespace sim {
+
+/// Messages of one device that start within a run.
+struct SenderTally {
+  std::array<std::uint64_t, frame_fates> fate{};
+  std::uint64_t n_in_reach = 0;    // sent, with light that the module hears all the way
+  std::uint64_t n_overlapped = 0;  // of those, with light of another device in reach
+  std::uint64_t n_captured = 0;    // of those, delivered all the same
+  std::uint64_t airtime_us = 0, airtime_in_reach_us = 0, airtime_delivered_us = 0;
+  std::uint64_t n_runs_heard = 0;      // with one delivered at least
+  std::uint64_t latency_us = 0;        // sum over those, from time 0 to the first one's end
+  std::uint64_t worst_latency_us = 0;  // of them
+
+  std::uint64_t operator[](FrameFate f) const { return fate[static_cast<std::size_t>(f)]; }
+  /// Those that the device had to send.
+  std::uint64_t messages() const;
+  std::uint64_t sent() const { return messages() - (*this)[FrameFate::silent]; }
+  std::uint64_t lost() const { return sent() - (*this)[FrameFate::delivered]; }
+
+  SenderTally& operator+=(const SenderTally& other);
+};
+
+/// A message that was delivered.
+struct HeardFrame {
+  std::uint32_t run = 0, sender = 0;
+  double start_s = 0, end_s = 0;
+  double x_m = 0, y_m = 0;  // of the receiver at its end
+  std::string message{};
+};
+
+struct ArenaTally {
+  std::vector<SenderTally> senders;
+  std::uint64_t n_runs = 0;
+  std::uint64_t n_false = 0;  // frames accepted that nobody sent
+
+  ArenaTally& operator+=(const ArenaTally& other);
+};
+
+}  // namespace sim

@@ -1,0 +1,50 @@
+#pragma once
+// Which message a device sends next.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dsp/philox.hpp"
+#include "dsp/units.hpp"
+
+namespace sim {
+
+enum class MessageSource { fixed, list, counter, status };
+
+struct MessageSourceName {
+  std::string_view name;
+  MessageSource source;
+};
+std::span<const MessageSourceName> message_sources();
+/// Of a name that is in the table.
+MessageSource find_message_source(std::string_view name);
+
+/// A digit count that a counter adds to its message, with a space before it.
+inline constexpr std::size_t counter_size = 7;
+
+/// The messages of one device in one run, asked for in the order of time.
+class MessageQueue {
+ public:
+  /// `messages` must not be empty and outlive this. `hold`: mean time that a status lasts.
+  MessageQueue(MessageSource source, std::span<const std::string> messages, dsp::Seconds hold,
+               const dsp::RandomAddress& draws);
+
+  /// What is sent at `now`.
+  std::string next(dsp::Seconds now);
+
+ private:
+  void change_until(dsp::Seconds now);
+
+  MessageSource source_;
+  std::span<const std::string> messages_;
+  dsp::Seconds hold_;
+  dsp::RandomAddress draws_;
+  std::uint32_t next_draw_ = 0;
+  std::uint64_t sent_ = 0;
+  std::size_t status_ = 0;
+  dsp::Seconds status_until_{-1e9};
+};
+
+}  // namespace sim

@@ -1,0 +1,44 @@
+#pragma once
+// A receiver's way over the floor: from way-point to way-point at one speed, in straight lines.
+// Where no headings are given it looks where it goes and turns on the spot at way-points; where
+// they are, it turns evenly as it goes. It stays where the way ends.
+#include <vector>
+
+#include "dsp/units.hpp"
+#include "sim/arena/settings.hpp"
+
+namespace sim {
+
+struct Place {
+  double x = 0, y = 0;  // m
+  dsp::Radians heading;
+};
+
+class Way {
+ public:
+  /// Throws bad_input where the lists do not fit together.
+  explicit Way(const PathSettings& path);
+
+  Place at(dsp::Seconds t) const;
+  dsp::Seconds duration() const { return legs_.empty() ? dsp::Seconds(0) : legs_.back().end; }
+  /// m along the way until then; turning on the spot is none.
+  double distance(dsp::Seconds t) const;
+
+ private:
+  /// Even motion from one place to another, or a turn.
+  struct Leg {
+    dsp::Seconds start, end;
+    Place from, to;
+    double distance_before;
+  };
+
+  void go(const Place& to, double speed_m_per_s);
+  void turn(dsp::Radians heading, dsp::Radians per_second);
+  void add(const Place& to, dsp::Seconds time);
+  const Leg* leg_at(dsp::Seconds t) const;
+
+  Place now_;  // where the legs so far lead
+  std::vector<Leg> legs_;
+};
+
+}  // namespace sim

@@ -1,0 +1,75 @@
+#include "sim/experiment_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::array kinds{
+    ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}},
+};
+
+/// Of every experiment.
+constexpr std::array<std::string_view, 20> common{
+    "title",
+    "experiment",
+    "device.baud",
+    "device.carrier_hz",
+    "device.carrier_duty",
+    "led.",
+    "module.",
+    "floor.",
+    "uart.",
+    "ambient.",
+    "noise.",
+    "disturbance.",
+    "receiver.module",
+    "receiver.height_mm",
+    "receiver.yaw_deg",
+    "receiver.tilt_deg",
+    "receiver.temperature_c",
+    "receiver.supply",
+    "simulation.sample_rate_hz",
+    "simulation.seed",
+};
+
+bool begins_with_one(std::string_view key, std::span<const std::string_view> prefixes) {
+  return std::ranges::any_of(prefixes, [&](std::string_view prefix) {
+    return !prefix.empty() && key.starts_with(prefix);
+  });
+}
+
+bool has(const ExperimentKind& kind, std::string_view key) {
+  return begins_with_one(key, common) || begins_with_one(key, kind.tables);
+}
+
+/// The experiments that such a key is of.
+std::string kinds_with(std::string_view key) {
+  std::string names;
+  for (const ExperimentKind& kind : kinds)
+    if (has(kind, key)) names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const ExperimentKind> experiment_kinds() { return kinds; }
+
+void check_experiment(const LoadedScenario& scenario) {
+  const std::string& name = scenario.base.experiment;
+  const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
+  for (const auto& [key, place] : scenario.places)
+    if (!has(kind, key))
+      throw bad_input(key + " " + place, "it means nothing in the experiment \"" + name + "\"",
+                      fmt::format("remove it, or write experiment = {} before the first table",
+                                  kinds_with(key)));
+}
+
+}  // namespace sim
