@@ -14,6 +14,7 @@ namespace {
 constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
     ExperimentKind{"arena", {"path.", "arena.", "devices."}},
+    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}},
 };
 
 /// Of every experiment.

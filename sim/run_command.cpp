@@ -9,6 +9,7 @@
 #include "sim/experiment_kind.hpp"
 #include "sim/experiment_run.hpp"
 #include "sim/failure.hpp"
+#include "sim/guard/guard_command.hpp"
 #include "sim/keeper.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_json.hpp"
@@ -133,6 +134,7 @@ using RunExperiment = void (*)(const ExperimentRun&);
 /// Nothing for a link.
 RunExperiment runner_of(const LoadedScenario& scenario) {
   if (scenario.base.experiment == "arena") return run_arena_scenario;
+  if (scenario.base.experiment == "guard") return run_guard_scenario;
   return nullptr;
 }
 

@@ -12,6 +12,7 @@
 #include "channel/receiver_module.hpp"
 #include "sim/arena/settings.hpp"
 #include "sim/axis.hpp"
+#include "sim/guard/settings.hpp"
 
 namespace sim {
 
@@ -116,6 +117,7 @@ struct Scenario {
   StopSettings stop;
   PathSettings path;
   ArenaSettings arena;
+  GuardSettings guard;
   std::map<std::string, PlacedDevice> devices;  // by their names
 };
 

@@ -11,7 +11,9 @@ namespace {
 
 /// What there is to say of one point more than its row.
 std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
-  std::string text = "\n" + device_table(point) + "\n" + waterfall(together(point));
+  const SenderTally all = together(point);
+  std::string text =
+      "\n" + device_table(point) + "\n" + waterfall(all.messages(), loss_stages(all), "delivered");
   if (point.tally.n_false > 0)
     text += fmt::format("{:>10}  accepted though nobody sent them\n", point.tally.n_false);
   return text + "\n" + way_table(scenario.base, point);

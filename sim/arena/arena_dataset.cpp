@@ -21,14 +21,14 @@ std::vector<std::string> sender_names(const std::vector<ArenaPoint>& points) {
 
 /// Cells (point, device) of a variable; those of devices that a point has not stay as they are.
 template <class T, class Read>
-std::vector<T> by_device(const std::vector<ArenaPoint>& points,
-                         const std::vector<std::string>& names, T nothing, Read read) {
+std::vector<T> by_device(const std::vector<ArenaPoint>& points, T nothing, Read read) {
+  const std::vector<std::string> names = sender_names(points);
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < names.size(); ++i) place[names[i]] = i;
   std::vector<T> cells(points.size() * names.size(), nothing);
   for (std::size_t p = 0; p < points.size(); ++p)
     for (std::size_t i = 0; i < points[p].tally.senders.size(); ++i)
-      cells[p * names.size() + place[points[p].senders[i].name]] = read(points[p], i);
+      cells[p * names.size() + place[points[p].senders[i].name]] = static_cast<T>(read(p, i));
   return cells;
 }
 
@@ -66,37 +66,24 @@ const RealColumn reals[] = {
      }},
 };
 
-void add_device_variables(Dataset& data, const std::vector<ArenaPoint>& points,
-                          const std::vector<std::string>& names) {
-  const auto count = [&](const std::string& name, const std::string& long_name, auto read) {
-    data.variables.push_back(
-        {{name, "1", long_name},
-         true,
-         {"device"},
-         by_device<std::int64_t>(points, names, 0, [&](const ArenaPoint& p, std::size_t i) {
-           return static_cast<std::int64_t>(read(p.tally.senders[i]));
-         })});
+void add_device_variables(Dataset& data, const std::vector<ArenaPoint>& points) {
+  const auto tally = [&](std::size_t p, std::size_t i) -> const SenderTally& {
+    return points[p].tally.senders[i];
   };
-  for (const CountColumn& column : counts) count(column.name, column.long_name, column.read);
+  for (const CountColumn& column : counts)
+    add_device_counts(data, points, column.name, column.long_name,
+                      [&](std::size_t p, std::size_t i) { return column.read(tally(p, i)); });
   for (std::size_t f = 0; f < frame_fates; ++f)
-    count("n_" + std::string(fate_names[f].name),
-          "messages whose fate was: " + std::string(fate_names[f].words),
-          [f](const SenderTally& t) { return t.fate[f]; });
+    add_device_counts(data, points, "n_" + std::string(fate_names[f].name),
+                      "messages whose fate was: " + std::string(fate_names[f].words),
+                      [&](std::size_t p, std::size_t i) { return tally(p, i).fate[f]; });
   for (const RealColumn& column : reals)
-    data.variables.push_back(
-        {{column.name, column.unit, column.long_name},
-         true,
-         {"device"},
-         by_device<double>(points, names, unset, [&](const ArenaPoint& p, std::size_t i) {
-           return column.read(p, p.tally.senders[i]);
-         })});
-  data.variables.push_back(
-      {{"irradiance_mw_per_m2", "mW/m2", "highest irradiance along the way"},
-       true,
-       {"device"},
-       by_device<double>(points, names, unset, [](const ArenaPoint& p, std::size_t i) {
-         return p.senders[i].highest_irradiance;
-       })});
+    add_device_reals(
+        data, points, {column.name, column.unit, column.long_name},
+        [&](std::size_t p, std::size_t i) { return column.read(points[p], tally(p, i)); });
+  add_device_reals(
+      data, points, {"irradiance_mw_per_m2", "mW/m2", "highest irradiance along the way"},
+      [&](std::size_t p, std::size_t i) { return points[p].senders[i].highest_irradiance; });
 }
 
 template <class T, class Read>
@@ -187,6 +174,21 @@ void add_heard(Dataset& data, const std::vector<ArenaPoint>& points,
 
 }  // namespace
 
+void add_device_counts(Dataset& data, const std::vector<ArenaPoint>& points,
+                       const std::string& name, const std::string& long_name,
+                       const std::function<std::uint64_t(std::size_t, std::size_t)>& read) {
+  if (sender_names(points).empty()) return;
+  data.variables.push_back(
+      {{name, "1", long_name}, true, {"device"}, by_device<std::int64_t>(points, 0, read)});
+}
+
+void add_device_reals(Dataset& data, const std::vector<ArenaPoint>& points,
+                      const VariableFacts& facts,
+                      const std::function<double(std::size_t, std::size_t)>& read) {
+  if (sender_names(points).empty()) return;
+  data.variables.push_back({facts, true, {"device"}, by_device<double>(points, unset, read)});
+}
+
 Dataset arena_dataset(const LoadedScenario& scenario, const std::string& command,
                       const std::vector<ArenaPoint>& points) {
   Dataset data{.title = scenario.base.title,
@@ -198,7 +200,7 @@ Dataset arena_dataset(const LoadedScenario& scenario, const std::string& command
   const std::vector<std::string> names = sender_names(points);
   if (!names.empty()) data.dimensions.push_back({{"device", "", "devices"}, names});
   add_sums(data, points);
-  if (!names.empty()) add_device_variables(data, points, names);
+  add_device_variables(data, points);
   add_heard(data, points, names);
   return data;
 }

@@ -2,82 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iterator>
-#include <mutex>
 #include <utility>
 
-#include "channel/instruction_set.hpp"
-#include "sim/arena/arena_run.hpp"
 #include "sim/point_scenario.hpp"
+#include "sim/run_sharing.hpp"
 #include "sim/sweep.hpp"
-#include "sim/worker_threads.hpp"
 
 namespace sim {
 namespace {
-
-/// Runs that are done at once, as many as there are lanes, and not so many that threads have none.
-std::uint32_t runs_at_once(std::uint32_t runs, int threads) {
-  const auto each =
-      (runs + static_cast<std::uint32_t>(threads) - 1) / static_cast<std::uint32_t>(threads);
-  return std::clamp(each, 1U, static_cast<std::uint32_t>(channel::trials_at_once()));
-}
-
-/// The runs of one point, shared out to threads by the lot and added up in order.
-class RunSharing {
- public:
-  RunSharing(const Arena& arena, std::uint32_t runs, const ArenaOptions& options)
-      : arena_(arena),
-        runs_(runs),
-        lot_(runs_at_once(runs, options.threads)),
-        stop_(options.interrupt),
-        lots_((runs + lot_ - 1) / lot_) {}
-
-  void work() {
-    while (const auto lot = next()) {
-      try {
-        const std::uint32_t first = *lot * lot_;
-        lots_[*lot] =
-            run_arena(arena_, first, static_cast<int>(std::min(lot_, runs_ - first)), stop_);
-      } catch (...) {
-        give_up(std::current_exception());
-      }
-    }
-  }
-
-  void give_up(const std::exception_ptr& error = nullptr) {
-    const std::scoped_lock lock(mutex_);
-    if (!error_) error_ = error;
-    next_ = static_cast<std::uint32_t>(lots_.size());
-  }
-
-  bool stopped() const { return stop_ != nullptr && *stop_; }
-
-  ArenaRuns sum() {
-    if (error_) std::rethrow_exception(error_);
-    ArenaRuns all;
-    for (ArenaRuns& lot : lots_) {
-      all.tally += lot.tally;
-      std::ranges::move(lot.heard, std::back_inserter(all.heard));
-    }
-    return all;
-  }
-
- private:
-  std::optional<std::uint32_t> next() {
-    const std::scoped_lock lock(mutex_);
-    if (next_ >= lots_.size() || stopped()) return std::nullopt;
-    return next_++;
-  }
-
-  const Arena& arena_;
-  std::uint32_t runs_, lot_;
-  const std::atomic<bool>* stop_;
-  std::vector<ArenaRuns> lots_;
-  std::mutex mutex_;
-  std::uint32_t next_ = 0;
-  std::exception_ptr error_;
-};
 
 std::vector<SenderFacts> facts_of(const Arena& arena) {
   std::vector<SenderFacts> facts;
@@ -86,22 +19,16 @@ std::vector<SenderFacts> facts_of(const Arena& arena) {
   return facts;
 }
 
-ArenaPoint run_point(const Scenario& scenario, std::vector<double> coordinates,
+ArenaPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
                      const ArenaOptions& options) {
   const Arena arena = make_arena(scenario);
-  ArenaPoint point{.coordinates = std::move(coordinates),
-                   .senders = facts_of(arena),
-                   .duration_s = arena.duration.value,
-                   .reach_mw_per_m2 = arena.reach_mw_per_m2};
-  RunSharing sharing(arena, static_cast<std::uint32_t>(scenario.arena.runs), options);
-  start_threads(
-      options.threads, [&] { sharing.work(); }, [&] { sharing.give_up(); })
-      .clear();  // waits for them
-  if (sharing.stopped()) return point;
-  ArenaRuns runs = sharing.sum();
-  point.tally = std::move(runs.tally);
-  point.heard = std::move(runs.heard);
-  point.simulated_s = arena.end.value * static_cast<double>(point.tally.n_runs);
+  ArenaPoint point = arena_point(arena, coordinates);
+  RunSharing<ArenaRuns> sharing(
+      static_cast<std::uint32_t>(scenario.arena.runs), options.threads, options.interrupt,
+      [&](std::uint32_t first, int n) { return run_arena(arena, first, n, options.interrupt); });
+  auto lots = sharing();
+  if (!lots) return point;
+  for (ArenaRuns& lot : *lots) add_runs(point, std::move(lot));
   return point;
 }
 
@@ -111,6 +38,18 @@ double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
 }
 
 }  // namespace
+
+ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates) {
+  return {.coordinates = coordinates,
+          .senders = facts_of(arena),
+          .duration_s = arena.duration.value,
+          .reach_mw_per_m2 = arena.reach_mw_per_m2};
+}
+
+void add_runs(ArenaPoint& point, ArenaRuns runs) {
+  point.tally += runs.tally;
+  std::ranges::move(runs.heard, std::back_inserter(point.heard));
+}
 
 SenderTally together(const ArenaPoint& point) {
   SenderTally sum;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/arena/arena_tally.hpp"
+#include "sim/arena/arena_run.hpp"
 #include "sim/axis.hpp"
 #include "sim/scenario.hpp"
 
@@ -23,9 +23,13 @@ struct ArenaPoint {
   std::vector<SenderFacts> senders;
   ArenaTally tally{};  // no runs: never reached
   std::vector<HeardFrame> heard{};
-  double duration_s = 0, simulated_s = 0;
+  double duration_s = 0;
   double reach_mw_per_m2 = 0;
 };
+
+/// A point before its first run, and with runs added, which are to be in order.
+ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates);
+void add_runs(ArenaPoint& point, ArenaRuns runs);
 
 /// Sum over the devices of a point.
 SenderTally together(const ArenaPoint& point);

@@ -170,18 +170,26 @@ std::string device_table(const ArenaPoint& point) {
   return table;
 }
 
-std::string waterfall(const SenderTally& tally) {
-  const double all = static_cast<double>(tally.messages());
-  std::string lines = fmt::format("{:>10}  messages\n", tally.messages());
-  std::uint64_t left = tally.messages();
-  for (std::size_t i = 1; i < frame_fates; ++i) {
-    const std::uint64_t lost = tally.fate[i];
-    left -= lost;
-    lines +=
-        fmt::format("{:>+10}  {:<24} {:>6.2f} %   {:>10} left\n", -static_cast<double>(lost),
-                    fate_names[i].words, all > 0 ? 100 * static_cast<double>(lost) / all : 0, left);
+std::vector<LossStage> loss_stages(const SenderTally& tally) {
+  std::vector<LossStage> stages;
+  for (std::size_t i = 1; i < frame_fates; ++i)
+    stages.push_back({fate_names[i].words, tally.fate[i]});
+  return stages;
+}
+
+std::string waterfall(std::uint64_t messages, const std::vector<LossStage>& stages,
+                      std::string_view end) {
+  std::string lines = fmt::format("{:>10}  messages\n", messages);
+  std::uint64_t left = messages;
+  for (const LossStage& stage : stages) {
+    left -= stage.lost;
+    const double share =
+        messages > 0 ? static_cast<double>(stage.lost) / static_cast<double>(messages) : 0;
+    lines += fmt::format("{:>10}  {:<24} {:>6.2f} %   {:>10} left\n",
+                         stage.lost > 0 ? fmt::format("-{}", stage.lost) : "0", stage.words,
+                         100 * share, left);
   }
-  return lines + fmt::format("{:>10}  delivered\n", tally[FrameFate::delivered]);
+  return lines + fmt::format("{:>10}  {}\n", left, end);
 }
 
 std::string way_table(const Scenario& scenario, const ArenaPoint& point) {

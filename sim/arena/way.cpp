@@ -56,7 +56,7 @@ Way::Way(const PathSettings& path) {
       if (distance_between(now_, {x[i], y[i], {}}) == 0) continue;
       if (legs_.empty()) now_.heading = heading;
       turn(heading, dsp::degrees(path.turn_deg_per_s));
-      go({x[i], y[i], heading}, path.speed_m_per_s);
+      go({x[i], y[i], now_.heading}, path.speed_m_per_s);
     }
     return;
   }

@@ -1,0 +1,50 @@
+#pragma once
+// What the runs of a robo-guard count, device by device, behind what its arena counts.
+#include <cstdint>
+#include <vector>
+
+namespace sim {
+
+/// How old something is known to be, looked at at even times: a count for each tenth of a second.
+class AgeCounts {
+ public:
+  static constexpr double step_s = 0.1;
+
+  void add(double age_s);
+  void add_unknown() { ++unknown_; }
+  AgeCounts& operator+=(const AgeCounts& other);
+
+  /// NaN where nothing was ever known.
+  double mean_s() const;
+  /// Age that a share of the looks does not exceed, to a step above.
+  double quantile_s(double share) const;
+  double unknown_share() const;
+  std::uint64_t known() const { return known_; }
+  std::uint64_t unknown() const { return unknown_; }
+
+ private:
+  std::vector<std::uint64_t> counts_;
+  std::uint64_t known_ = 0, unknown_ = 0;
+  std::uint64_t sum_ms_ = 0;
+};
+
+/// Messages of one device that the guard has heard, and what the base station knows of it.
+struct MirrorTally {
+  std::uint64_t n_replaced = 0;  // by a newer one of the device, before it was passed on
+  std::uint64_t n_lost = 0;      // on the line
+  std::uint64_t n_known = 0;     // at the base station
+  AgeCounts age;                 // of what the base station knows, from the message's start
+
+  MirrorTally& operator+=(const MirrorTally& other);
+};
+
+/// Of a run or more, besides what their arena counts.
+struct GuardTally {
+  std::vector<MirrorTally> mirrors;                            // one a device
+  std::uint64_t n_sent = 0, n_accepted = 0;                    // SharedLink messages, both ways
+  std::uint64_t n_asked = 0, n_answered = 0, n_timed_out = 0;  // questions of the base station
+
+  GuardTally& operator+=(const GuardTally& other);
+};
+
+}  // namespace sim
