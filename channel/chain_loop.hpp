@@ -77,6 +77,13 @@ class Interference {
     for (std::size_t i = 0; i < in.n_carriers; ++i) load(in.carriers[i]);
   }
 
+  /// Other bursts of the carriers, equal as far as they are done.
+  void resume(const ChainKernelInput& in) {
+    for (std::size_t k = 0; k < in.n_carriers; ++k)
+      for (int i = 0; i < dsp::lanes<T>; ++i)
+        senders_[k].carrier.resume(i, {in.carriers[k].bursts[i], in.carriers[k].n_bursts[i]});
+  }
+
   /// Adds the samples [first, first + n).
   void add(std::int64_t first, T* x, int n) {
     for (Tone<T>& tone : tones_) tone.add(x, n);
@@ -166,6 +173,13 @@ class Irradiance {
       carrier_.load(i, {in.lane[i].bursts, in.lane[i].n_bursts}, in.lane[i].carrier_phase);
       noise_.seed(i, in.lane[i].noise_seed);
     }
+  }
+
+  /// Other bursts in the kernel's input, equal as far as they are done.
+  void resume() {
+    for (int i = 0; i < dsp::lanes<T>; ++i)
+      carrier_.resume(i, {in_.lane[i].bursts, in_.lane[i].n_bursts});
+    others_.resume(in_);
   }
 
   /// The block that begins at sample `first`; to be called for each in turn.

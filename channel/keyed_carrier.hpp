@@ -51,9 +51,14 @@ class KeyedCarrier {
   /// Gives a lane its bursts (which must outlive this) and the carrier's phase at sample 0, in
   /// 2^-32 cycles. Bursts are in order and at least a sample apart.
   void load(int lane, std::span<const Burst> bursts, std::uint32_t phase) {
+    resume(lane, bursts);
+    dsp::set_lane(phase_, lane, phase);
+  }
+
+  /// Gives a lane other bursts, equal as far as they began in samples that are done.
+  void resume(int lane, std::span<const Burst> bursts) {
     burst_[lane] = bursts.data();
     end_[lane] = bursts.data() + bursts.size();
-    dsp::set_lane(phase_, lane, phase);
   }
 
   /// Prepares the samples [first, first + length), 2048 at most; returns how many of them one burst

@@ -15,7 +15,7 @@ namespace {
 bool is_physics(const Key& key) {
   return key.facts.type != KeyType::part && key.name() != "title" &&
          key.name() != "simulation.seed" && key.name() != "arena.runs" &&
-         !key.name().starts_with("stop.");
+         key.name() != "exchange.runs" && !key.name().starts_with("stop.");
 }
 
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero

@@ -15,6 +15,9 @@ constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
     ExperimentKind{"arena", {"path.", "arena.", "devices."}},
     ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}},
+    ExperimentKind{"sharedlink",
+                   {"exchange.", "receiver.range_m", "receiver.bearing_deg",
+                    "device.clock_error_ppm", "device.carrier_error_ppm"}},
 };
 
 /// Of every experiment.

@@ -7,6 +7,7 @@
 #include "protocol/uart.hpp"
 #include "sim/arena/keys.hpp"
 #include "sim/disturbance_keys.hpp"
+#include "sim/exchange/keys.hpp"
 #include "sim/experiment_kind.hpp"
 #include "sim/fidelity.hpp"
 #include "sim/guard/keys.hpp"
@@ -202,7 +203,7 @@ std::vector<Key> make_scenario_keys() {
        {device_keys(), led_settings_keys(), receiver_keys(),
         override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
         override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
-        run_keys(), path_keys(), arena_keys(), guard_keys()})
+        run_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -29,6 +29,8 @@ const std::vector<Limit>& limits() {
   static const std::vector<Limit> table{
       {find_key("device.interval_min_ms"), find_key("device.interval_max_ms"), 1,
        "the shortest pause cannot exceed the longest"},
+      {find_key("exchange.interval_min_ms"), find_key("exchange.interval_max_ms"), 1,
+       "the shortest pause cannot exceed the longest"},
       {find_key("device.carrier_hz"), find_key("simulation.sample_rate_hz"), 4,
        "a carrier period takes at least 4 samples"},
       {find_key("module.centre_hz"), find_key("simulation.sample_rate_hz"), 4,

@@ -5,6 +5,7 @@
 #include "sim/commands.hpp"
 #include "sim/dataset.hpp"
 #include "sim/engine.hpp"
+#include "sim/exchange/exchange_command.hpp"
 #include "sim/experiment.hpp"
 #include "sim/experiment_kind.hpp"
 #include "sim/experiment_run.hpp"
@@ -135,6 +136,7 @@ using RunExperiment = void (*)(const ExperimentRun&);
 RunExperiment runner_of(const LoadedScenario& scenario) {
   if (scenario.base.experiment == "arena") return run_arena_scenario;
   if (scenario.base.experiment == "guard") return run_guard_scenario;
+  if (scenario.base.experiment == "sharedlink") return run_exchange_scenario;
   return nullptr;
 }
 

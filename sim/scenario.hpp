@@ -12,6 +12,7 @@
 #include "channel/receiver_module.hpp"
 #include "sim/arena/settings.hpp"
 #include "sim/axis.hpp"
+#include "sim/exchange/settings.hpp"
 #include "sim/guard/settings.hpp"
 
 namespace sim {
@@ -118,6 +119,7 @@ struct Scenario {
   PathSettings path;
   ArenaSettings arena;
   GuardSettings guard;
+  ExchangeSettings exchange;
   std::map<std::string, PlacedDevice> devices;  // by their names
 };
 

@@ -57,8 +57,10 @@ enum class Purpose : std::uint32_t {
   proposal = 10,         // how it is changed
   noise_around = 11,     // elsewhere
   // Of arenas.
-  sender = 12,      // and the numbers that end in this byte: a few for each
-  serial_line = 13  // and the numbers that end in this byte: one for each way
+  sender = 12,       // and the numbers that end in this byte: a few for each
+  serial_line = 13,  // and the numbers that end in this byte: one for each way
+  // Of exchanges.
+  shared_node = 14  // and the numbers that end in this byte: eight for each
 };
 
 /// The draws of a purpose in one trial of a link.

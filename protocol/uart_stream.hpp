@@ -1,0 +1,34 @@
+#pragma once
+// A UART receiver that is read while its wire goes on: byte by byte what it makes of the whole
+// wire.
+#include <cstddef>
+#include <vector>
+
+#include "dsp/logic_trace.hpp"
+#include "dsp/units.hpp"
+#include "protocol/uart.hpp"
+
+namespace protocol {
+
+class UartStream {
+ public:
+  UartStream(const UartReceiver& receiver, dsp::Hertz baud, double clock_phase)
+      : receiver_(&receiver), baud_(baud), clock_phase_(clock_phase) {}
+
+  /// Bytes that are whole in `wire`, an idle one that has grown since the last call, and were not
+  /// given yet.
+  std::vector<UartByte> take(const dsp::LogicTrace& wire);
+
+ private:
+  bool idle_before(dsp::Seconds flip) const;
+  void give(std::vector<UartByte>& bytes);
+
+  const UartReceiver* receiver_;
+  dsp::Hertz baud_;
+  double clock_phase_;
+  std::size_t next_flip_ = 0;   // of the wire, not in the part yet
+  dsp::LogicTrace part_{true};  // the wire since it was idle for long
+  std::size_t given_ = 0;       // bytes of that part
+};
+
+}  // namespace protocol

@@ -1,0 +1,10 @@
+#pragma once
+#include "sim/experiment_run.hpp"
+
+namespace sim {
+
+/// Runs an exchange: tables on stdout, all of it in a file. What is finished when an interrupt
+/// comes is in both.
+void run_exchange_scenario(const ExperimentRun& run);
+
+}  // namespace sim
