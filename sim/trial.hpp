@@ -55,7 +55,11 @@ enum class Purpose : std::uint32_t {
   choice = 8,            // of the trial
   prescribed_noise = 9,  // where bits are decided, before it is changed
   proposal = 10,         // how it is changed
-  noise_around = 11      // elsewhere
+  noise_around = 11,     // elsewhere
+  // Of light that is measured, not decoded (sim/location).
+  meter_window = 32,
+  meter_noise = 33,
+  reading_noise = 34
 };
 
 /// The draws of a purpose in one trial of a link.

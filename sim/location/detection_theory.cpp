@@ -1,0 +1,28 @@
+#include "sim/location/detection_theory.hpp"
+
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "sim/theory.hpp"
+
+namespace sim {
+
+const std::vector<std::string>& detector_names() {
+  static const std::vector<std::string> names{"synchronous", "goertzel", "dc-difference"};
+  return names;
+}
+
+double detection_threshold(Detector detector, double pfa) {
+  if (detector == Detector::goertzel) return -2 * std::log(pfa);
+  return std::numbers::sqrt2 * boost::math::erfc_inv(2 * pfa);
+}
+
+double detection_probability(Detector detector, double pfa, const DetectionLaw& law) {
+  const double threshold = detection_threshold(detector, pfa);
+  if (detector == Detector::goertzel)
+    return marcum_q1(std::sqrt(law.signal) / law.widening, std::sqrt(threshold) / law.widening);
+  return gaussian_q((threshold - law.signal) / law.widening);
+}
+
+}  // namespace sim
