@@ -1,8 +1,6 @@
 #include "sim/location/detection_theory.hpp"
 
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "sim/theory.hpp"
 
@@ -15,7 +13,7 @@ const std::vector<std::string>& detector_names() {
 
 double detection_threshold(Detector detector, double pfa) {
   if (detector == Detector::goertzel) return -2 * std::log(pfa);
-  return std::numbers::sqrt2 * boost::math::erfc_inv(2 * pfa);
+  return gaussian_q_inverse(pfa);
 }
 
 double detection_probability(Detector detector, double pfa, const DetectionLaw& law) {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "channel/bursts.hpp"
-#include "channel/normals.hpp"
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/failure.hpp"
+#include "sim/location/addressed_normals.hpp"
 
 namespace sim {
 namespace {
@@ -26,13 +26,6 @@ std::vector<channel::Burst> message_bursts(const KeyedMessage& keyed, double sam
   for (const std::uint8_t byte : protocol::cosys_encode(keyed.message))
     at = protocol::send_byte(line, byte, at, keyed.baud);
   return channel::bursts_of(line, dsp::Hertz(sample_rate_hz));
-}
-
-std::vector<float> normals_of(const dsp::RandomAddress& draws, std::size_t n) {
-  channel::StreamSeeds seeds;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    seeds[i] = draws.block(static_cast<std::uint32_t>(i));
-  return channel::draw_normals(seeds, n);
 }
 
 std::size_t clipped_samples(const channel::LightMeter& meter, const std::vector<double>& volts) {
@@ -54,7 +47,7 @@ PresencePoint::PresencePoint(const PresenceSettings& settings)
 PresencePoint::Trial PresencePoint::trial(std::uint32_t number) const {
   const dsp::RandomAddress place = address(number, Purpose::meter_window);
   const channel::MeterWindow window = window_at(place.uniform(0), place.uniform(1));
-  const auto normals = normals_of(address(number, Purpose::meter_noise), samples_drawn());
+  const auto normals = addressed_normals(address(number, Purpose::meter_noise), samples_drawn());
   const std::size_t n = s_.window_samples;
   const Samples dark = sampled(Samples(n, dark_volts_), normals.data());
   const Samples lit =

@@ -167,7 +167,7 @@ TEST(Presence, KeyedLightIsThereForTheMessagesShareOfTheTime) {
 }
 
 TEST(Presence, RoundingCountsAsNoise) {  // half a step of noise: a third is added
-  PresenceSettings s = faint_light(Detector::dc_difference, 40);
+  PresenceSettings s = faint_light(Detector::dc_difference, 20);
   s.meter.adc_bits = 13;
   expect_closed_form(s);
 }
