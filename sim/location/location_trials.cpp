@@ -11,16 +11,6 @@
 namespace sim {
 namespace {
 
-std::vector<Reading> noisy(std::vector<Reading> readings, const std::vector<float>& normals) {
-  std::size_t next = 0;
-  const auto normal = [&] { return static_cast<double>(normals[next++]); };
-  for (Reading& reading : readings) {
-    reading.irradiance_w_per_m2 += reading.deviation_w_per_m2 * normal();
-    reading.bearing += reading.bearing_deviation * normal();
-  }
-  return readings;
-}
-
 struct Errors {
   std::uint64_t n = 0;
   double squares = 0, fourth_powers = 0;  // m2, m4
@@ -71,6 +61,19 @@ std::vector<Reading> noiseless_readings(const LightModel& model, std::vector<Rea
   return readings;
 }
 
+std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialAddress& address) {
+  const dsp::RandomAddress draws{address.seed, address.point, address.trial,
+                                 static_cast<std::uint32_t>(Purpose::reading_noise)};
+  const std::vector<float> normals = addressed_normals(draws, 2 * noiseless.size());
+  std::size_t next = 0;
+  const auto normal = [&] { return static_cast<double>(normals[next++]); };
+  for (Reading& reading : noiseless) {
+    reading.irradiance_w_per_m2 += reading.deviation_w_per_m2 * normal();
+    reading.bearing += reading.bearing_deviation * normal();
+  }
+  return noiseless;
+}
+
 LocationTrials measure_location(const LocationTrialsSettings& s) {
   const auto readings = noiseless_readings(s.locate.model, s.readings, s.truth);
   Locator locator(s.locate, readings);
@@ -78,9 +81,7 @@ LocationTrials measure_location(const LocationTrialsSettings& s) {
   LocationTrials result;
   Errors errors;
   for (std::uint32_t trial = 0; trial < s.trials; ++trial) {
-    const dsp::RandomAddress draws{s.seed, s.point, trial,
-                                   static_cast<std::uint32_t>(Purpose::reading_noise)};
-    const auto drawn = noisy(readings, addressed_normals(draws, 2 * readings.size()));
+    const auto drawn = drawn_readings(readings, {s.seed, s.point, trial});
     judge(locator.locate(drawn), s.truth, result, errors);
   }
   result.bound_m = bound(s);

@@ -34,6 +34,14 @@ struct LocationTrials {
 /// The same for any equal settings.
 LocationTrials measure_location(const LocationTrialsSettings& settings);
 
+struct TrialAddress {
+  std::uint64_t seed = 1;
+  std::uint32_t point = 0, trial = 0;
+};
+
+/// What a trial measures: noiseless readings with the noise that they say they have.
+std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialAddress& address);
+
 /// The readings of a device at `device` without noise; places, headings and deviations are kept.
 std::vector<Reading> noiseless_readings(const LightModel& model, std::vector<Reading> readings,
                                         const Position& device);

@@ -18,7 +18,9 @@ double lerp_node(double low, double high, int i) {
   return std::lerp(low, high, static_cast<double>(i) / (side - 1));
 }
 
-std::size_t index(int column, int row) { return static_cast<std::size_t>(row * side + column); }
+std::size_t index(int column, int row) {
+  return static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column);
+}
 
 /// Measured over predicted light in nepers; what is less than a deviation counts as one.
 double log_ratio(const Reading& reading, double light) {

@@ -96,6 +96,30 @@ TEST(Locate, TwoReceiversOnALineSeeTheMirrorImageAsWell) {
   EXPECT_LT(location.places[0].at.at.y * location.places[1].at.at.y, 0);
 }
 
+TEST(Locate, SoTheyDoWhereTheFloorScattersFarMoreThanADeviation) {
+  LightModel model = indoors();
+  model.all_round = true;
+  const auto readings =
+      readings_of(model, {1.5, 0.3},
+                  {receiver_at(0, 0, 0), receiver_at(1, 0, 0), receiver_at(-0.5, 0, 0)}, 1e-4);
+  const Location location = locate(settings_of(model), readings);
+  EXPECT_EQ(location.outcome, Outcome::ambiguous);
+  EXPECT_EQ(location.places.size(), 2U);
+}
+
+/// From d0 the slope of 1/d^2 leads to d0 - d0 (d0^2 / d^2 - 1) / 2: beyond the receiver.
+TEST(Locate, StepsThatWouldOvershootAreHalved) {
+  const LightModel model = inverse_square();
+  const Position device{0.3, 0.2};
+  const auto readings = readings_of(model, device, four_corners());
+  const LeastSquares problem{model, readings, {-9, 9, -9, 9}};
+  const Minimum minimum =
+      descend(problem, scattered_light(model, readings, device), {{1.4, 1.1}, 1});
+  EXPECT_TRUE(minimum.converged);
+  EXPECT_NEAR(minimum.at.at.x, device.x, 1e-6);
+  EXPECT_NEAR(minimum.at.at.y, device.y, 1e-6);
+}
+
 TEST(Locate, ABearingTellsTheSides) {
   const LightModel model = inverse_square();
   const Position device{1.5, 0.8};
