@@ -18,6 +18,9 @@ namespace {
 constexpr double linear_share = 0.01, prepared_share = 0.05;
 constexpr int most_polishes = 8;
 
+/// Slopes are differences: what is finer drowns in their rounding.
+constexpr double least_relative_deviation = 1e-7;
+
 std::string in_words(std::size_t i) { return fmt::format("reading {}", i + 1); }
 
 void check(const Reading& r, std::size_t i) {
@@ -27,6 +30,11 @@ void check(const Reading& r, std::size_t i) {
   if (!(std::isfinite(r.deviation_w_per_m2) && r.deviation_w_per_m2 > 0))
     throw bad_input(fmt::format("{} has a deviation of {} W/m2", in_words(i), r.deviation_w_per_m2),
                     "it is above 0", "give the noise that the reading has");
+  if (r.deviation_w_per_m2 < least_relative_deviation * r.irradiance_w_per_m2)
+    throw bad_input(fmt::format("{} has a deviation of {} of itself", in_words(i),
+                                r.deviation_w_per_m2 / r.irradiance_w_per_m2),
+                    fmt::format("the model is good to {}", least_relative_deviation),
+                    "give the noise that the reading has");
   const bool places = std::isfinite(r.receiver.x) && std::isfinite(r.receiver.y) &&
                       std::isfinite(r.receiver.yaw.value);
   const bool bearings = !r.has_bearing() || std::isfinite(r.bearing.value);

@@ -25,7 +25,7 @@ const char* meaning(LocateOutcome outcome) {
     case LocateOutcome::not_converged:
       break;
   }
-  return "no place in the area explains the readings at least locally";
+  return "no place in the area explains the readings better than all around it";
 }
 
 std::string ellipse_text(const Place& place) {

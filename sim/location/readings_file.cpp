@@ -34,15 +34,22 @@ std::vector<std::string> all_columns() {
   return names;
 }
 
+/// Of any cell: beyond it nothing is a metre, a degree or a light.
+constexpr double largest = 1e9;
+
 /// The number of a line's cells by their columns; empty cells are left out.
 using Row = std::map<std::string, double>;
+
+/// Spreadsheets begin a file with it.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 struct Line {
   std::string text, place;  // "in FILE:LINE"
 };
 
 std::vector<Line> lines_of(const fs::path& path) {
-  const std::string text = read_text_file(path, "readings");
+  std::string text = read_text_file(path, "readings");
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   std::vector<Line> lines;
   int number = 0;
   for (std::string_view line : split(text, '\n')) {
@@ -112,8 +119,9 @@ class Table {
                                     const std::string& place) {
     if (text.empty() && column.starts_with("bearing")) return std::nullopt;
     const auto number = parse_number(text);
-    if (!number || !std::isfinite(*number))
-      throw bad_input(fmt::format("{} = \"{}\" {}", column, text, place), "not a finite number",
+    if (!number || !(std::abs(*number) <= largest))
+      throw bad_input(fmt::format("{} = \"{}\" {}", column, text, place),
+                      fmt::format("not a number from -{0:g} to {0:g}", largest),
                       "write a number such as 0.25 or leave the line out");
     return number;
   }

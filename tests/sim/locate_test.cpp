@@ -201,6 +201,10 @@ TEST(Locate, RefusesReadingsThatCannotBe) {
   EXPECT_EQ(refusal_of(settings, readings),
             "reading 1 has a deviation of 0 W/m2 (it is above 0) give the noise that the reading "
             "has");
+  readings[0].deviation_w_per_m2 = 1e-8 * readings[0].irradiance_w_per_m2;
+  EXPECT_EQ(refusal_of(settings, readings),
+            "reading 1 has a deviation of 1e-08 of itself (the model is good to 1e-07) give the "
+            "noise that the reading has");
   readings = good;
   readings[3].receiver.x = nan;
   EXPECT_EQ(refusal_of(settings, readings),

@@ -60,6 +60,11 @@ TEST_F(ReadingsFile, ColumnsAreFoundByTheirNames) {
   EXPECT_NEAR(readings[1].deviation_w_per_m2, 0.25e-3, 1e-15);
 }
 
+TEST_F(ReadingsFile, ASpreadsheetsByteOrderMarkIsNoName) {
+  EXPECT_EQ(read("\xEF\xBB\xBFx_m,y_m,heading_deg,irradiance_mw_per_m2,sigma\n1,1,1,1,1\n").size(),
+            1U);
+}
+
 TEST_F(ReadingsFile, PhotocurrentIsOfThePhotodiode) {  // Vishay 81521: 50 uA at 10 W/m2
   const auto readings = read("x_m,y_m,heading_deg,photocurrent_ua,relative_sigma\n0,0,0,50,0.1\n");
   EXPECT_NEAR(readings[0].irradiance_w_per_m2, 10, 0.001);
@@ -103,12 +108,16 @@ TEST_F(ReadingsFile, WrongLinesAreNamed) {
             "3 cells in r.csv:3 (there are 7 columns) write a number for each, leave an unmeasured "
             "bearing empty");
   EXPECT_EQ(line("1,a,1,1,1,,"),
-            "y_m = \"a\" in r.csv:3 (not a finite number) write a number such as 0.25 or leave the "
+            "y_m = \"a\" in r.csv:3 (not a number from -1e+09 to 1e+09) write a number such as "
+            "0.25 or leave the "
             "line out");
-  EXPECT_EQ(
-      line("1,1,1,nan,1,,"),
-      "irradiance_mw_per_m2 = \"nan\" in r.csv:3 (not a finite number) write a number such as "
-      "0.25 or leave the line out");
+  EXPECT_EQ(line("1,1,1,nan,1,,"),
+            "irradiance_mw_per_m2 = \"nan\" in r.csv:3 (not a number from -1e+09 to 1e+09) write a "
+            "number such as "
+            "0.25 or leave the line out");
+  EXPECT_EQ(line("1e300,1,1,1,1,,"),
+            "x_m = \"1e300\" in r.csv:3 (not a number from -1e+09 to 1e+09) write a number such as "
+            "0.25 or leave the line out");
   EXPECT_EQ(line("1,1,1,-2,1,,"),
             "irradiance_mw_per_m2 = -2 in r.csv:3 (it is 0 or more) correct it or leave the line "
             "out");
