@@ -24,9 +24,11 @@ dsp::WattsPerSquareMetre noisy_light(const ModuleData& data, dsp::WattsPerSquare
   return is_matched(data) ? ambient : ambient + signal;
 }
 
+double thermal_noise_density(double kelvin, double ohm) { return 4 * boltzmann * kelvin / ohm; }
+
 double noise_density(const ModuleData& data, dsp::Amperes mean) {
   return 2 * elementary_charge * mean.value +
-         4 * boltzmann * data.temperature_k / data.feedback_ohm;
+         thermal_noise_density(data.temperature_k, data.feedback_ohm);
 }
 
 dsp::Hertz noise_bandwidth(const ModuleData& data) {

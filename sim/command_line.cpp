@@ -151,6 +151,48 @@ void add_find(CLI::App& app, FindRequest& request) {
   find.footer("Example: cosys-sim find scenarios/quickstart.toml --over receiver.range_m");
 }
 
+void add_locate(CLI::App& app, LocateRequest& request) {
+  auto& locate = *app.add_subcommand(
+      "locate", "Say where a device is by the light that receivers measured: place and ellipse");
+  add_place(
+      locate, "READINGS", request.readings, "",
+      "readings (.csv): x_m, y_m, heading_deg, irradiance_mw_per_m2 or photocurrent_ua, sigma "
+      "or relative_sigma; bearing_deg, bearing_sigma_deg if measured")
+      ->required();
+  locate.add_option("--led", request.led, "the device's LED; TSAL6200 if not given")
+      ->type_name("NAME");
+  locate.add_option("--led-current-ma", request.led_current_ma, "its current; 100 if not given")
+      ->type_name("MA")
+      ->check(between(1e-3, 1e4));
+  locate
+      .add_option("--led-yaw-deg", request.led_yaw_deg,
+                  "where it looks, from +x to +y; if not given, it is as bright to all sides")
+      ->type_name("DEG")
+      ->check(between(-360, 360));
+  locate.add_option("--floor", request.floor, "indoor if not given")->type_name("NAME");
+  locate.add_option("--photodiode", request.photodiode, "the receivers'; BPW34 if not given")
+      ->type_name("NAME");
+  locate
+      .add_option("--height-mm", request.height_mm,
+                  "of LED and receivers above the floor; 10 if not given")
+      ->type_name("MM")
+      ->check(between(0.1, 1e4));
+  locate
+      .add_option("--area", request.area,
+                  "where the device may be: x from, to, y from, to in metres, -3,3,0,5")
+      ->type_name("X,X,Y,Y")
+      ->delimiter(',')
+      ->expected(4)
+      ->check(between(-1e4, 1e4));
+  locate.add_flag("--unknown-intensity", request.intensity_unknown,
+                  "find the LED's intensity too, as a factor to the sheet's; needs --area");
+  add_part_folders(locate, request.parts);
+  locate.add_flag("--json", request.json, "one JSON object on stdout, not text");
+  locate.footer(
+      "Exit code 4 if the readings leave it open. Example: cosys-sim locate "
+      "scenarios/readings/four_receivers.csv");
+}
+
 void add_merge(CLI::App& app, MergeRequest& request) {
   auto& merge = *app.add_subcommand(
       "merge", "Add results of other trials of the same command up: those of run --shard");
@@ -213,6 +255,7 @@ struct Requests {
   DecodeRequest decode;
   PartsRequest parts;
   FindRequest find;
+  LocateRequest locate;
   MergeRequest merge;
   DiffRequest diff;
 };
@@ -220,8 +263,8 @@ struct Requests {
 void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = from.program;
-  for (PartRoots* parts :
-       {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts})
+  for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts,
+                           &to.parts.parts, &to.locate.parts})
     parts->push_back(from.shipped_parts);
 }
 
@@ -242,6 +285,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("encode")) return encode_command(requests.message);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
   if (app.got_subcommand("find")) return find_command(requests.find);
+  if (app.got_subcommand("locate")) return locate_command(requests.locate);
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
   if (app.got_subcommand("diff")) return diff_command(requests.diff);
   return decode_command(requests.decode);
@@ -262,6 +306,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_decode(app, requests.decode);
   add_parts(app, requests.parts);
   add_find(app, requests.find);
+  add_locate(app, requests.locate);
   add_merge(app, requests.merge);
   add_diff(app, requests.diff);
   try {

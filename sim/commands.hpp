@@ -105,4 +105,18 @@ struct PartsRequest {
 };
 ExitCode parts_command(const PartsRequest& request);
 
+struct LocateRequest {
+  std::filesystem::path readings;
+  std::string led = "TSAL6200", floor = "indoor", photodiode = "BPW34";
+  double led_current_ma = 100;
+  std::optional<double> led_yaw_deg;        // nothing: as bright to all sides
+  double height_mm = 10;                    // of LED and receivers
+  std::optional<std::vector<double>> area;  // x from, to, y from, to in metres
+  bool intensity_unknown = false;
+  PartRoots parts;  // --parts, then the program's own
+  bool json = false;
+};
+/// Where readings of light say that a device is; inconclusive if they leave it open.
+ExitCode locate_command(const LocateRequest& request);
+
 }  // namespace sim

@@ -12,6 +12,7 @@ enum class ExitCode {
   check_failed = 1,
   bad_input = 2,
   environment = 3,
+  inconclusive = 4,  // done, but the question stays open
   interrupted = 130
 };
 

@@ -2,6 +2,7 @@
 
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -21,6 +22,8 @@ boost::math::non_central_chi_squared envelope_squared(double a) { return {2.0, a
 }  // namespace
 
 double gaussian_q(double x) { return std::erfc(x / std::numbers::sqrt2) / 2; }
+
+double gaussian_q_inverse(double p) { return std::numbers::sqrt2 * boost::math::erfc_inv(2 * p); }
 
 double marcum_q1(double a, double b) {
   if (b == 0) return 1;  // Boost 1.74 says -0

@@ -10,6 +10,8 @@ namespace sim {
 
 /// Probability that a standard normal exceeds x.
 double gaussian_q(double x);
+/// The x that a standard normal exceeds with probability p, 0 < p < 1.
+double gaussian_q_inverse(double p);
 
 /// Marcum Q of order 1: probability that the envelope of a signal of amplitude a >= 0 in noise of
 /// unit deviation a component exceeds b >= 0; and its complement, exact where it is small.

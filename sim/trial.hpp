@@ -60,7 +60,11 @@ enum class Purpose : std::uint32_t {
   sender = 12,       // and the numbers that end in this byte: a few for each
   serial_line = 13,  // and the numbers that end in this byte: one for each way
   // Of exchanges.
-  shared_node = 14  // and the numbers that end in this byte: eight for each
+  shared_node = 14,  // and the numbers that end in this byte: eight for each
+  // Of light that is measured, not decoded (sim/location).
+  meter_window = 32,
+  meter_noise = 33,
+  reading_noise = 34
 };
 
 /// The draws of a purpose in one trial of a link.

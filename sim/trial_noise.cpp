@@ -5,7 +5,7 @@
 #include <array>
 #include <cassert>
 
-#include "channel/normals.hpp"
+#include "sim/location/addressed_normals.hpp"
 
 namespace sim {
 namespace {
@@ -48,10 +48,7 @@ double covariance(const NoiseReading& a, const NoiseReading& b) {
 TrialNoise::TrialNoise(const std::vector<Stretch>& stretches, const dsp::RandomAddress& draws) {
   std::int64_t n = 0;
   for (const Stretch& stretch : stretches) n += stretch.n;
-  channel::StreamSeeds seeds;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    seeds[i] = draws.block(static_cast<std::uint32_t>(i));
-  normals_ = channel::draw_normals(seeds, static_cast<std::size_t>(n));
+  normals_ = addressed_normals(draws, static_cast<std::size_t>(n));
   const float* next = normals_.data();
   for (const Stretch& stretch : stretches) {
     windows_.push_back({stretch.first, stretch.n, next});

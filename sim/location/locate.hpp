@@ -1,0 +1,77 @@
+#pragma once
+// Where is the device? From the intensity, and if measured the bearing, that several receivers or
+// several headings of one robot have: least squares with the light's whole model inside, from
+// several starts, so that a second place that would explain the readings as well is found and said.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/location/gauss_newton.hpp"
+#include "sim/location/position_covariance.hpp"
+#include "sim/location/search_grid.hpp"
+
+namespace sim {
+
+enum class LocateOutcome {
+  located,
+  ambiguous,        // other places explain the readings about as well: all are given
+  poor_fit,         // no place explains them: chi-square would be as large by chance once in 1000
+  underdetermined,  // too few readings, or such as leave a curve of places; one of it is given
+  not_converged     // no minimum inside of the area
+};
+
+/// Their names, in the order of the enumeration.
+const std::vector<std::string>& locate_outcome_names();
+
+struct LocateSettings {
+  LightModel model;
+  bool intensity_unknown = false;  // then the area is needed
+  std::optional<Area> area;        // where the device may be; nothing: what the light allows
+  double ambiguous_chi_square = chi_square_95;  // above the best: as good as it
+  double poor_fit_probability = 1e-3;
+};
+
+struct Place {
+  Unknowns at;
+  double chi_square = 0;
+  std::optional<PositionCovariance> covariance;  // nothing where it is not determined
+};
+
+struct Location {
+  LocateOutcome outcome = LocateOutcome::not_converged;
+  std::vector<Place> places;   // the best first; several if ambiguous, none if not converged
+  int degrees_of_freedom = 0;  // numbers measured less unknowns
+  double probability = 1;      // of so large a chi-square by chance; 1 without freedom
+};
+
+/// Receivers at their places, for readings of any light.
+class Locator {
+ public:
+  /// Only places, headings and deviations of the readings are kept, and for an area that is not
+  /// set the strongest one. Throws bad_input for readings that cannot be.
+  Locator(const LocateSettings& settings, const std::vector<Reading>& readings);
+
+  /// Computes scattered light around all places where such readings may lead, once for all: good
+  /// for many readings of one device.
+  void prepare(const std::vector<Reading>& readings);
+
+  Location locate(const std::vector<Reading>& readings) const;
+
+ private:
+  ScatteredLight scattered_near(const std::vector<Reading>& readings, const Position& at) const;
+  Place place_of(const LeastSquares& problem, const Minimum& minimum,
+                 const ScatteredLight& scattered) const;
+  LeastSquares problem_of(const std::vector<Reading>& readings) const;
+  std::vector<Place> places_by_rays(const LeastSquares& problem) const;
+  std::optional<Place> polished(const LeastSquares& problem, const Place& by_rays) const;
+
+  LocateSettings settings_;
+  Area area_;
+  SearchGrid grid_;
+  std::vector<ScatteredLight> prepared_;
+};
+
+/// One set of readings.
+Location locate(const LocateSettings& settings, const std::vector<Reading>& readings);
+
+}  // namespace sim

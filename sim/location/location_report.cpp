@@ -1,0 +1,90 @@
+#include "sim/location/location_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double in_degrees(dsp::Radians angle) { return angle.value * 180 / std::numbers::pi; }
+
+const char* meaning(LocateOutcome outcome) {
+  switch (outcome) {
+    case LocateOutcome::located:
+      return "one place explains the readings";
+    case LocateOutcome::ambiguous:
+      return "several places explain the readings about as well";
+    case LocateOutcome::poor_fit:
+      return "no place explains the readings; the best is";
+    case LocateOutcome::underdetermined:
+      return "the readings leave a curve of places; one of it is";
+    case LocateOutcome::not_converged:
+      break;
+  }
+  return "no place in the area explains the readings better than all around it";
+}
+
+std::string ellipse_text(const Place& place) {
+  if (!place.covariance) return "95 % ellipse unbounded";
+  const ErrorEllipse e = error_ellipse(*place.covariance);
+  return fmt::format("95 % ellipse {:.2g} m by {:.2g} m, the longer at {:.0f} deg from +x",
+                     e.semi_major_m, e.semi_minor_m, in_degrees(e.direction));
+}
+
+std::string place_text(const Place& place) {
+  const auto& [at, intensity] = place.at;
+  const std::string brightness =
+      intensity == 1 ? "" : fmt::format(", intensity {:.3g} of the model's", intensity);
+  return fmt::format("  x = {:.3f} m, y = {:.3f} m{}; chi-square {:.2f}; {}\n", at.x, at.y,
+                     brightness, place.chi_square, ellipse_text(place));
+}
+
+Json ellipse_json(const Place& place) {
+  if (!place.covariance) return nullptr;
+  const ErrorEllipse e = error_ellipse(*place.covariance);
+  return {{"semi_major_m", e.semi_major_m},
+          {"semi_minor_m", e.semi_minor_m},
+          {"direction_deg", in_degrees(e.direction)}};
+}
+
+Json covariance_json(const Place& place) {
+  if (!place.covariance) return nullptr;
+  return {{"xx", place.covariance->xx}, {"xy", place.covariance->xy}, {"yy", place.covariance->yy}};
+}
+
+const std::string& outcome_name(const Location& location) {
+  return locate_outcome_names().at(static_cast<std::size_t>(location.outcome));
+}
+
+}  // namespace
+
+std::string location_text(const Location& location) {
+  std::string text = fmt::format("{}: {}\n", outcome_name(location), meaning(location.outcome));
+  for (const Place& place : location.places) text += place_text(place);
+  if (!location.places.empty() && location.degrees_of_freedom > 0)
+    text += fmt::format("so large a chi-square of {} degrees of freedom has probability {:.2g}\n",
+                        location.degrees_of_freedom, location.probability);
+  return text;
+}
+
+std::string location_json(const Location& location) {
+  Json places = Json::array();
+  for (const Place& place : location.places)
+    places.push_back({{"x_m", place.at.at.x},
+                      {"y_m", place.at.at.y},
+                      {"intensity", place.at.intensity},
+                      {"chi_square", place.chi_square},
+                      {"covariance_m2", covariance_json(place)},
+                      {"ellipse_95", ellipse_json(place)}});
+  const Json json = {{"outcome", outcome_name(location)},
+                     {"degrees_of_freedom", location.degrees_of_freedom},
+                     {"probability", location.probability},
+                     {"places", places}};
+  return json.dump() + "\n";
+}
+
+}  // namespace sim

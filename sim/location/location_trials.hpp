@@ -1,0 +1,49 @@
+#pragma once
+// How well a device is located from where receivers stand: readings of a known place with noise,
+// located again and again; the rms error beside the Cramer-Rao bound, and how often the 95 %
+// ellipse holds the truth.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/location/locate.hpp"
+#include "sim/statistics.hpp"
+
+namespace sim {
+
+struct LocationTrialsSettings {
+  LocateSettings locate;
+  Position truth;
+  /// Places, headings and deviations; what they measure is drawn.
+  std::vector<Reading> readings;
+  std::uint32_t trials = 1000;
+  std::uint64_t seed = 1;
+  std::uint32_t point = 0;  // of the randomness
+  double level = 0.95;      // of the intervals
+};
+
+struct LocationTrials {
+  static constexpr std::size_t outcomes = 5;
+  std::array<std::uint64_t, outcomes> count{};  // by LocateOutcome
+  Estimate rmse_m;            // of the located ones; normal interval of the mean square
+  double bound_m = 0;         // root of the Cramer-Rao bound's trace; infinite if underdetermined
+  std::uint64_t covered = 0;  // located with the truth in the ellipse
+  Estimate coverage;          // of the located ones, with Clopper and Pearson's interval
+};
+
+/// The same for any equal settings.
+LocationTrials measure_location(const LocationTrialsSettings& settings);
+
+struct TrialAddress {
+  std::uint64_t seed = 1;
+  std::uint32_t point = 0, trial = 0;
+};
+
+/// What a trial measures: noiseless readings with the noise that they say they have.
+std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialAddress& address);
+
+/// The readings of a device at `device` without noise; places, headings and deviations are kept.
+std::vector<Reading> noiseless_readings(const LightModel& model, std::vector<Reading> readings,
+                                        const Position& device);
+
+}  // namespace sim
