@@ -50,14 +50,18 @@ struct TraceRequest {
 };
 ExitCode trace_command(const TraceRequest& request);
 
-/// The bytes of a device message on the line, to stdout.
-ExitCode encode_command(const std::string& message);
+struct EncodeRequest {
+  std::string message, protocol = "cosys";
+};
+/// The bytes of a message on the line, to stdout.
+ExitCode encode_command(const EncodeRequest& request);
 
 struct DecodeRequest {
   std::filesystem::path capture;
   std::string wire;  // empty: "rx" if there is one, else the first
   std::string uart = "atmega";
   double baud = 600;
+  std::string protocol = "cosys";
   bool json = false;
 };
 ExitCode decode_command(const DecodeRequest& request);
