@@ -116,6 +116,29 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
 }
 
+void add_node(CLI::App& app, NodeRequest& request) {
+  auto& node = *app.add_subcommand(
+      "node", "Be one end of a SharedLink at a serial device: mirror lists, ask and answer");
+  add_place(node, "LISTS", request.lists, "", "who the node is, and its lists (.toml)")->required();
+  auto* device = add_place(node, "--device", request.device, "DEV",
+                           "serial device, or one end of a pseudo-terminal, to talk through");
+  add_place(node, "--pty", request.pseudo_terminal, "LINK",
+            "make a pseudo-terminal to talk through, and this link for the program at its other "
+            "end; it is gone when the node ends")
+      ->excludes(device);
+  node.add_option("--baud", request.baud, "bits per second; those of LISTS, or 600, if not given")
+      ->type_name("RATE")
+      ->check(between(1, 1e9));
+  node.add_option("--duration", request.duration_s,
+                  "end after 90s, 10min or 2h; if not given, at a signal")
+      ->type_name("TIME")
+      ->transform(a_time());
+  node.footer(
+      "Reads lines from stdin: Name=value sets a variable, ?Name asks the peer for one. The end of "
+      "stdin is not the node's. Prints a JSON line for every event. Example: cosys-sim node "
+      "scenarios/nodes/guard.toml --device /dev/ttyUSB0");
+}
+
 void add_parts(CLI::App& app, PartsRequest& request) {
   auto& parts = *app.add_subcommand(
       "parts", "List modules, LEDs, floors and photodiodes, or show one with all its sources");
@@ -216,6 +239,7 @@ struct Requests {
   TraceRequest trace;
   EncodeRequest encode;
   DecodeRequest decode;
+  NodeRequest node;
   PartsRequest parts;
   FindRequest find;
   MergeRequest merge;
@@ -245,6 +269,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (!is_alone()) return ExitCode::done;
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.encode);
+  if (app.got_subcommand("node")) return node_command(requests.node);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
   if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
@@ -265,6 +290,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_trace(app, requests.trace);
   add_encode(app, requests.encode);
   add_decode(app, requests.decode);
+  add_node(app, requests.node);
   add_parts(app, requests.parts);
   add_find(app, requests.find);
   add_merge(app, requests.merge);

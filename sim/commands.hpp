@@ -3,6 +3,7 @@
 // code back. Wrong input and a failing machine are thrown as Failure.
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,15 @@ struct DecodeRequest {
   bool json = false;
 };
 ExitCode decode_command(const DecodeRequest& request);
+
+struct NodeRequest {
+  std::filesystem::path lists;                                   // TOML: see sim/node/node_file.hpp
+  std::optional<std::filesystem::path> device, pseudo_terminal;  // one of the two
+  std::optional<double> baud;                                    // not that of the file
+  double duration_s = std::numeric_limits<double>::infinity();
+};
+/// One end of a SharedLink, until its time is over or a signal comes.
+ExitCode node_command(const NodeRequest& request);
 
 struct FindRequest {
   std::filesystem::path scenario;
