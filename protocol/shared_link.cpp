@@ -16,10 +16,7 @@ constexpr std::size_t brackets = 2;
 constexpr std::size_t checksum_size = 4;  // |Cxx
 
 std::string text_before_checksum(const SharedLinkMessage& message) {
-  std::string text{':', message.destination, message.source};
-  for (const SharedLinkField& field : message.fields)
-    text += std::string{'|', static_cast<char>(field.type)} + field.text;
-  return text;
+  return ':' + shared_link_text(message);
 }
 
 /// What is between the separators behind the addresses, without its first one.
@@ -35,6 +32,12 @@ std::vector<std::string_view> split_fields(std::string_view text) {
 
 bool has_addresses(std::string_view text) {
   return text.size() > 3 && is_address(text[1]) && is_address(text[2]) && text[3] == '|';
+}
+
+/// The field of such a text; nothing if its letter is unknown.
+std::optional<SharedLinkField> to_field(std::string_view text) {
+  if (text.empty() || field_letters.find(text[0]) == std::string_view::npos) return std::nullopt;
+  return SharedLinkField{static_cast<SharedLinkFieldType>(text[0]), std::string(text.substr(1))};
 }
 
 SharedLinkOutcome judge_checksum(std::string_view text, std::string_view last_field) {
@@ -57,10 +60,9 @@ SharedLinkOutcome judge(std::string_view text, SharedLinkMessage& message) {
   fields.pop_back();
   message = {text[1], text[2], {}};
   for (const std::string_view field : fields) {
-    if (field.empty() || field_letters.find(field[0]) == std::string_view::npos)
-      return SharedLinkOutcome::unknown_field;
-    message.fields.push_back(
-        {static_cast<SharedLinkFieldType>(field[0]), std::string(field.substr(1))});
+    auto known = to_field(field);
+    if (!known) return SharedLinkOutcome::unknown_field;
+    message.fields.push_back(std::move(*known));
   }
   return SharedLinkOutcome::ok;
 }
@@ -72,6 +74,28 @@ std::uint8_t shared_link_checksum(std::string_view characters) {
                          [](std::uint8_t sum, char c) {
                            return static_cast<std::uint8_t>(sum + static_cast<std::uint8_t>(c));
                          });
+}
+
+std::string shared_link_text(const SharedLinkMessage& message) {
+  std::string text{message.destination, message.source};
+  for (const SharedLinkField& field : message.fields)
+    text += std::string{'|', static_cast<char>(field.type)} + field.text;
+  return text;
+}
+
+std::optional<std::string> parse_shared_link(std::string_view text, SharedLinkMessage& message) {
+  if (text.size() < 2 || (text.size() > 2 && text[2] != '|'))
+    return "it does not begin with two addresses and a |";
+  message = {text[0], text[1], {}};
+  if (text.size() == 2) return std::nullopt;
+  for (const std::string_view field : split_fields(text.substr(3))) {
+    auto known = to_field(field);
+    if (!known)
+      return "field \"" + std::string(field) + "\" does not begin with one of the letters " +
+             std::string(field_letters);
+    message.fields.push_back(std::move(*known));
+  }
+  return std::nullopt;
 }
 
 std::size_t shared_link_size(const SharedLinkMessage& message) {

@@ -42,6 +42,12 @@ struct SharedLinkMessage {
   friend bool operator==(const SharedLinkMessage&, const SharedLinkMessage&) = default;
 };
 
+/// A message as people write it, without what belongs to the format: "AB|N0|D40.1|D85.6".
+std::string shared_link_text(const SharedLinkMessage& message);
+
+/// The other way; why the text is no message, if it is none. Its characters are not looked at.
+std::optional<std::string> parse_shared_link(std::string_view text, SharedLinkMessage& message);
+
 /// Bytes on the line, from `[` to LF.
 std::size_t shared_link_size(const SharedLinkMessage& message);
 
@@ -112,6 +118,9 @@ class SharedLinkDecoder {
 
   /// The message that this byte ends, if it does: well, badly, or by beginning another.
   std::optional<SharedLinkFrame> push(const UartByte& byte);
+
+  /// The message that has begun and not ended, as received behind its bracket; nullptr if none has.
+  const std::string* pending() const { return inside_ ? &text_ : nullptr; }
 
  private:
   SharedLinkFrame take(SharedLinkOutcome outcome);

@@ -154,21 +154,26 @@ void SharedNode::append_values(Bytes& bytes, bool full) {
   changed_.assign(changed_.size(), false);
 }
 
-void SharedNode::give_up(dsp::Seconds now) {
-  counts_.timed_out += std::erase_if(
-      asked_, [&](const auto& one) { return now - one.second >= settings_.query_timeout; });
+std::vector<std::size_t> SharedNode::give_up(dsp::Seconds now) {
+  std::vector<std::size_t> late;
+  for (const auto& [variable, at] : asked_)
+    if (now - at >= settings_.query_timeout) late.push_back(variable);
+  for (const std::size_t variable : late) asked_.erase(variable);
+  counts_.timed_out += late.size();
+  return late;
 }
 
-std::vector<std::size_t> SharedNode::receive(const UartByte& byte) {
+SharedNodeNews SharedNode::receive(const UartByte& byte) {
   give_up(byte.start);
-  const auto frame = decoder_.push(byte);
-  if (!frame) return {};
-  if (frame->outcome != SharedLinkOutcome::ok) {
+  SharedNodeNews news;
+  auto frame = decoder_.push(byte);
+  if (!frame) return news;
+  news.text = std::move(frame->text);
+  if (frame->outcome != SharedLinkOutcome::ok)
     ++counts_.rejected[static_cast<std::size_t>(frame->outcome)];
-    return {};
-  }
-  const auto content = content_of(frame->message);
-  return content ? take(*content, byte.start) : std::vector<std::size_t>();
+  else if (const auto content = content_of(frame->message))
+    take(*content, byte.start, news);
+  return news;
 }
 
 /// Reads the fields of a message one by one; what makes no sense it counts.
@@ -232,9 +237,10 @@ class SharedNode::ContentReader {
 
 /// Nothing, and it is counted, where the message is not for this node or makes no sense.
 std::optional<SharedNode::Content> SharedNode::content_of(const SharedLinkMessage& message) {
-  std::uint64_t* const strange = message.destination != settings_.address ? &counts_.for_others
-                                 : message.source != settings_.peer       ? &counts_.from_others
-                                                                          : nullptr;
+  std::uint64_t* const strange = message.source == settings_.address        ? &counts_.from_self
+                                 : message.destination != settings_.address ? &counts_.for_others
+                                 : message.source != settings_.peer         ? &counts_.from_others
+                                                                            : nullptr;
   if (strange != nullptr) {
     ++*strange;
     return std::nullopt;
@@ -245,19 +251,19 @@ std::optional<SharedNode::Content> SharedNode::content_of(const SharedLinkMessag
   return reader.content();
 }
 
-std::vector<std::size_t> SharedNode::take(const Content& content, dsp::Seconds now) {
+void SharedNode::take(const Content& content, dsp::Seconds now, SharedNodeNews& news) {
   ++counts_.accepted;
   counts_.unknown_replies += content.unknown_replies;
-  std::vector<std::size_t> changed;
   for (const auto& [variable, value] : content.values) {
     if (value.empty()) continue;
     SharedVariable& mine = inbound_[variable];
     mine.at = now;
-    if (std::exchange(mine.value, value) != value) changed.push_back(variable);
+    if (std::exchange(mine.value, value) != value) news.changed.push_back(variable);
   }
-  for (const std::size_t variable : content.replies) counts_.answered += asked_.erase(variable);
+  for (const std::size_t variable : content.replies)
+    if (asked_.erase(variable) != 0) news.answered.push_back(variable);
+  counts_.answered += news.answered.size();
   answer(content.queries);
-  return changed;
 }
 
 /// Each once with what is sent next, however often it was asked for.

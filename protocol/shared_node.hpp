@@ -44,11 +44,19 @@ struct SharedNodeCounts {
   std::array<std::uint64_t, shared_link_outcomes> rejected{};  // by SharedLinkOutcome
   std::uint64_t for_others = 0;                                // to another address
   std::uint64_t from_others = 0;                               // not from the peer
+  std::uint64_t from_self = 0;  // from this node's own address: another has it too, or an echo
   std::uint64_t bad_index = 0;  // no number, or a value outside of the list
   std::uint64_t misplaced = 0;  // a value with neither index nor name, or a name without a value
   std::uint64_t unknown_asked = 0;    // queries that were not answered: no such value here
   std::uint64_t unknown_replies = 0;  // values of a name that is not in the list
   std::uint64_t asked = 0, answered = 0, timed_out = 0;  // queries of this node's own
+};
+
+/// What a byte brings.
+struct SharedNodeNews {
+  std::vector<std::size_t> changed;   // inbound variables with another value
+  std::vector<std::size_t> answered;  // those that were asked for, changed or not
+  std::string text;                   // of the message that ends here, between its brackets
 };
 
 class SharedNode {
@@ -64,8 +72,12 @@ class SharedNode {
   /// What is to be sent now: answers, queries, and values: all where a full set is due, else those
   /// that have changed.
   Bytes transmit(dsp::Seconds now);
-  /// The inbound variables that this byte changes.
-  std::vector<std::size_t> receive(const UartByte& byte);
+  /// What was transmitted last was not heard, for a reason known here: a full set is due at once.
+  void resend() { full_set_at_.reset(); }
+  SharedNodeNews receive(const UartByte& byte);
+  /// The inbound variables whose query has waited too long: the node waits for them no longer, and
+  /// has counted them. Both of the above do so too.
+  std::vector<std::size_t> give_up(dsp::Seconds now);
 
   const std::vector<SharedVariable>& outbound() const { return outbound_; }
   const std::vector<SharedVariable>& inbound() const { return inbound_; }
@@ -76,9 +88,8 @@ class SharedNode {
   class ContentReader;
 
   std::optional<Content> content_of(const SharedLinkMessage& message);
-  std::vector<std::size_t> take(const Content& content, dsp::Seconds now);
+  void take(const Content& content, dsp::Seconds now, SharedNodeNews& news);
   void answer(const std::vector<std::string>& names);
-  void give_up(dsp::Seconds now);
   SharedLinkMessage to_peer() const { return {settings_.peer, settings_.address, {}}; }
   void append(Bytes& bytes, const SharedLinkMessage& message);
   void append_answers(Bytes& bytes);

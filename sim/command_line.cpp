@@ -80,11 +80,16 @@ void add_trace(CLI::App& app, TraceRequest& request) {
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
 }
 
-void add_encode(CLI::App& app, std::string& message) {
+void add_encode(CLI::App& app, EncodeRequest& request) {
   auto& encode = *app.add_subcommand(
-      "encode", "Print a device's message as the line carries it: with its checksum and line end");
-  encode.add_option("MESSAGE", message, "the message, without checksum")->required()->type_name("");
-  add_protocol(encode);
+      "encode", "Print a message as the line carries it: with its checksum and line end");
+  encode
+      .add_option("MESSAGE", request.message,
+                  "the message, without checksum; of sharedlink from its addresses on: "
+                  "'AB|N0|D40.1'")
+      ->required()
+      ->type_name("");
+  add_protocol(encode, request.protocol);
   encode.footer("Example: cosys-sim encode 'IND 011111 OK'");
 }
 
@@ -106,9 +111,32 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")
       ->type_name("RATE")
       ->check(between(1, 1e6));
-  add_protocol(decode);
+  add_protocol(decode, request.protocol);
   decode.add_flag("--json", request.json, "one JSON object a line for each message");
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
+}
+
+void add_node(CLI::App& app, NodeRequest& request) {
+  auto& node = *app.add_subcommand(
+      "node", "Be one end of a SharedLink at a serial device: mirror lists, ask and answer");
+  add_place(node, "LISTS", request.lists, "", "who the node is, and its lists (.toml)")->required();
+  auto* device = add_place(node, "--device", request.device, "DEV",
+                           "serial device, or one end of a pseudo-terminal, to talk through");
+  add_place(node, "--pty", request.pseudo_terminal, "LINK",
+            "make a pseudo-terminal to talk through, and this link for the program at its other "
+            "end; it is gone when the node ends")
+      ->excludes(device);
+  node.add_option("--baud", request.baud, "bits per second; those of LISTS, or 600, if not given")
+      ->type_name("RATE")
+      ->check(between(1, 1e9));
+  node.add_option("--duration", request.duration_s,
+                  "end after 90s, 10min or 2h; if not given, at a signal")
+      ->type_name("TIME")
+      ->transform(a_time());
+  node.footer(
+      "Reads lines from stdin: Name=value sets a variable, ?Name asks the peer for one. The end of "
+      "stdin is not the node's. Prints a JSON line for every event. Example: cosys-sim node "
+      "scenarios/nodes/guard.toml --device /dev/ttyUSB0");
 }
 
 void add_parts(CLI::App& app, PartsRequest& request) {
@@ -251,8 +279,9 @@ Failure wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 struct Requests {
   RunRequest run;
   TraceRequest trace;
-  std::string message;
+  EncodeRequest encode;
   DecodeRequest decode;
+  NodeRequest node;
   PartsRequest parts;
   FindRequest find;
   LocateRequest locate;
@@ -282,7 +311,8 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("run")) return run_command(requests.run);
   if (!is_alone()) return ExitCode::done;
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
-  if (app.got_subcommand("encode")) return encode_command(requests.message);
+  if (app.got_subcommand("encode")) return encode_command(requests.encode);
+  if (app.got_subcommand("node")) return node_command(requests.node);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
   if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("locate")) return locate_command(requests.locate);
@@ -302,8 +332,9 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   Requests requests;
   add_run(app, requests.run);
   add_trace(app, requests.trace);
-  add_encode(app, requests.message);
+  add_encode(app, requests.encode);
   add_decode(app, requests.decode);
+  add_node(app, requests.node);
   add_parts(app, requests.parts);
   add_find(app, requests.find);
   add_locate(app, requests.locate);

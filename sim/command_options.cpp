@@ -9,6 +9,7 @@
 #include "sim/number_text.hpp"
 #include "sim/shard.hpp"
 #include "sim/sweep.hpp"
+#include "sim/wire_protocols.hpp"
 
 namespace sim {
 namespace {
@@ -104,11 +105,12 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   add_short_form(app, "-S,--seed", "simulation.seed", options.overrides, "seed of all randomness");
 }
 
-void add_protocol(CLI::App& app) {
-  app.add_option_function<std::string>(
-         "--protocol", [](const std::string&) {}, "format of the messages: cosys, the only one")
+void add_protocol(CLI::App& app, std::string& protocol) {
+  app.add_option("--protocol", protocol,
+                 fmt::format("format of the messages: {}; cosys if not given",
+                             fmt::join(wire_protocol_names(), " or ")))
       ->type_name("NAME")
-      ->check(CLI::IsMember({"cosys"}).description(""));
+      ->check(CLI::IsMember(wire_protocol_names()).description(""));
 }
 
 void add_threads(CLI::App& app, int& threads) {

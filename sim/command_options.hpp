@@ -34,7 +34,7 @@ void add_part_folders(CLI::App& app, PartRoots& parts);
 /// What all commands on a scenario take.
 void add_scenario_options(CLI::App& app, ScenarioOptions& options);
 
-void add_protocol(CLI::App& app);
+void add_protocol(CLI::App& app, std::string& protocol);
 void add_threads(CLI::App& app, int& threads);
 void add_max_frames(CLI::App& app, ScenarioOptions& options);
 

@@ -3,6 +3,7 @@
 // code back. Wrong input and a failing machine are thrown as Failure.
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,17 +55,30 @@ struct TraceRequest {
 };
 ExitCode trace_command(const TraceRequest& request);
 
-/// The bytes of a device message on the line, to stdout.
-ExitCode encode_command(const std::string& message);
+struct EncodeRequest {
+  std::string message, protocol = "cosys";
+};
+/// The bytes of a message on the line, to stdout.
+ExitCode encode_command(const EncodeRequest& request);
 
 struct DecodeRequest {
   std::filesystem::path capture;
   std::string wire;  // empty: "rx" if there is one, else the first
   std::string uart = "atmega";
   double baud = 600;
+  std::string protocol = "cosys";
   bool json = false;
 };
 ExitCode decode_command(const DecodeRequest& request);
+
+struct NodeRequest {
+  std::filesystem::path lists;                                   // TOML: see sim/node/node_file.hpp
+  std::optional<std::filesystem::path> device, pseudo_terminal;  // one of the two
+  std::optional<double> baud;                                    // not that of the file
+  double duration_s = std::numeric_limits<double>::infinity();
+};
+/// One end of a SharedLink, until its time is over or a signal comes.
+ExitCode node_command(const NodeRequest& request);
 
 struct FindRequest {
   std::filesystem::path scenario;

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/commands.hpp"
+#include "sim/escaped_text.hpp"
 #include "sim/failure.hpp"
 #include "sim/method.hpp"
 #include "sim/point_scenario.hpp"
@@ -16,46 +16,20 @@
 #include "sim/trace_file.hpp"
 #include "sim/trial.hpp"
 #include "sim/vcd.hpp"
+#include "sim/wire_protocols.hpp"
 
 namespace sim {
 namespace {
 
-/// Bytes that a terminal cannot show, as \\xNN; a backslash as two.
-std::string escaped(const std::string& text) {
-  std::string shown;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\\') {
-      shown += "\\\\";
-    } else if (byte >= 0x20 && byte <= 0x7E) {
-      shown += c;
-    } else {
-      shown += fmt::format("\\x{:02x}", byte);
-    }
-  }
-  return shown;
-}
-
-void print_frame(const protocol::CosysFrame& frame, bool json) {
+void print_frame(const WireFrame& frame, bool json) {
+  const std::string message = escaped(frame.message);
   if (!json) {
-    print(fmt::format("{:11.6f} s  {:14}  {}\n", frame.start.value, name(frame.outcome),
-                      escaped(frame.message)));
-    return;
+    const std::string time = frame.start ? fmt::format("{:11.6f} s", frame.start->value) : "end";
+    return print(fmt::format("{:>13}  {:14}  {}\n", time, frame.outcome, message));
   }
-  const nlohmann::json line = {{"time_s", frame.start.value},
-                               {"outcome", name(frame.outcome)},
-                               {"message", escaped(frame.message)}};
+  nlohmann::json line = {{"outcome", frame.outcome}, {"message", message}};
+  if (frame.start) line["time_s"] = frame.start->value;
   print(line.dump() + "\n");
-}
-
-/// What was heard behind the last newline: a damaged newline would otherwise hide a whole message.
-void print_unfinished(const std::string& line, bool json) {
-  if (!json) {
-    print(fmt::format("{:>13}  {:14}  {}\n", "end", "no newline", escaped(line)));
-    return;
-  }
-  const nlohmann::json object = {{"outcome", "no newline"}, {"message", escaped(line)}};
-  print(object.dump() + "\n");
 }
 
 const dsp::LogicTrace& wire_of(const std::vector<VcdTrace>& wires, const DecodeRequest& request) {
@@ -121,12 +95,8 @@ ExitCode trace_command(const TraceRequest& request) {
   return ExitCode::done;
 }
 
-ExitCode encode_command(const std::string& message) {
-  if (const auto problem = protocol::problem_in_message(message))
-    throw bad_input(
-        "the message cannot be sent", *problem,
-        fmt::format("use printable ASCII, at most {} characters", protocol::longest_message));
-  const protocol::Bytes bytes = protocol::cosys_encode(message);
+ExitCode encode_command(const EncodeRequest& request) {
+  const protocol::Bytes bytes = wire_protocol(request.protocol).encode(request.message);
   print(std::string(bytes.begin(), bytes.end()));
   return ExitCode::done;
 }
@@ -135,10 +105,9 @@ ExitCode decode_command(const DecodeRequest& request) {
   const std::vector<VcdTrace> wires = read_capture(request.capture);
   const dsp::LogicTrace& wire = wire_of(wires, request);
   const auto* uart = protocol::find_uart_receiver(request.uart);
-  protocol::CosysDecoder decoder;
-  for (const protocol::UartByte& byte : uart->receive(wire, dsp::Hertz(request.baud), 0))
-    if (const auto frame = decoder.push(byte)) print_frame(*frame, request.json);
-  if (!decoder.pending().empty()) print_unfinished(decoder.pending(), request.json);
+  const auto bytes = uart->receive(wire, dsp::Hertz(request.baud), 0);
+  for (const WireFrame& frame : wire_protocol(request.protocol).decode(bytes))
+    print_frame(frame, request.json);
   return ExitCode::done;
 }
 

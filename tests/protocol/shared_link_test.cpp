@@ -68,6 +68,41 @@ SharedLinkMessage random_message(Random& random) {
   return message;
 }
 
+TEST(SharedLink, WhatPeopleWriteHasNoFormat) {
+  EXPECT_EQ(shared_link_text(seed), "AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1");
+  SharedLinkMessage message;
+  const auto problem = [&](const std::string& text) {
+    return parse_shared_link(text, message).value_or("");
+  };
+  EXPECT_EQ(problem("AB"), "");
+  EXPECT_TRUE(message.fields.empty());
+  for (const char* text : {"", "A", "ABN0", ":AB|N0"})
+    EXPECT_EQ(problem(text), "it does not begin with two addresses and a |") << text;
+  for (const char* text : {"AB|", "AB||D", "AB|D|", "AB|C", "AB|d1"})
+    EXPECT_NE(problem(text).find("does not begin with one of the letters NDQR"), std::string::npos)
+        << text;
+}
+
+TEST(SharedLinkLaw, TextAndMessageAreTheSame) {
+  Random random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const SharedLinkMessage message = random_message(random);
+    SharedLinkMessage read;
+    EXPECT_FALSE(parse_shared_link(shared_link_text(message), read));
+    EXPECT_EQ(read, message);
+  }
+}
+
+TEST(SharedLink, ShowsWhatHasNotEnded) {
+  SharedLinkDecoder decoder;
+  EXPECT_EQ(decoder.pending(), nullptr);
+  decode("x[:AB|N", decoder);
+  ASSERT_NE(decoder.pending(), nullptr);
+  EXPECT_EQ(*decoder.pending(), ":AB|N");
+  decode("]", decoder);
+  EXPECT_EQ(decoder.pending(), nullptr);
+}
+
 TEST(SharedLink, VectorsOfTheProtocol) {
   EXPECT_EQ(line_of(seed), seed_line);
   const auto frames = decode(seed_line);

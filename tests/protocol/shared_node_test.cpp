@@ -35,7 +35,8 @@ std::string text_of(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 std::vector<std::size_t> hear(SharedNode& node, const Bytes& bytes, Seconds now = Seconds(0)) {
   std::vector<std::size_t> changed;
   for (const std::uint8_t byte : bytes)
-    for (const std::size_t variable : node.receive({now, byte, false})) changed.push_back(variable);
+    for (const std::size_t variable : node.receive({now, byte, false}).changed)
+      changed.push_back(variable);
   return changed;
 }
 
@@ -127,6 +128,36 @@ TEST(SharedNode, QueriesAreAnsweredOrTimeOut) {
   EXPECT_EQ(pair.a.counts().timed_out, 1u);
 }
 
+TEST(SharedNode, SaysWhichQueriesWereAnsweredAndWhichWillNotBe) {
+  Pair pair;
+  expect_set(pair.b, 2, "85.6");
+  hear(pair.a, pair.b.transmit(Seconds(0)));
+  pair.a.ask(2);
+  pair.a.ask(1);
+  hear(pair.b, pair.a.transmit(Seconds(0)));
+  std::vector<std::size_t> answered;
+  for (const std::uint8_t byte : pair.b.transmit(Seconds(0.1))) {
+    const SharedNodeNews news = pair.a.receive({Seconds(0.2), byte, false});
+    EXPECT_TRUE(news.changed.empty());
+    EXPECT_TRUE(news.answered.empty() || news.text.starts_with(":AB|RVariable2|D85.6|C"));
+    answered.insert(answered.end(), news.answered.begin(), news.answered.end());
+  }
+  EXPECT_EQ(answered, std::vector<std::size_t>{2});
+  EXPECT_TRUE(pair.a.give_up(Seconds(0.9)).empty());
+  EXPECT_EQ(pair.a.give_up(Seconds(1)), std::vector<std::size_t>{1});
+  EXPECT_TRUE(pair.a.give_up(Seconds(1)).empty());
+  EXPECT_EQ(pair.a.counts().timed_out, 1u);
+}
+
+TEST(SharedNode, SendsAFullSetAgainIfTheLastGotLost) {
+  Pair pair;
+  for (std::size_t i = 0; i < 4; ++i) expect_set(pair.b, i, std::to_string(i));
+  const Bytes all = pair.b.transmit(Seconds(0));
+  EXPECT_EQ(text_of(pair.b.transmit(Seconds(0.1))), "");
+  pair.b.resend();
+  EXPECT_EQ(pair.b.transmit(Seconds(0.2)), all);
+}
+
 TEST(SharedNode, EachMisfitIsCounted) {
   SharedNode a({.address = 'A', .peer = 'B', .outbound = {"Own"}, .inbound = names(2)});
   expect_set(a, 0, "1");
@@ -136,6 +167,8 @@ TEST(SharedNode, EachMisfitIsCounted) {
   using Type = SharedLinkFieldType;
   hear(a, message('C', 'B', {{Type::index, "0"}, {Type::data, "1"}}));
   hear(a, message('A', 'C', {{Type::index, "0"}, {Type::data, "1"}}));
+  hear(a, message('B', 'A', {{Type::index, "0"}, {Type::data, "1"}}));
+  hear(a, message('A', 'A', {{Type::index, "0"}, {Type::data, "1"}}));
   hear(a, message('A', 'B', {{Type::index, "3"}}));
   hear(a, message('A', 'B', {{Type::index, "-1"}, {Type::data, "1"}}));
   hear(a, message('A', 'B', {{Type::index, "1"}, {Type::data, "1"}, {Type::data, "2"}}));
@@ -147,6 +180,7 @@ TEST(SharedNode, EachMisfitIsCounted) {
   hear(a, bytes_of("[:AB|D1|C00]"));
   EXPECT_EQ(a.counts().for_others, 1u);
   EXPECT_EQ(a.counts().from_others, 1u);
+  EXPECT_EQ(a.counts().from_self, 2u);
   EXPECT_EQ(a.counts().bad_index, 3u);
   EXPECT_EQ(a.counts().misplaced, 3u);
   EXPECT_EQ(a.counts().unknown_replies, 1u);

@@ -1,0 +1,32 @@
+#pragma once
+// The message formats that encode and decode know, a row each. A format is a pair of files in
+// protocol/; what stands here is how people write and read its messages.
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/uart.hpp"
+
+namespace sim {
+
+struct WireFrame {
+  std::optional<dsp::Seconds> start;  // nothing: of what was heard last and has not ended
+  std::string outcome;                // "ok", or why not
+  std::string message;                // as encode takes it if ok, else as received
+};
+
+struct WireProtocol {
+  std::string_view name;
+  /// Throws bad_input for what cannot be sent.
+  protocol::Bytes (*encode)(const std::string& message);
+  std::vector<WireFrame> (*decode)(std::span<const protocol::UartByte> bytes);
+};
+
+std::vector<std::string> wire_protocol_names();
+
+/// That of one of these names.
+const WireProtocol& wire_protocol(std::string_view name);
+
+}  // namespace sim
