@@ -12,7 +12,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/list_text.hpp"
-#include "sim/sweep.hpp"
+#include "sim/number_text.hpp"
 #include "sim/text_file.hpp"
 
 namespace sim {
