@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "sim/arena/arena_check.hpp"
 #include "sim/failure.hpp"
 
 namespace sim {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
-    ExperimentKind{"arena", {"path.", "arena.", "devices."}},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}, check_arena},
 };
 
 /// Of every experiment.
@@ -70,6 +71,7 @@ void check_experiment(const LoadedScenario& scenario) {
       throw bad_input(key + " " + place, "it means nothing in the experiment \"" + name + "\"",
                       fmt::format("remove it, or write experiment = {} before the first table",
                                   kinds_with(key)));
+  if (kind.check != nullptr) kind.check(scenario);
 }
 
 }  // namespace sim

@@ -5,6 +5,7 @@
 #include <exception>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "channel/instruction_set.hpp"
@@ -37,8 +38,9 @@ class RunSharing {
     while (const auto lot = next()) {
       try {
         const std::uint32_t first = *lot * lot_;
-        lots_[*lot] =
+        ArenaRuns runs =
             run_arena(arena_, first, static_cast<int>(std::min(lot_, runs_ - first)), stop_);
+        if (!stopped()) lots_[*lot] = std::move(runs);
       } catch (...) {
         give_up(std::current_exception());
       }
@@ -51,19 +53,21 @@ class RunSharing {
     next_ = static_cast<std::uint32_t>(lots_.size());
   }
 
-  bool stopped() const { return stop_ != nullptr && *stop_; }
-
+  /// All runs, or after an interrupt those up to the first that was not finished.
   ArenaRuns sum() {
     if (error_) std::rethrow_exception(error_);
     ArenaRuns all;
-    for (ArenaRuns& lot : lots_) {
-      all.tally += lot.tally;
-      std::ranges::move(lot.heard, std::back_inserter(all.heard));
+    for (std::optional<ArenaRuns>& lot : lots_) {
+      if (!lot) break;
+      all.tally += lot->tally;
+      std::ranges::move(lot->heard, std::back_inserter(all.heard));
     }
     return all;
   }
 
  private:
+  bool stopped() const { return stop_ != nullptr && *stop_; }
+
   std::optional<std::uint32_t> next() {
     const std::scoped_lock lock(mutex_);
     if (next_ >= lots_.size() || stopped()) return std::nullopt;
@@ -73,7 +77,7 @@ class RunSharing {
   const Arena& arena_;
   std::uint32_t runs_, lot_;
   const std::atomic<bool>* stop_;
-  std::vector<ArenaRuns> lots_;
+  std::vector<std::optional<ArenaRuns>> lots_;
   std::mutex mutex_;
   std::uint32_t next_ = 0;
   std::exception_ptr error_;
@@ -97,7 +101,6 @@ ArenaPoint run_point(const Scenario& scenario, std::vector<double> coordinates,
   start_threads(
       options.threads, [&] { sharing.work(); }, [&] { sharing.give_up(); })
       .clear();  // waits for them
-  if (sharing.stopped()) return point;
   ArenaRuns runs = sharing.sum();
   point.tally = std::move(runs.tally);
   point.heard = std::move(runs.heard);

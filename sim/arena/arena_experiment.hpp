@@ -46,7 +46,8 @@ struct ArenaOptions {
   std::function<void(const ArenaPoint&)> on_point{};  // after each
 };
 
-/// All points, in the order of the sweep; those never reached after an interrupt have no runs.
+/// All points, in the order of the sweep. After an interrupt the one under way has the runs that
+/// were finished, those behind it none.
 std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options);
 
 }  // namespace sim

@@ -19,8 +19,8 @@ constexpr double ci_level = 0.95;
 
 Estimate loss_ratio(const SenderTally& tally) {
   const auto lost = static_cast<double>(tally.lost()), sent = static_cast<double>(tally.sent());
-  const Interval interval = clopper_pearson(lost, sent, ci_level);
   if (sent == 0) return {unset, unset, unset};
+  const Interval interval = clopper_pearson(lost, sent, ci_level);
   return {lost / sent, interval.low, interval.high};
 }
 
@@ -178,7 +178,7 @@ std::string waterfall(const SenderTally& tally) {
     const std::uint64_t lost = tally.fate[i];
     left -= lost;
     lines +=
-        fmt::format("{:>+10}  {:<24} {:>6.2f} %   {:>10} left\n", -static_cast<double>(lost),
+        fmt::format("{:>10}  {:<24} {:>6.2f} %   {:>10} left\n", fmt::format("-{}", lost),
                     fate_names[i].words, all > 0 ? 100 * static_cast<double>(lost) / all : 0, left);
   }
   return lines + fmt::format("{:>10}  delivered\n", tally[FrameFate::delivered]);
