@@ -17,11 +17,23 @@
 namespace sim {
 namespace {
 
-/// Runs that are done at once, as many as there are lanes, and not so many that threads have none.
-std::uint32_t runs_at_once(std::uint32_t runs, int threads) {
-  const auto each =
-      (runs + static_cast<std::uint32_t>(threads) - 1) / static_cast<std::uint32_t>(threads);
-  return std::clamp(each, 1U, static_cast<std::uint32_t>(channel::trials_at_once()));
+/// Characters that all devices send in a run, about.
+double characters(const Arena& arena) {
+  double sum = 0;
+  for (const Sender& sender : arena.senders)
+    sum += mean_load(sender) * (arena.end / frame_time(sender, 1));
+  return sum;
+}
+
+/// Runs that a thread does at once: as many as there are lanes, but not so many that others have
+/// none, nor that all of them, at some 140 bytes a character, take more than 350 MB.
+std::uint32_t runs_at_once(const Arena& arena, std::uint32_t runs, int threads) {
+  constexpr double most_characters = 2.5e6;
+  const auto n = static_cast<std::uint32_t>(threads);
+  const double fit = most_characters / (characters(arena) * threads + 1);
+  const auto lanes = static_cast<double>(channel::trials_at_once());
+  const auto most = static_cast<std::uint32_t>(std::clamp(fit, 1.0, lanes));
+  return std::clamp((runs + n - 1) / n, 1U, most);
 }
 
 /// The runs of one point, shared out to threads by the lot and added up in order.
@@ -30,7 +42,7 @@ class RunSharing {
   RunSharing(const Arena& arena, std::uint32_t runs, const ArenaOptions& options)
       : arena_(arena),
         runs_(runs),
-        lot_(runs_at_once(runs, options.threads)),
+        lot_(runs_at_once(arena, runs, options.threads)),
         stop_(options.interrupt),
         lots_((runs + lot_ - 1) / lot_) {}
 

@@ -59,8 +59,8 @@ void draw(const Arena& arena, std::uint32_t run, DrawnRuns& drawn) {
   for (const Sender& sender : arena.senders) {
     const dsp::RandomAddress draws = sender_address(arena, run, sender);
     sent.push_back(send(sender, draws, arena.end));
-    input.disturbances.push_back(
-        {.phase = {carrier_phase(draws), 0}, .drive = std::move(sent.back().drive)});
+    const dsp::LogicTrace grown = std::exchange(sent.back().drive, dsp::LogicTrace());
+    input.disturbances.push_back({.phase = {carrier_phase(draws), 0}, .drive = grown});  // fits
   }
 }
 

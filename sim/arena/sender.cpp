@@ -233,10 +233,14 @@ Seconds longest_frame(const Sender& sender) {
   return frame_time(sender, std::ranges::max(sizes_of(sender)));
 }
 
+double mean_load(const Sender& sender) {
+  return awake_share(sender) * (mean_frame(sender) / mean_period(sender));
+}
+
 /// Half the data bits of a message are taken as light.
 double mean_light(const Sender& sender) {
   constexpr double lit_slots = (1 + protocol::data_bits / 2.0) / protocol::bits_per_byte;
-  return sender.duty * lit_slots * awake_share(sender) * (mean_frame(sender) / mean_period(sender));
+  return sender.duty * lit_slots * mean_load(sender);
 }
 
 SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds end) {

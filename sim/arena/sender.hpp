@@ -64,6 +64,9 @@ dsp::Seconds frame_time(const Sender& sender, std::size_t bytes);
 /// The time that the longest of its messages takes.
 dsp::Seconds longest_frame(const Sender& sender);
 
+/// Share of time in which it sends, on average.
+double mean_load(const Sender& sender);
+
 /// Share of time in which its LED is lit, on average: its carrier's duty included.
 double mean_light(const Sender& sender);
 
