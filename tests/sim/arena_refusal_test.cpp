@@ -126,7 +126,7 @@ TEST(ArenaRefusals, MessagesThatNobodyCanSend) {
 TEST(ArenaRefusals, UnknownNames) {
   EXPECT_EQ(
       with("source = \"random\""),
-      "devices.a.source = \"random\" in x.toml:4 (the which message is sent is one of a list) "
+      "devices.a.source = \"random\" in x.toml:4 (the choice of the message sent is one of a list) "
       "use fixed or list or counter or status");
   EXPECT_NE(with("led = \"TSAL9\"")
                 .find("devices.a.led = \"TSAL9\" in x.toml:4 (no LED of this "
