@@ -4,6 +4,7 @@ namespace channel {
 
 std::vector<Burst> bursts_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
   std::vector<Burst> bursts;
+  bursts.reserve(drive.flips().size() / 2 + 1);
   bool lit = !drive.initial();
   double since = 0;
   for (const dsp::Seconds flip : drive.flips()) {

@@ -75,6 +75,21 @@ struct ChainKernelInput {
   void* stage_context = nullptr;
 };
 
+/// Samples that a chain makes at a time: few enough to stay in the first-level cache.
+constexpr int chain_block = 256;
+
+/// A chain under way: one that goes on while its LEDs are being keyed, by whole blocks.
+struct LiveKernel {
+  /// The input must outlive it, and have all bursts by the time that they begin.
+  void* (*start)(const ChainKernelInput& input);
+  void (*advance)(void* chain, std::int64_t end);
+  void (*stop)(void* chain);
+};
+
+LiveKernel live_lanes_baseline();
+LiveKernel live_lanes_v3();
+LiveKernel live_lanes_v4();
+
 void run_lanes_baseline(const ChainKernelInput& input);
 void run_lanes_v3(const ChainKernelInput& input);  // x86-64-v3: AVX2 and FMA
 void run_lanes_v4(const ChainKernelInput& input);  // x86-64-v4: AVX-512, all lanes

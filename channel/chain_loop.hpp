@@ -25,8 +25,7 @@ struct NoProbe {
   void operator()(T, const ModuleTaps<T>&) const {}
 };
 
-/// Samples made at a time: few enough to stay in the first-level cache.
-constexpr int block = 256;
+constexpr int block = chain_block;
 static_assert(block <= longest_interference_block && gain_step % block == 0);
 
 /// Samples [from, to) of a carrier's block, no edge in them: noise of the lit or the dark strength,
@@ -297,6 +296,33 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
     done<T>(in, ChainStage::pin);
   }
 }
+
+/// A chain that goes on by the block while its LEDs are being keyed.
+template <class T>
+class ChainRun {
+ public:
+  explicit ChainRun(const ChainKernelInput& in)
+      : in_(in), irradiance_(in), module_(modules_of<T>(in)) {}
+
+  /// Whole blocks up to sample `end`, with the bursts that the input has by now.
+  void advance(std::int64_t end) {
+    irradiance_.resume();
+    T x[block];
+    dsp::LaneBits<T> pins[block];
+    for (; done_ + block <= end; done_ += block) {
+      irradiance_.fill(done_, x, block);
+      receive(module_, x, block, pins, NoProbe{});
+      report_flips<T>(in_, done_, pins, block, before_);
+    }
+  }
+
+ private:
+  const ChainKernelInput& in_;
+  Irradiance<T> irradiance_;
+  ReceiverModule<T> module_;
+  dsp::LaneBits<T> before_ = static_cast<dsp::LaneBits<T>>(dsp::bits(dsp::Mask<T>(true)));
+  std::int64_t done_ = 0;
+};
 
 /// The same light to matched receivers (channel/ideal_receiver.hpp), which have none of a module's
 /// stages: their taps are NaN.

@@ -1,11 +1,11 @@
 #include "channel/live_chain.hpp"
 
 #include <algorithm>
-#include <span>
+#include <cassert>
 #include <vector>
 
 #include "channel/bursts.hpp"
-#include "channel/chain_loop.hpp"
+#include "channel/chain_kernel.hpp"
 #include "channel/kernel_disturbances.hpp"
 
 namespace channel {
@@ -14,124 +14,148 @@ namespace {
 /// What is keyed on one LED, without what has long passed.
 class KeyedBursts {
  public:
-  void add(std::span<const Burst> more) { bursts_.insert(bursts_.end(), more.begin(), more.end()); }
-  void forget(std::int64_t samples) {
-    const auto passed = std::ranges::find_if(
-        bursts_, [&](const Burst& burst) { return burst.off > static_cast<double>(samples); });
-    bursts_.erase(bursts_.begin(), passed);
+  KeyedBursts() = default;
+  KeyedBursts(const Burst* first, std::size_t n) : bursts_(first, first + n) {}
+
+  void add(const std::vector<Burst>& more) {
+    bursts_.insert(bursts_.end(), more.begin(), more.end());
   }
-  const Burst* data() const { return bursts_.data(); }
-  std::size_t size() const { return bursts_.size(); }
+  void forget(std::int64_t samples) {
+    const auto going_on = std::ranges::find_if(
+        bursts_, [&](const Burst& burst) { return burst.off > static_cast<double>(samples); });
+    bursts_.erase(bursts_.begin(), going_on);
+  }
+  void show_to(const Burst*& first, std::size_t& n) const {
+    first = bursts_.data();
+    n = bursts_.size();
+  }
 
  private:
   std::vector<Burst> bursts_;
 };
 
+LiveKernel kernel_for(std::size_t chains, InstructionSet set) {
+  assert(chains <= static_cast<std::size_t>(trials_at_once(set)));
+#ifdef COSYS_HAVE_X86
+  if (chains > narrow_lanes) return live_lanes_v4();
+  if (runs_v3(set)) return live_lanes_v3();
+#endif
+  return live_lanes_baseline();
+}
+
 }  // namespace
 
-struct LiveChain::State {
-  State(const ChainDesign& chain, const ChainInput& input)
-      : design(chain),
-        kernel(kernel_of(input)),
-        irradiance(kernel),
-        module(modules_of<float>(kernel)) {
+struct LiveChains::State {
+  State(const ChainDesign& chain, std::span<const ChainInput> inputs, InstructionSet set)
+      : design(chain), own(inputs.size()), pins(inputs.size(), dsp::LogicTrace(true)) {
+    kernel.carrier = &design.carrier;
+    kernel.noise_dark = design.noise_dark;
+    kernel.noise_lit = design.noise_lit;
     kernel.on_flip = &State::flip;
     kernel.context = this;
+    for (ChainKernelInput::Lane& lane : kernel.lane) lane.module = &design.module;
+    for (std::size_t i = 0; i < inputs.size(); ++i) take(inputs[i], kernel.lane[i]);
+    take_disturbances();
+    live = kernel_for(inputs.size(), set);
+    run = live.start(kernel);
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
+  ~State() { live.stop(run); }
 
-  void run_to(std::int64_t end) {
+  void advance(std::int64_t end) {
     show();
-    irradiance.resume();
-    float x[block];
-    dsp::LaneBits<float> pins[block];
-    for (; done + block <= end; done += block) {
-      irradiance.fill(done, x, block);
-      receive(module, x, block, pins, NoProbe{});
-      report_flips<float>(kernel, done, pins, block, before);
-    }
-    pin.observe_until(reached());
+    live.advance(run, end);
+    done = std::max(done, end / chain_block * chain_block);
+    for (dsp::LogicTrace& pin : pins) pin.observe_until(time_of(done));
   }
 
-  dsp::Seconds reached() const {
-    return dsp::Seconds(static_cast<double>(done) / design.sample_rate.value);
+  KeyedBursts& keyed(std::size_t chain, std::size_t which) {
+    return others_keyed[carrier_of[which]][chain];
   }
-
-  const ChainDesign& design;
-  KernelDisturbances others;
-  std::vector<ChainKernelInput::Carrier> carriers;  // theirs
-  std::vector<std::size_t> carrier_of;              // each disturbance's place among them
-  KeyedBursts own;
-  std::vector<KeyedBursts> keyed;  // one a carrier
-  ChainKernelInput kernel;
-  Irradiance<float> irradiance;
-  ReceiverModule<float> module;
-  dsp::LaneBits<float> before =
-      static_cast<dsp::LaneBits<float>>(dsp::bits(dsp::Mask<float>(true)));
-  std::int64_t done = 0;
-  dsp::LogicTrace pin{true};
 
  private:
-  static void flip(void* self, std::int64_t sample, std::uint32_t) {
+  dsp::Seconds time_of(std::int64_t sample) const {
+    return dsp::Seconds(static_cast<double>(sample) / design.sample_rate.value);
+  }
+
+  static void flip(void* self, std::int64_t sample, std::uint32_t lanes) {
     State& state = *static_cast<State*>(self);
-    state.pin.flip_at(dsp::Seconds(static_cast<double>(sample) / state.design.sample_rate.value));
+    for (std::size_t i = 0; i < state.pins.size(); ++i)
+      if ((lanes >> i & 1) != 0) state.pins[i].flip_at(state.time_of(sample));
   }
 
-  ChainKernelInput kernel_of(const ChainInput& input) {
-    std::size_t next_carrier = 0;
-    ChainKernelInput in;
-    in.carrier = &design.carrier;
-    in.noise_dark = design.noise_dark;
-    in.noise_lit = design.noise_lit;
-    in.lane[0].module = input.unit != nullptr ? input.unit : &design.module;
-    in.lane[0].carrier_phase = input.carrier_phase;
-    in.lane[0].noise_seed = input.noise_seed;
+  void take(const ChainInput& input, ChainKernelInput::Lane& lane) {
+    lane.carrier_phase = input.carrier_phase;
+    lane.noise_seed = input.noise_seed;
+    if (input.unit != nullptr) lane.module = input.unit;
     others.add_lane(design.disturbances, input.disturbances, design.sample_rate);
-    others.show_to(in);
-    carriers.assign(in.carriers, in.carriers + in.n_carriers);
-    in.carriers = carriers.data();
-    for (const ChainKernelInput::Carrier& carrier : carriers)
-      keyed.emplace_back().add({carrier.bursts[0], carrier.n_bursts[0]});
-    for (const Disturbance& d : design.disturbances) {
-      carrier_of.push_back(next_carrier);
-      next_carrier += d.carrier.has_value();
-    }
-    return in;
   }
 
-  /// Shows the bursts, which may have moved, to the kernel.
-  void show() {
-    own.forget(done);
-    kernel.lane[0].bursts = own.data();
-    kernel.lane[0].n_bursts = own.size();
-    for (std::size_t k = 0; k < carriers.size(); ++k) {
-      keyed[k].forget(done);
-      carriers[k].bursts[0] = keyed[k].data();
-      carriers[k].n_bursts[0] = keyed[k].size();
+  /// The carriers among them become our own, as their bursts grow.
+  void take_disturbances() {
+    others.show_to(kernel);
+    carriers.assign(kernel.carriers, kernel.carriers + kernel.n_carriers);
+    kernel.carriers = carriers.data();
+    for (const ChainKernelInput::Carrier& carrier : carriers)
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        if (i == 0) others_keyed.emplace_back();
+        others_keyed.back().emplace_back(carrier.bursts[i], carrier.n_bursts[i]);
+      }
+    std::size_t next = 0;
+    for (const Disturbance& d : design.disturbances) {
+      carrier_of.push_back(next);
+      next += d.carrier.has_value();
     }
   }
+
+  /// Bursts, which may have moved, to the kernel.
+  void show() {
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own[i].forget(done);
+      own[i].show_to(kernel.lane[i].bursts, kernel.lane[i].n_bursts);
+      for (std::size_t k = 0; k < carriers.size(); ++k) {
+        others_keyed[k][i].forget(done);
+        others_keyed[k][i].show_to(carriers[k].bursts[i], carriers[k].n_bursts[i]);
+      }
+    }
+  }
+
+ public:
+  const ChainDesign& design;
+  std::vector<KeyedBursts> own;       // one a chain
+  std::vector<dsp::LogicTrace> pins;  // one a chain
+
+ private:
+  KernelDisturbances others;
+  std::vector<ChainKernelInput::Carrier> carriers;     // theirs
+  std::vector<std::vector<KeyedBursts>> others_keyed;  // of each of those, one a chain
+  std::vector<std::size_t> carrier_of;                 // each disturbance's place among them
+  ChainKernelInput kernel;
+  LiveKernel live{};
+  void* run = nullptr;
+  std::int64_t done = 0;
 };
 
-LiveChain::LiveChain(const ChainDesign& design, const ChainInput& input)
-    : state_(std::make_unique<State>(design, input)) {}
-LiveChain::~LiveChain() = default;
-LiveChain::LiveChain(LiveChain&&) noexcept = default;
+LiveChains::LiveChains(const ChainDesign& design, std::span<const ChainInput> inputs,
+                       InstructionSet set)
+    : state_(std::make_unique<State>(design, inputs, set)) {}
+LiveChains::~LiveChains() = default;
+LiveChains::LiveChains(LiveChains&&) noexcept = default;
 
-void LiveChain::key(const dsp::LogicTrace& drive) {
-  state_->own.add(bursts_of(drive, state_->design.sample_rate));
+void LiveChains::key(std::size_t chain, const dsp::LogicTrace& drive) {
+  state_->own[chain].add(bursts_of(drive, state_->design.sample_rate));
 }
 
-void LiveChain::key_disturbance(std::size_t which, const dsp::LogicTrace& drive) {
-  state_->keyed[state_->carrier_of[which]].add(bursts_of(drive, state_->design.sample_rate));
+void LiveChains::key_disturbance(std::size_t chain, std::size_t which,
+                                 const dsp::LogicTrace& drive) {
+  state_->keyed(chain, which).add(bursts_of(drive, state_->design.sample_rate));
 }
 
-void LiveChain::advance(dsp::Seconds t) {
-  state_->run_to(static_cast<std::int64_t>(dsp::cycles(t, state_->design.sample_rate)));
+void LiveChains::advance(dsp::Seconds t) {
+  state_->advance(static_cast<std::int64_t>(dsp::cycles(t, state_->design.sample_rate)));
 }
 
-dsp::Seconds LiveChain::reached() const { return state_->reached(); }
-
-const dsp::LogicTrace& LiveChain::pin() const { return state_->pin; }
+const dsp::LogicTrace& LiveChains::pin(std::size_t chain) const { return state_->pins[chain]; }
 
 }  // namespace channel

@@ -6,15 +6,17 @@
 #include <array>
 #include <string>
 
+#include "sim/arena/arena_check.hpp"
 #include "sim/failure.hpp"
+#include "sim/guard/guard_check.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
-    ExperimentKind{"arena", {"path.", "arena.", "devices."}},
-    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}, check_arena},
+    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, check_guard},
     ExperimentKind{"sharedlink",
                    {"exchange.", "receiver.range_m", "receiver.bearing_deg",
                     "device.clock_error_ppm", "device.carrier_error_ppm"}},
@@ -74,6 +76,7 @@ void check_experiment(const LoadedScenario& scenario) {
       throw bad_input(key + " " + place, "it means nothing in the experiment \"" + name + "\"",
                       fmt::format("remove it, or write experiment = {} before the first table",
                                   kinds_with(key)));
+  if (kind.check != nullptr) kind.check(scenario);
 }
 
 }  // namespace sim

@@ -10,11 +10,14 @@ namespace sim {
 struct ExperimentKind {
   std::string_view name;       // "arena"
   std::string_view tables[8];  // keys that it has besides those of all: "path.", "device.baud"
+  /// Throws for what the keys alone do not show.
+  void (*check)(const LoadedScenario&) = nullptr;
 };
 
 std::span<const ExperimentKind> experiment_kinds();
 
-/// Throws where the file or --set gives a key that means nothing in the scenario's experiment.
+/// Throws where the file or --set gives a key that means nothing in the scenario's experiment, and
+/// for what is wrong at any of its points.
 void check_experiment(const LoadedScenario& scenario);
 
 }  // namespace sim

@@ -41,11 +41,17 @@ void check_title(const std::string& value, const std::string& problem) {
     throw bad_input(problem, "a text is one line without control characters", "remove them");
 }
 
+/// As much of a text as an error line has room for.
+std::string shortened(const std::string& value) {
+  constexpr std::size_t shown = 60;
+  return value.size() > shown ? value.substr(0, shown) + "..." : value;
+}
+
 void check_number_list(const Key& key, const std::string& value, const std::string& place) {
   KeyFacts each = key.facts;
   each.type = KeyType::number;
   for (const double number :
-       parse_values(value, fmt::format("{} = {} {}", key.name(), value, place)))
+       parse_values(value, fmt::format("{} = {} {}", key.name(), shortened(value), place)))
     check_number(each, number, place);
 }
 
@@ -77,9 +83,7 @@ void check_number(const KeyFacts& facts, double value, const std::string& place)
 }
 
 void check_text(const Key& key, const std::string& value, const std::string& place) {
-  constexpr std::size_t shown = 60;
-  const std::string shown_value = value.size() > shown ? value.substr(0, shown) + "..." : value;
-  const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), shown_value, place);
+  const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), shortened(value), place);
   if (key.facts.type == KeyType::message) return check_message(value, problem);
   if (key.facts.type == KeyType::choice) return check_choice(key, value, problem);
   if (key.facts.type == KeyType::number_list) return check_number_list(key, value, place);

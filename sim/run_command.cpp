@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/arena/arena_command.hpp"
 #include "sim/closing_lines.hpp"
 #include "sim/commands.hpp"
@@ -191,6 +193,18 @@ std::vector<Run> prepare(const RunRequest& request, Team* team) {
   return runs;
 }
 
+std::string farewell(const RunRequest& request, const std::vector<Run>& runs) {
+  const bool links =
+      std::ranges::none_of(runs, [](const Run& run) { return runner_of(run.scenario) != nullptr; });
+  if (!links)
+    return "cosys-sim: interrupted (by a signal) what was finished is in the result file; only "
+           "experiments of a link can be resumed\n";
+  return fmt::format(
+      "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
+      "the same command with {}--resume goes on\n",
+      request.time_budget_s > 0 ? "--max-frames in place of --time-budget, and " : "");
+}
+
 /// What the runs start from, for the members of a team to compare.
 std::string start_of(const std::vector<Run>& runs) {
   std::string text;
@@ -242,11 +256,7 @@ ExitCode run_command(const RunRequest& request) {
       run_experiment(run.scenario, run.result, options);
   }
   if (!is_interrupted(options)) return ExitCode::done;
-  if (speaks(team.get()))
-    say(fmt::format(
-        "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
-        "the same command with {}--resume goes on\n",
-        request.time_budget_s > 0 ? "--max-frames in place of --time-budget, and " : ""));
+  if (speaks(team.get())) say(farewell(request, runs));
   return ExitCode::interrupted;
 }
 

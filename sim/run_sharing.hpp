@@ -15,41 +15,55 @@
 
 namespace sim {
 
+struct SharedRuns {
+  std::uint32_t runs;
+  std::uint32_t most_at_once;  // by a thread
+  int threads;
+  const std::atomic<bool>* stop = nullptr;
+};
+
 /// Result: what runs first ... first + n - 1 gave.
 template <class Result>
 class RunSharing {
  public:
   using Work = std::function<Result(std::uint32_t first, int n)>;
 
-  /// A lot is as many runs as there are lanes, and not so many that threads have none.
-  RunSharing(std::uint32_t runs, int threads, const std::atomic<bool>* stop, Work work)
-      : runs_(runs),
-        threads_(threads),
+  /// A lot is as many runs as may be done at once and there are lanes for, and not so many that
+  /// threads have none.
+  RunSharing(const SharedRuns& shared, Work work)
+      : shared_(shared),
         lot_(std::clamp(
-            (runs + static_cast<std::uint32_t>(threads) - 1) / static_cast<std::uint32_t>(threads),
-            1U, static_cast<std::uint32_t>(channel::trials_at_once()))),
-        stop_(stop),
+            (shared.runs + static_cast<std::uint32_t>(shared.threads) - 1) /
+                static_cast<std::uint32_t>(shared.threads),
+            1U,
+            std::min(shared.most_at_once, static_cast<std::uint32_t>(channel::trials_at_once())))),
         work_(std::move(work)),
-        lots_((runs + lot_ - 1) / lot_) {}
+        lots_((shared.runs + lot_ - 1) / lot_) {}
 
-  /// The lots in the order of their runs; nothing if it was stopped. Throws what a thread threw.
-  std::optional<std::vector<Result>> operator()() {
+  /// The lots in the order of their runs; after a stop those up to the first that was not finished.
+  /// Throws what a thread threw.
+  std::vector<Result> operator()() {
     start_threads(
-        threads_, [&] { run_lots(); }, [&] { give_up(nullptr); })
+        shared_.threads, [&] { run_lots(); }, [&] { give_up(nullptr); })
         .clear();  // waits for them
     if (error_) std::rethrow_exception(error_);
-    if (stopped()) return std::nullopt;
-    return std::move(lots_);
+    std::vector<Result> finished;
+    for (std::optional<Result>& lot : lots_) {
+      if (!lot) break;
+      finished.push_back(std::move(*lot));
+    }
+    return finished;
   }
 
  private:
-  bool stopped() const { return stop_ != nullptr && *stop_; }
+  bool stopped() const { return shared_.stop != nullptr && *shared_.stop; }
 
   void run_lots() {
     while (const auto lot = next()) {
       try {
         const std::uint32_t first = *lot * lot_;
-        lots_[*lot] = work_(first, static_cast<int>(std::min(lot_, runs_ - first)));
+        Result result = work_(first, static_cast<int>(std::min(lot_, shared_.runs - first)));
+        if (!stopped()) lots_[*lot] = std::move(result);
       } catch (...) {
         give_up(std::current_exception());
       }
@@ -68,12 +82,10 @@ class RunSharing {
     next_ = static_cast<std::uint32_t>(lots_.size());
   }
 
-  std::uint32_t runs_;
-  int threads_;
+  SharedRuns shared_;
   std::uint32_t lot_;
-  const std::atomic<bool>* stop_;
   Work work_;
-  std::vector<Result> lots_;
+  std::vector<std::optional<Result>> lots_;
   std::mutex mutex_;
   std::uint32_t next_ = 0;
   std::exception_ptr error_;

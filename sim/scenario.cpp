@@ -49,19 +49,18 @@ void load_device_leds(Scenario& s, const Draft& draft, const PartSources& from,
 /// carried with it.
 void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
                          std::vector<std::string>& options) {
-  const auto files = draft.texts;
-  for (const auto& [key, file] : files) {
-    if (!key->name().ends_with(".interval_file") || file.empty()) continue;
-    const std::string table = key->name().substr(0, key->name().rfind('.'));
-    const std::string list = table + ".intervals_ms";
-    const std::string place =
-        fmt::format("{} = \"{}\" {}", key->name(), file, place_of(draft.places, key->name()));
+  const Places given = draft.places;  // by name
+  for (const auto& [name, place] : given) {
+    if (!name.ends_with(".interval_file")) continue;
+    const std::string file = std::exchange(draft.texts[find_key(name)], "");
+    if (file.empty()) continue;
+    const std::string list = name.substr(0, name.rfind('.')) + ".intervals_ms";
+    const std::string asked = fmt::format("{} = \"{}\" {}", name, file, place);
     if (draft.texts.contains(find_key(list)))
-      throw bad_input(place, "the scenario also has " + list, "remove one of the two");
-    const std::string values = read_number_lines(scenario.parent_path() / file, place);
-    draft.texts[key] = "";
+      throw bad_input(asked, "the scenario also has " + list, "remove one of the two");
+    const std::string values = read_number_lines(scenario.parent_path() / file, asked);
     draft.set_text(*find_key(list), values, "in " + file);
-    options.push_back(key->name() + "=");
+    options.push_back(name + "=");
     options.push_back(list + "=" + values);
   }
 }

@@ -131,19 +131,31 @@ double number_of(const Key& key, const Entry& entry) {
   refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
 }
 
+/// A message a line: so none may have a line break of its own.
+std::string messages_of(const Entry& entry) {
+  std::vector<std::string> messages;
+  if (const auto* one = std::get_if<std::string>(&entry.value))
+    messages = {*one};
+  else if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value))
+    messages = *list;
+  else
+    refuse_kind(entry, "a text or a list of texts", "write [\"A\", \"B\"]");
+  for (const std::string& message : messages)
+    if (message.find('\n') != std::string::npos)
+      throw bad_input(entry.key + " " + entry.place, "a line break in a message",
+                      "write [\"A\", \"B\"] for several messages");
+  return fmt::format("{}", fmt::join(messages, "\n"));
+}
+
 /// Lists become texts too.
 std::string text_of(const Key& key, const Entry& entry) {
+  if (key.facts.type == KeyType::messages) return messages_of(entry);
   if (const auto* value = std::get_if<std::string>(&entry.value)) return *value;
   if (key.facts.type == KeyType::number_list) {
     if (const auto* value = std::get_if<double>(&entry.value)) return fmt::format("{}", *value);
     if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
       return fmt::format("{}", fmt::join(*list, ","));
     refuse_kind(entry, "a list of numbers", "write [1, 2, 5]");
-  }
-  if (key.facts.type == KeyType::messages) {
-    if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value))
-      return fmt::format("{}", fmt::join(*list, "\n"));
-    refuse_kind(entry, "a text or a list of texts", "write [\"A\", \"B\"]");
   }
   refuse_kind(entry, "text", "write the text in quotes");
 }

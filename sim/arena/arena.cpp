@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "channel/interference.hpp"
-#include "protocol/cosys.hpp"
-#include "sim/canonical_text.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
@@ -39,8 +37,7 @@ dsp::WattsPerSquareMetre mean_light_of(const Arena& arena) {
 /// Longest that a message may take.
 Seconds longest_frame_of(const std::vector<Sender>& senders) {
   Seconds longest;
-  for (const Sender& sender : senders)
-    longest = std::max(longest, frame_time(sender, protocol::default_max_line));
+  for (const Sender& sender : senders) longest = std::max(longest, longest_frame(sender));
   return longest;
 }
 

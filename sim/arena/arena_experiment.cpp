@@ -12,6 +12,14 @@
 namespace sim {
 namespace {
 
+/// Characters that all devices send in a run, about.
+double characters(const Arena& arena) {
+  double sum = 0;
+  for (const Sender& sender : arena.senders)
+    sum += mean_load(sender) * (arena.end / frame_time(sender, 1));
+  return sum;
+}
+
 std::vector<SenderFacts> facts_of(const Arena& arena) {
   std::vector<SenderFacts> facts;
   for (std::size_t i = 0; i < arena.senders.size(); ++i)
@@ -24,11 +32,12 @@ ArenaPoint run_point(const Scenario& scenario, const std::vector<double>& coordi
   const Arena arena = make_arena(scenario);
   ArenaPoint point = arena_point(arena, coordinates);
   RunSharing<ArenaRuns> sharing(
-      static_cast<std::uint32_t>(scenario.arena.runs), options.threads, options.interrupt,
+      {.runs = static_cast<std::uint32_t>(scenario.arena.runs),
+       .most_at_once = runs_that_fit(arena, options.threads),
+       .threads = options.threads,
+       .stop = options.interrupt},
       [&](std::uint32_t first, int n) { return run_arena(arena, first, n, options.interrupt); });
-  auto lots = sharing();
-  if (!lots) return point;
-  for (ArenaRuns& lot : *lots) add_runs(point, std::move(lot));
+  for (ArenaRuns& lot : sharing()) add_runs(point, std::move(lot));
   return point;
 }
 
@@ -38,6 +47,12 @@ double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
 }
 
 }  // namespace
+
+std::uint32_t runs_that_fit(const Arena& arena, int threads) {
+  constexpr double most_characters = 2.5e6;
+  return static_cast<std::uint32_t>(
+      std::clamp(most_characters / (characters(arena) * threads + 1), 1.0, 1e6));
+}
 
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates) {
   return {.coordinates = coordinates,

@@ -27,6 +27,10 @@ struct ArenaPoint {
   double reach_mw_per_m2 = 0;
 };
 
+/// Runs that each thread may do at once: all of them, at some 140 bytes a character that devices
+/// send, are to take no more than 350 MB.
+std::uint32_t runs_that_fit(const Arena& arena, int threads);
+
 /// A point before its first run, and with runs added, which are to be in order.
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates);
 void add_runs(ArenaPoint& point, ArenaRuns runs);
@@ -50,7 +54,8 @@ struct ArenaOptions {
   std::function<void(const ArenaPoint&)> on_point{};  // after each
 };
 
-/// All points, in the order of the sweep; those never reached after an interrupt have no runs.
+/// All points, in the order of the sweep. After an interrupt the one under way has the runs that
+/// were finished, those behind it none.
 std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options);
 
 }  // namespace sim

@@ -19,8 +19,8 @@ constexpr double ci_level = 0.95;
 
 Estimate loss_ratio(const SenderTally& tally) {
   const auto lost = static_cast<double>(tally.lost()), sent = static_cast<double>(tally.sent());
-  const Interval interval = clopper_pearson(lost, sent, ci_level);
   if (sent == 0) return {unset, unset, unset};
+  const Interval interval = clopper_pearson(lost, sent, ci_level);
   return {lost / sent, interval.low, interval.high};
 }
 
@@ -186,8 +186,7 @@ std::string waterfall(std::uint64_t messages, const std::vector<LossStage>& stag
     const double share =
         messages > 0 ? static_cast<double>(stage.lost) / static_cast<double>(messages) : 0;
     lines += fmt::format("{:>10}  {:<24} {:>6.2f} %   {:>10} left\n",
-                         stage.lost > 0 ? fmt::format("-{}", stage.lost) : "0", stage.words,
-                         100 * share, left);
+                         fmt::format("-{}", stage.lost), stage.words, 100 * share, left);
   }
   return lines + fmt::format("{:>10}  {}\n", left, end);
 }

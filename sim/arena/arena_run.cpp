@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <tuple>
 #include <utility>
 
 #include "protocol/cosys.hpp"
@@ -23,9 +23,9 @@ dsp::RandomAddress address(const Arena& arena, std::uint32_t run, Purpose purpos
 }
 
 /// Draws of one sender; it takes three purposes, its carrier the fourth.
-dsp::RandomAddress sender_address(const Arena& arena, std::uint32_t run, std::size_t sender) {
+dsp::RandomAddress sender_address(const Arena& arena, std::uint32_t run, const Sender& sender) {
   dsp::RandomAddress draws = address(arena, run, Purpose::sender);
-  draws.purpose += static_cast<std::uint32_t>(sender) << 10U;
+  draws.point = sender.point;
   return draws;
 }
 
@@ -34,11 +34,11 @@ std::uint32_t carrier_phase(dsp::RandomAddress draws) {
   return draws.block(0)[0];
 }
 
-/// One run before it is heard.
-struct DrawnRun {
-  dsp::LogicTrace dark;  // the chain's own wire, of which there is no light
-  std::vector<SentFrames> sent;
-  channel::ChainInput input;
+/// Runs before they are heard.
+struct DrawnRuns {
+  dsp::LogicTrace dark;                         // the chain's own wire, of which there is no light
+  std::vector<std::vector<SentFrames>> sent{};  // of each run, of each sender; drives are moved on
+  std::vector<channel::ChainInput> inputs{};    // of each run; point to `dark`
 };
 
 void draw_other_lights(const Arena& arena, std::uint32_t run, channel::ChainInput& input) {
@@ -49,17 +49,18 @@ void draw_other_lights(const Arena& arena, std::uint32_t run, channel::ChainInpu
   }
 }
 
-void draw(const Arena& arena, std::uint32_t run, DrawnRun& drawn) {
-  drawn.dark = dsp::LogicTrace(true, arena.end);
-  drawn.input = {.drive = &drawn.dark,
-                 .carrier_phase = 0,
-                 .noise_seed = address(arena, run, Purpose::noise).block(0)};
-  draw_other_lights(arena, run, drawn.input);
-  for (std::size_t i = 0; i < arena.senders.size(); ++i) {
-    const dsp::RandomAddress draws = sender_address(arena, run, i);
-    drawn.sent.push_back(send(arena.senders[i], draws, arena.end));
-    drawn.input.disturbances.push_back(
-        {.phase = {carrier_phase(draws), 0}, .drive = std::move(drawn.sent.back().drive)});
+void draw(const Arena& arena, std::uint32_t run, DrawnRuns& drawn) {
+  std::vector<SentFrames>& sent = drawn.sent.emplace_back();
+  channel::ChainInput& input = drawn.inputs.emplace_back(
+      channel::ChainInput{.drive = &drawn.dark,
+                          .carrier_phase = 0,
+                          .noise_seed = address(arena, run, Purpose::noise).block(0)});
+  draw_other_lights(arena, run, input);
+  for (const Sender& sender : arena.senders) {
+    const dsp::RandomAddress draws = sender_address(arena, run, sender);
+    sent.push_back(send(sender, draws, arena.end));
+    const dsp::LogicTrace grown = std::exchange(sent.back().drive, dsp::LogicTrace());
+    input.disturbances.push_back({.phase = {carrier_phase(draws), 0}, .drive = grown});  // fits
   }
 }
 
@@ -177,47 +178,41 @@ bool is_true(const Arena& arena, const std::vector<SentFrames>& sent,
   const Heard one{{}, {heard}};
   for (std::size_t i = 0; i < sent.size(); ++i)
     for (const SentFrame& frame : sent[i].frames)
-      if (delivery_of(frame, arena.senders[i], one, arena.delay) != nullptr) return true;
+      if (!frame.silent && delivery_of(frame, arena.senders[i], one, arena.delay) != nullptr)
+        return true;
   return false;
 }
 
-void count_run(const Arena& arena, std::uint32_t run, const DrawnRun& drawn, const Heard& heard,
-               const Heard& without_slow_agc, ArenaRuns& into) {
-  const Air air(arena, drawn.sent);
+void count_run(const Arena& arena, std::uint32_t run, const std::vector<SentFrames>& sent,
+               const Heard& heard, const Heard& without_slow_agc, ArenaRuns& into) {
+  const Air air(arena, sent);
   const Witness witness{arena, air, heard, without_slow_agc};
   for (std::size_t i = 0; i < arena.senders.size(); ++i)
-    count_sender(witness, i, drawn.sent[i].frames, run, into);
+    count_sender(witness, i, sent[i].frames, run, into);
   for (const protocol::CosysFrame& frame : heard.frames)
-    into.tally.n_false += !is_true(arena, drawn.sent, frame);
+    into.tally.n_false += !is_true(arena, sent, frame);
   ++into.tally.n_runs;
 }
 
-/// Pins of the runs, with a module that has no slow AGC where `unit` is given.
-std::vector<dsp::LogicTrace> pins_of(const Arena& arena, const std::vector<DrawnRun>& runs,
-                                     const channel::ModuleDesign* unit,
-                                     const std::atomic<bool>* stop) {
-  std::vector<channel::ChainInput> inputs;
-  for (const DrawnRun& run : runs) {
-    inputs.push_back(run.input);
-    inputs.back().unit = unit;
-  }
-  return channel::propagate(arena.chain, inputs, stop);
+/// Pins of the runs if the module had no slow AGC.
+std::vector<dsp::LogicTrace> pins_without_slow_agc(const Arena& arena, DrawnRuns& runs,
+                                                   const std::atomic<bool>* stop) {
+  for (channel::ChainInput& input : runs.inputs) input.unit = &arena.without_slow_agc;
+  return channel::propagate(arena.chain, runs.inputs, stop);
 }
 
 }  // namespace
 
 ArenaRuns run_arena(const Arena& arena, std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  std::vector<DrawnRun> runs(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    draw(arena, first + static_cast<std::uint32_t>(i), runs[i]);
-  const auto pins = pins_of(arena, runs, nullptr, stop);
-  const auto without =
-      arena.has_slow_agc ? pins_of(arena, runs, &arena.without_slow_agc, stop) : pins;
+  DrawnRuns runs{.dark = dsp::LogicTrace(true, arena.end)};
+  for (int i = 0; i < n; ++i) draw(arena, first + static_cast<std::uint32_t>(i), runs);
+  const auto pins = channel::propagate(arena.chain, runs.inputs, stop);
+  const auto without = arena.has_slow_agc ? pins_without_slow_agc(arena, runs, stop) : pins;
   ArenaRuns result;
   result.tally.senders.resize(arena.senders.size());
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  for (std::size_t i = 0; i < pins.size(); ++i) {
     const auto run = first + static_cast<std::uint32_t>(i);
-    count_run(arena, run, runs[i], listen(arena, run, pins[i]), listen(arena, run, without[i]),
+    count_run(arena, run, runs.sent[i], listen(arena, run, pins[i]), listen(arena, run, without[i]),
               result);
   }
   std::ranges::sort(result.heard, {},

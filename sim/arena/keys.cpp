@@ -91,7 +91,7 @@ void add_light(DeviceKeys& keys) {
 }
 
 void add_messages(DeviceKeys& keys) {
-  Key& source = keys.text(KeyType::choice, "source", &D::source, "which message is sent",
+  Key& source = keys.text(KeyType::choice, "source", &D::source, "choice of the message sent",
                           "the first; one after the other; the first with a count of six digits "
                           "behind it; one of them until the status changes");
   source.choices = names_of(message_sources());
@@ -114,7 +114,8 @@ void add_times(DeviceKeys& keys) {
   keys.text(KeyType::text, "interval_file", &D::interval_file, "file of such pauses",
             "one a line, beside the scenario");
   keys.number("silent_every_s", "s", from(0, 1e6), &D::silent_every_s,
-              "mean time from one silent spell to the next", "exponential; 0: never silent");
+              "mean time from the end of a silent spell to the next",
+              "exponential; 0: never silent");
   keys.number("silent_for_s", "s", from(0.001, 1e6), &D::silent_for_s,
               "mean length of a silent spell", "exponential");
 }

@@ -100,7 +100,7 @@ class ScatterFill {
  private:
   static constexpr double tolerance = 0.005;
   static constexpr double nothing_mw_per_m2 = 1e-4;  // a thousandth of what any module hears
-  static constexpr std::size_t farthest = 1024;      // steps between two places at most
+  static constexpr std::size_t farthest = 128;       // steps between two places at most
 
   double at(std::size_t i) const {
     return field_.scattered(way_.at(static_cast<double>(i) * track_.step));

@@ -28,15 +28,17 @@ MessageQueue::MessageQueue(MessageSource source, std::span<const std::string> me
                            dsp::Seconds hold, const dsp::RandomAddress& draws)
     : source_(source), messages_(messages), hold_(hold), draws_(draws) {}
 
+dsp::Seconds MessageQueue::draw_hold() { return -std::log1p(-uniform()) * hold_; }
+
 /// Holds of a status have no memory, so the first may begin when it is first asked for.
 void MessageQueue::change_until(dsp::Seconds now) {
-  if (status_until_.value < -1e8) status_until_ = now;
-  while (status_until_ <= now) {
-    const auto others = static_cast<double>(std::max<std::size_t>(messages_.size() - 1, 1));
-    const auto step = 1 + static_cast<std::size_t>(draws_.uniform(next_draw_++) * others);
-    status_ = (status_ + step) % messages_.size();
-    status_until_ += -std::log1p(-draws_.uniform(next_draw_++)) * hold_;
+  const auto n = messages_.size();
+  if (!status_until_) {
+    status_ = static_cast<std::size_t>(uniform() * static_cast<double>(n));
+    status_until_ = now + draw_hold();
   }
+  for (; n > 1 && *status_until_ <= now; *status_until_ += draw_hold())
+    status_ = (status_ + 1 + static_cast<std::size_t>(uniform() * static_cast<double>(n - 1))) % n;
 }
 
 std::string MessageQueue::next(dsp::Seconds now) {

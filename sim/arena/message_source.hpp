@@ -1,6 +1,7 @@
 #pragma once
 // Which message a device sends next.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ class MessageQueue {
 
  private:
   void change_until(dsp::Seconds now);
+  double uniform() { return draws_.uniform(next_draw_++); }
+  dsp::Seconds draw_hold();
 
   MessageSource source_;
   std::span<const std::string> messages_;
@@ -44,7 +47,7 @@ class MessageQueue {
   std::uint32_t next_draw_ = 0;
   std::uint64_t sent_ = 0;
   std::size_t status_ = 0;
-  dsp::Seconds status_until_{-1e9};
+  std::optional<dsp::Seconds> status_until_{};  // nothing: never asked
 };
 
 }  // namespace sim

@@ -1,6 +1,7 @@
 #include "sim/arena/sender.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/failure.hpp"
+#include "sim/link.hpp"
 #include "sim/list_text.hpp"
 #include "sim/number_text.hpp"
 
@@ -76,6 +78,7 @@ Sender make_sender(const Scenario& s, const std::string& name, const PlacedDevic
   Sender sender;
   sender.kind = name;
   sender.name = d.count > 1 ? fmt::format("{}-{}", name, number) : name;
+  sender.number = number;
   sender.x_m = d.x_m + d.spread_x_m * scatter.next();
   sender.y_m = d.y_m + d.spread_y_m * scatter.next();
   sender.height_m = or_else(d.height_mm, s.led.height_mm) * 1e-3;
@@ -95,6 +98,17 @@ Sender make_sender(const Scenario& s, const std::string& name, const PlacedDevic
   sender.silent_every = Seconds(d.silent_every_s);
   sender.silent_for = Seconds(d.silent_for_s);
   return sender;
+}
+
+/// By device, and by what is around all of them: one device more leaves the others as they are.
+void name_draws(const Scenario& s, std::vector<Sender>& senders) {
+  Scenario around = s;
+  around.devices.clear();
+  const std::uint32_t hash = point_hash(around);
+  for (Sender& sender : senders) {
+    const std::string device = fmt::format("{}-{}", sender.kind, sender.number);
+    sender.point = XXH32(device.data(), device.size(), hash);
+  }
 }
 
 // ---- in a run ----
@@ -153,10 +167,22 @@ class SilentSpells {
   Seconds until_;
 };
 
-std::size_t longest_message(const Sender& sender) {
-  std::size_t longest = 0;
-  for (const std::string& message : sender.messages) longest = std::max(longest, message.size());
-  return longest + (sender.source == MessageSource::counter ? counter_size : 0);
+/// Bytes on the line of each message that it may send.
+std::vector<std::size_t> sizes_of(const Sender& sender) {
+  const bool counts = sender.source == MessageSource::counter;
+  const bool only_first = counts || sender.source == MessageSource::fixed;
+  std::vector<std::size_t> sizes;
+  for (const std::string& message : sender.messages)
+    sizes.push_back(message.size() + (counts ? counter_size : 0) + protocol::tail_size);
+  if (only_first) sizes.resize(1);
+  return sizes;
+}
+
+Seconds mean_frame(const Sender& sender) {
+  Seconds sum;
+  const auto sizes = sizes_of(sender);
+  for (const std::size_t size : sizes) sum += frame_time(sender, size);
+  return sum / static_cast<double>(sizes.size());
 }
 
 Seconds mean_pause(const Sender& sender) {
@@ -166,8 +192,19 @@ Seconds mean_pause(const Sender& sender) {
   return sum / static_cast<double>(sender.intervals.size());
 }
 
-Seconds mean_period(const Sender& sender) {
-  return frame_time(sender, longest_message(sender) + protocol::tail_size) + mean_pause(sender);
+Seconds mean_period(const Sender& sender) { return mean_frame(sender) + mean_pause(sender); }
+
+/// Periods after which messages and pauses repeat themselves, if not too many to be waited for.
+double periods_in_turn(const Sender& sender) {
+  constexpr double most = 100;
+  const auto n = std::max<std::size_t>(sender.intervals.size(), 1);
+  const auto m = sender.source == MessageSource::list ? sender.messages.size() : 1;
+  return std::min(static_cast<double>(n * m), most);
+}
+
+double awake_share(const Sender& sender) {
+  if (sender.silent_every.value <= 0) return 1;
+  return sender.silent_every / (sender.silent_every + sender.silent_for);
 }
 
 dsp::RandomAddress purpose(dsp::RandomAddress draws, std::uint32_t which) {
@@ -184,6 +221,7 @@ std::vector<Sender> make_senders(const Scenario& s) {
     for (int number = 1; number <= static_cast<int>(device.count); ++number)
       senders.push_back(make_sender(s, name, device, number, scatter));
   }
+  name_draws(s, senders);
   return senders;
 }
 
@@ -191,17 +229,24 @@ Seconds frame_time(const Sender& sender, std::size_t bytes) {
   return static_cast<double>(bytes * protocol::bits_per_byte) * dsp::period(sender.baud);
 }
 
+Seconds longest_frame(const Sender& sender) {
+  return frame_time(sender, std::ranges::max(sizes_of(sender)));
+}
+
+double mean_load(const Sender& sender) {
+  return awake_share(sender) * (mean_frame(sender) / mean_period(sender));
+}
+
 /// Half the data bits of a message are taken as light.
 double mean_light(const Sender& sender) {
   constexpr double lit_slots = (1 + protocol::data_bits / 2.0) / protocol::bits_per_byte;
-  const Seconds frame = frame_time(sender, longest_message(sender) + protocol::tail_size);
-  return sender.duty * lit_slots * (frame / mean_period(sender));
+  return sender.duty * lit_slots * mean_load(sender);
 }
 
 SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds end) {
   constexpr double periods_before = 10;
   Pauses pause(sender, purpose(draws, pauses));
-  Seconds at = -(periods_before + pause.uniform()) * mean_period(sender);
+  Seconds at = -(periods_before + pause.uniform() * periods_in_turn(sender)) * mean_period(sender);
   MessageQueue queue(sender.source, sender.messages, sender.status_hold, purpose(draws, contents));
   SilentSpells silence(sender, purpose(draws, spells), at);
   SentFrames sent{dsp::LogicTrace(true), {}};

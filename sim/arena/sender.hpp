@@ -1,6 +1,7 @@
 #pragma once
 // Senders: the devices of an arena one by one, as a scenario's [devices.NAME] tables place them,
 // and what each of them sends in a run.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,10 @@
 namespace sim {
 
 struct Sender {
-  std::string name;  // "charger", or "charger-3" of several
-  std::string kind;  // "charger"
+  std::string name;         // "charger", or "charger-3" of several
+  std::string kind;         // "charger"
+  int number = 1;           // in its kind
+  std::uint32_t point = 0;  // names its random numbers, as a point names those of a trial
   // Light.
   double x_m, y_m, height_m;
   dsp::Radians yaw;
@@ -57,6 +60,12 @@ SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, dsp::Seco
 
 /// The time that a message of so many bytes takes.
 dsp::Seconds frame_time(const Sender& sender, std::size_t bytes);
+
+/// The time that the longest of its messages takes.
+dsp::Seconds longest_frame(const Sender& sender);
+
+/// Share of time in which it sends, on average.
+double mean_load(const Sender& sender);
 
 /// Share of time in which its LED is lit, on average: its carrier's duty included.
 double mean_light(const Sender& sender);

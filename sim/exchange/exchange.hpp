@@ -6,6 +6,7 @@
 // A node takes its turn when its pause is over and nothing was heard of the other for a while; what
 // both send at once collides. Time goes on in ticks, in which a node's processor looks at its UART.
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -53,7 +54,8 @@ struct ExchangeTally {
   ExchangeTally& operator+=(const ExchangeTally& other);
 };
 
-/// One run.
-ExchangeTally run_exchange(const Exchange& exchange, std::uint32_t run);
+/// Runs first ... first + n - 1. Worth nothing once `*stop` is true: it then gives up soon.
+ExchangeTally run_exchange(const Exchange& exchange, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop = nullptr);
 
 }  // namespace sim

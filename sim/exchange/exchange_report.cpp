@@ -22,17 +22,13 @@ ExchangePoint run_point(const Scenario& scenario, const std::vector<double>& coo
                         const ExchangeOptions& options) {
   const Exchange exchange = make_exchange(scenario);
   ExchangePoint point{coordinates, exchange.irradiance_mw_per_m2, exchange.reflected_mw_per_m2};
+  const auto runs = static_cast<std::uint32_t>(scenario.exchange.runs);
   RunSharing<ExchangeTally> sharing(
-      static_cast<std::uint32_t>(scenario.exchange.runs), options.threads, options.interrupt,
+      {.runs = runs, .most_at_once = runs, .threads = options.threads, .stop = options.interrupt},
       [&](std::uint32_t first, int n) {
-        ExchangeTally sum;
-        for (std::uint32_t run = first; run < first + static_cast<std::uint32_t>(n); ++run)
-          if (options.interrupt == nullptr || !*options.interrupt)
-            sum += run_exchange(exchange, run);
-        return sum;
+        return run_exchange(exchange, first, n, options.interrupt);
       });
-  if (const auto lots = sharing())
-    for (const ExchangeTally& lot : *lots) point.tally += lot;
+  for (const ExchangeTally& lot : sharing()) point.tally += lot;
   return point;
 }
 

@@ -26,7 +26,8 @@ struct ExchangeOptions {
   std::function<void(const ExchangePoint&)> on_point{};  // after each
 };
 
-/// All points; those never reached after an interrupt have no runs.
+/// All points, in the order of the sweep. After an interrupt the one under way has the runs that
+/// were finished, those behind it none.
 std::vector<ExchangePoint> run_exchanges(const LoadedScenario& scenario,
                                          const ExchangeOptions& options);
 

@@ -1,5 +1,7 @@
 // One run of an exchange: two nodes, two chains, and a clock that both go by.
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,34 +71,31 @@ struct SentByte {
 };
 
 /// What a chain starts from: nothing keyed yet, other lights whole.
-class ChainStart {
- public:
-  ChainStart(const Exchange& exchange, std::uint32_t run, std::size_t node, Seconds end) {
-    const auto phases = draws_of(exchange, run, node, NodeDraws::phases).block(0);
-    input_ = {.drive = &dark_,
-              .carrier_phase = phases[0],
-              .noise_seed = draws_of(exchange, run, node, NodeDraws::noise).block(0)};
-    input_.disturbances.push_back({.phase = {phases[1], 0}, .drive = dsp::LogicTrace(true)});
-    dsp::RandomAddress lights = draws_of(exchange, run, node, NodeDraws::lights);
-    for (const DisturbanceSettings& disturbance : exchange.disturbances) {
-      input_.disturbances.push_back(draw_disturbance(disturbance, lights, end));
-      lights.purpose += 1U << 16U;
-    }
+channel::ChainInput chain_start(const Exchange& exchange, std::uint32_t run, std::size_t node) {
+  const Seconds end(2 * exchange.settings.duration_s);  // and longer than what goes on behind it
+  const auto phases = draws_of(exchange, run, node, NodeDraws::phases).block(0);
+  channel::ChainInput input{.drive = nullptr,
+                            .carrier_phase = phases[0],
+                            .noise_seed = draws_of(exchange, run, node, NodeDraws::noise).block(0)};
+  input.disturbances.push_back({.phase = {phases[1], 0}, .drive = dsp::LogicTrace(true)});
+  dsp::RandomAddress lights = draws_of(exchange, run, node, NodeDraws::lights);
+  for (const DisturbanceSettings& disturbance : exchange.disturbances) {
+    input.disturbances.push_back(draw_disturbance(disturbance, lights, end));
+    lights.purpose += 1U << 16U;
   }
-  const channel::ChainInput& input() const { return input_; }
-
- private:
-  dsp::LogicTrace dark_{true};
-  channel::ChainInput input_;
-};
+  return input;
+}
 
 /// A node with its processor, its LED and its receiver.
 class Station {
  public:
-  Station(const Exchange& exchange, std::uint32_t run, std::size_t which, Seconds end)
+  /// `which` of the two of a run; `chain`: its place among the chains.
+  Station(const Exchange& exchange, std::uint32_t run, std::size_t which,
+          channel::LiveChains& chains, std::size_t chain)
       : exchange_(exchange),
         node_(node_settings(exchange, which)),
-        chain_(exchange.chain, ChainStart(exchange, run, which, end).input()),
+        chains_(chains),
+        chain_(chain),
         uart_(*exchange.uart, exchange.receiver_baud,
               draws_of(exchange, run, which, NodeDraws::uart).uniform(0)),
         pauses_(draws_of(exchange, run, which, NodeDraws::pauses)),
@@ -108,10 +107,9 @@ class Station {
     next_query_ = queries_.exponential(exchange.settings.query_every_s);
   }
 
-  /// Hears what has come by then. `others_turn`: when the other began to send last.
-  void hear(Seconds now, const std::optional<Seconds>& others_turn) {
-    chain_.advance(now);
-    for (const protocol::UartByte& byte : uart_.take(chain_.pin())) {
+  /// Hears what its chain has by now. `others_turn`: when the other began to send last.
+  void hear(const std::optional<Seconds>& others_turn) {
+    for (const protocol::UartByte& byte : uart_.take(pin())) {
       if (byte.start >= busy_until_) last_heard_ = byte.start;
       const std::uint64_t accepted = node_.counts().accepted;
       node_.receive(byte);
@@ -156,11 +154,11 @@ class Station {
     if (bytes.empty()) return std::nullopt;
     last_turn_ = now;
     busy_until_ = at;
-    chain_.key_disturbance(reflection, drive);
+    chains_.key_disturbance(chain_, reflection, drive);
     return drive;
   }
 
-  void see(const dsp::LogicTrace& light) { chain_.key(light); }
+  void see(const dsp::LogicTrace& light) { chains_.key(chain_, light); }
 
   /// At how old what it holds is.
   void look(Seconds now) {
@@ -170,7 +168,7 @@ class Station {
   const protocol::SharedNode& node() const { return node_; }
   const std::optional<Seconds>& last_turn() const { return last_turn_; }
   const std::vector<SentByte>& sent() const { return sent_; }
-  const dsp::LogicTrace& pin() const { return chain_.pin(); }
+  const dsp::LogicTrace& pin() const { return chains_.pin(chain_); }
   const AgeCounts& age() const { return age_; }
 
  private:
@@ -195,7 +193,8 @@ class Station {
 
   const Exchange& exchange_;
   protocol::SharedNode node_;
-  channel::LiveChain chain_;
+  channel::LiveChains& chains_;
+  std::size_t chain_;
   protocol::UartStream uart_;
   Draws pauses_, changes_, queries_;
   std::vector<Seconds> change_at_;
@@ -227,7 +226,7 @@ DirectionTally direction(const Exchange& exchange, const Station& from, const St
                        .n_asked = mine.asked,
                        .n_answered = mine.answered,
                        .n_timed_out = mine.timed_out,
-                       .n_own = mine.for_others,
+                       .n_own = mine.from_self,
                        .rejected = to.node().counts().rejected,
                        .age = to.age()};
   count_bits(exchange, from, to, tally);
@@ -243,23 +242,80 @@ void take_turns(Station& a, Station& b, Seconds now) {
     if (const auto light = b.turn(now)) a.see(*light);
 }
 
-}  // namespace
+/// The two stations of a run.
+class Pair {
+ public:
+  Pair(const Exchange& exchange, std::uint32_t run, channel::LiveChains& chains, std::size_t chain)
+      : exchange_(exchange),
+        end_(exchange.settings.duration_s),
+        a_(exchange, run, 0, chains, chain),
+        b_(exchange, run, 1, chains, chain + 1) {}
 
-ExchangeTally run_exchange(const Exchange& exchange, std::uint32_t run) {
-  const Seconds end(exchange.settings.duration_s);
-  Station a(exchange, run, 0, end), b(exchange, run, 1, end);
-  for (int i = 0; i * tick < end || a.is_busy(i * tick) || b.is_busy(i * tick); ++i) {
-    const Seconds now = i * tick;
-    a.hear(now, b.last_turn());
-    b.hear(now, a.last_turn());
-    if (now >= end) continue;  // what is on its way arrives
-    for (Station* station : {&a, &b}) {
+  /// When all that was sent has arrived, nothing more is looked at.
+  bool goes_on(Seconds now) const { return now < end_ || a_.is_busy(now) || b_.is_busy(now); }
+
+  void step(Seconds now) {
+    a_.hear(b_.last_turn());
+    b_.hear(a_.last_turn());
+    if (now >= end_) return;
+    for (Station* station : {&a_, &b_}) {
       station->live(now);
       station->look(now);
     }
-    take_turns(a, b, now);
+    take_turns(a_, b_, now);
   }
-  return {.direction = {direction(exchange, a, b), direction(exchange, b, a)}, .n_runs = 1};
+
+  ExchangeTally tally() const {
+    return {.direction = {direction(exchange_, a_, b_), direction(exchange_, b_, a_)}, .n_runs = 1};
+  }
+
+ private:
+  const Exchange& exchange_;
+  Seconds end_;
+  Station a_, b_;
+};
+
+std::vector<channel::ChainInput> chain_starts(const Exchange& exchange, std::uint32_t first,
+                                              std::uint32_t n) {
+  std::vector<channel::ChainInput> starts;
+  for (std::uint32_t run = first; run < first + n; ++run)
+    for (const std::size_t node : {0, 1}) starts.push_back(chain_start(exchange, run, node));
+  return starts;
+}
+
+/// Runs whose chains have lanes, all by one clock.
+ExchangeTally run_together(const Exchange& exchange, std::uint32_t first, std::uint32_t n,
+                           const std::atomic<bool>* stop) {
+  const auto starts = chain_starts(exchange, first, n);
+  channel::LiveChains chains(exchange.chain, starts);
+  std::deque<Pair> pairs;
+  for (std::uint32_t i = 0; i < n; ++i) pairs.emplace_back(exchange, first + i, chains, 2 * i);
+  bool going = true;
+  for (int i = 0; going && (stop == nullptr || !*stop); ++i) {
+    const Seconds now = i * tick;
+    chains.advance(now);
+    going = false;
+    for (Pair& pair : pairs) {
+      if (!pair.goes_on(now)) continue;
+      pair.step(now);
+      going = true;
+    }
+  }
+  ExchangeTally sum;
+  for (const Pair& pair : pairs) sum += pair.tally();
+  return sum;
+}
+
+}  // namespace
+
+ExchangeTally run_exchange(const Exchange& exchange, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop) {
+  const auto at_once = static_cast<std::uint32_t>(channel::trials_at_once()) / 2;
+  const std::uint32_t end = first + static_cast<std::uint32_t>(n);
+  ExchangeTally sum;
+  for (std::uint32_t run = first; run < end; run += at_once)
+    sum += run_together(exchange, run, std::min(at_once, end - run), stop);
+  return sum;
 }
 
 }  // namespace sim

@@ -1,0 +1,65 @@
+#include "sim/arena/arena_check.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+
+#include "sim/arena/sender.hpp"
+#include "sim/arena/way.hpp"
+#include "sim/failure.hpp"
+#include "sim/point_scenario.hpp"
+#include "sim/sweep.hpp"
+
+namespace sim {
+namespace {
+
+void check_receiver(const Scenario& s, const Places& places) {
+  if (!channel::is_matched(s.module)) return;
+  throw bad_input(fmt::format("receiver.module = \"{}\" {}", s.receiver.module,
+                              place_of(places, "receiver.module")),
+                  "an ideal receiver is told when bits are sent, which many devices have no one of",
+                  "use a module");
+}
+
+void check_names(const std::vector<Sender>& senders) {
+  std::set<std::string> names;
+  for (const Sender& sender : senders)
+    if (!names.insert(sender.name).second)
+      throw bad_input("devices." + sender.kind, "another device is named " + sender.name + " too",
+                      "rename one of the two");
+}
+
+void check_currents(const std::vector<Sender>& senders, const Places& places) {
+  for (const Sender& sender : senders) {
+    const double last = sender.emitter.intensity_mw_per_sr.x.back();
+    const double current_ma = sender.current.value * 1e3;
+    const std::string key = "devices." + sender.kind + ".current_ma";
+    if (current_ma > last * (1 + 1e-9))
+      throw bad_input(fmt::format("{} = {:.6g} {}", key, current_ma, place_of(places, key)),
+                      fmt::format("the data of {} end at {} mA", sender.emitter.name, last),
+                      fmt::format("use at most {}", last));
+  }
+}
+
+void check_point(const Scenario& s, const Places& places) {
+  check_receiver(s, places);
+  const Way way(s.path);
+  const std::vector<Sender> senders = make_senders(s);
+  check_names(senders);
+  check_currents(senders, places);
+}
+
+}  // namespace
+
+void check_arena(const LoadedScenario& scenario) {
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
+    const Scenario s = point_scenario(scenario, point_coordinates(scenario.sweep, i));
+    if (s.devices.empty())
+      throw bad_input(scenario.path.string(), "an arena without a device",
+                      "add a table [devices.NAME] with its place");
+    check_point(s, scenario.places);
+  }
+}
+
+}  // namespace sim

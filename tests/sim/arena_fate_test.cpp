@@ -1,0 +1,96 @@
+// Each fate of a message has a scene in which it is the one, and each scene a reason.
+#include "arena_scenes.hpp"
+#include "gtest/gtest.h"
+
+namespace sim {
+namespace {
+
+const std::string two_minutes = "[arena]\nduration_s = 8\nruns = 16\n";
+const std::string without_pause = "interval_min_ms = 0\ninterval_max_ms = 0\n";
+
+double share(const SenderTally& tally, FrameFate fate) {
+  return static_cast<double>(tally[fate]) / static_cast<double>(tally.messages());
+}
+
+/// Of the first device.
+SenderTally tally_of(const std::string& scene, const std::vector<std::string>& set = {}) {
+  return arena_point(two_minutes + scene, set).tally.senders.front();
+}
+
+// The receiver is switched on at time 0, be it in the middle of a message, whose end it then may
+// take for a part of the next: of 16 first messages some are lost.
+constexpr double first_messages = 0.03;
+
+TEST(FrameFates, NearAndAloneAllIsDelivered) {
+  const SenderTally tally = tally_of(device("a", "1"));
+  EXPECT_GT(tally.messages(), 100u);
+  EXPECT_GT(share(tally, FrameFate::delivered), 1 - first_messages);
+  EXPECT_EQ(tally[FrameFate::out_of_reach] + tally[FrameFate::agc] + tally[FrameFate::collision],
+            0u);
+  EXPECT_EQ(tally.n_in_reach, tally.messages());
+  EXPECT_EQ(tally.n_overlapped, 0u);
+}
+
+TEST(FrameFates, ABusyDeviceIsSilent) {
+  const SenderTally tally = tally_of(device("a", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6"));
+  EXPECT_EQ(share(tally, FrameFate::silent), 1);
+  EXPECT_EQ(tally.sent() + tally.airtime_us, 0u);
+}
+
+TEST(FrameFates, AFarDeviceIsOutOfReach) {
+  const SenderTally tally = tally_of(device("a", "100"));
+  EXPECT_EQ(share(tally, FrameFate::out_of_reach), 1);
+  EXPECT_EQ(tally.n_in_reach + tally.airtime_in_reach_us, 0u);
+  EXPECT_GT(tally.airtime_us, 0u);
+}
+
+// README: a TSOP4856 hears a device to 2.2 m, where its slow AGC ends the link; at 1 m it does not.
+TEST(FrameFates, ASlowAgcKillsFromTwoMetresOn) {
+  const std::string pauses = "interval_min_ms = 600\ninterval_max_ms = 1200";
+  const std::vector<std::string> tsop{"receiver.module=TSOP4856"};
+  const SenderTally near = tally_of(device("a", "1", pauses), tsop);
+  EXPECT_GT(share(near, FrameFate::delivered), 1 - first_messages);
+  EXPECT_EQ(near[FrameFate::agc], 0u);
+  const SenderTally far = tally_of(device("a", "3", pauses), tsop);
+  EXPECT_GT(share(far, FrameFate::agc), 0.8);
+  EXPECT_GT(share(far, FrameFate::agc) + share(far, FrameFate::delivered), 1 - first_messages);
+}
+
+TEST(FrameFates, TwoOfEqualLightCollide) {
+  const SenderTally tally = tally_of(device("a", "1", without_pause) +
+                                     device("b", "1", "carrier_error_ppm = 700\n" + without_pause));
+  EXPECT_EQ(tally.n_overlapped, tally.messages());
+  EXPECT_GT(share(tally, FrameFate::collision), 0.95);
+}
+
+// The comparator follows the stronger light, which the weaker, a hundredth of it, cannot reach.
+TEST(FrameFates, TheStrongerCaptures) {
+  const ArenaPoint point = arena_point(two_minutes + device("near", "0.5", without_pause) +
+                                       device("weak", "9", without_pause));
+  const SenderTally &near = point.tally.senders[0], &weak = point.tally.senders[1];
+  EXPECT_GT(point.senders[0].highest_irradiance, 99 * point.senders[1].highest_irradiance);
+  EXPECT_EQ(near.n_overlapped, near.messages());
+  EXPECT_GT(static_cast<double>(near.n_captured), 0.95 * static_cast<double>(near.messages()));
+  EXPECT_EQ(near.n_captured, near[FrameFate::delivered]);
+  EXPECT_GT(share(weak, FrameFate::collision), 0.95);
+}
+
+// A clock that is 7 % slow puts the last bit of each character where its stop bit should be.
+TEST(FrameFates, AWrongClockIsTheUartsLoss) {
+  const SenderTally tally = tally_of(device("a", "1", "clock_error_ppm = -70000"));
+  EXPECT_EQ(share(tally, FrameFate::uart), 1);
+}
+
+// At the edge of what noise allows single bits are wrong, seldom one that starts or ends a
+// character.
+TEST(FrameFates, ASingleWrongBitIsTheChecksumsLoss) {
+  const SenderTally tally = tally_of(device("a", "11"), {"noise.scale=8"});
+  EXPECT_EQ(tally.n_in_reach, tally.messages());
+  EXPECT_EQ(tally[FrameFate::checksum] + tally[FrameFate::uart] + tally[FrameFate::delivered],
+            tally.messages());
+  EXPECT_GT(tally[FrameFate::checksum], 2 * tally[FrameFate::uart]);
+  EXPECT_GT(share(tally, FrameFate::checksum), 0.1);
+}
+
+}  // namespace
+}  // namespace sim
