@@ -1,0 +1,127 @@
+// SharedLink by light: what two nodes tell each other, and that each hears itself.
+#include <atomic>
+#include <string>
+
+#include "gtest/gtest.h"
+#include "sim/exchange/exchange_report.hpp"
+#include "sim/link.hpp"
+#include "tests/sim/scenarios.hpp"
+
+namespace sim {
+namespace {
+
+const std::string nodes = R"(
+experiment = "sharedlink"
+[receiver]
+module = "TSSP4056"
+range_m = 2
+[exchange]
+duration_s = 20
+runs = 2
+)";
+
+ExchangePoint only_point(const std::vector<std::string>& set = {}) {
+  const auto points = run_exchanges(loaded(nodes, set), {});
+  EXPECT_EQ(points.size(), 1U);
+  return points.front();
+}
+
+/// Turns so rare that they seldom meet.
+const std::vector<std::string> patient{"exchange.interval_min_ms=2000",
+                                       "exchange.interval_max_ms=4000", "exchange.duration_s=60"};
+
+std::vector<std::string> with(std::vector<std::string> all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(Exchange, InGoodLightEverythingArrives) {
+  const DirectionTally all =
+      together(only_point(with(patient, {"exchange.query_every_s=5"})).tally);
+  EXPECT_GT(all.n_sent, 40U);
+  EXPECT_GE(all.n_accepted + 2, all.n_sent);
+  EXPECT_LT(static_cast<double>(all.n_bit_errors), 0.01 * static_cast<double>(all.n_bits));
+  EXPECT_GT(all.n_asked, 20U);
+  EXPECT_GE(all.n_answered + all.n_timed_out + 4, all.n_asked) << "all but those under way";
+  EXPECT_GT(all.n_answered, all.n_asked * 3 / 4);
+}
+
+TEST(Exchange, OutOfReachNothingArrives) {
+  const ExchangePoint point = only_point({"receiver.range_m=20"});
+  for (const DirectionTally& direction : point.tally.direction) {
+    EXPECT_GT(direction.n_sent, 5U);
+    EXPECT_EQ(direction.n_accepted, 0U);
+    EXPECT_EQ(direction.n_answered, 0U);
+    EXPECT_GT(direction.n_timed_out, 0U);
+    EXPECT_EQ(direction.age.unknown_share(), 1);
+    EXPECT_GT(direction.n_bit_errors, direction.n_bits / 4) << "every light bit, at least";
+  }
+}
+
+TEST(Exchange, EachHearsItselfOffTheFloor) {
+  const DirectionTally real = together(only_point(patient).tally);
+  EXPECT_GE(real.n_own + 2, real.n_sent) << "the floor gives back what the LED says";
+  const DirectionTally shielded =
+      together(only_point(with(patient, {"exchange.own_reflection=false"})).tally);
+  EXPECT_EQ(shielded.n_own, 0U);
+  const DirectionTally black =
+      together(only_point(with(patient, {"floor.diffuse_reflectance=0"})).tally);
+  EXPECT_EQ(black.n_own, 0U) << "a floor that scatters nothing gives nothing back";
+}
+
+TEST(Exchange, LightIsThatOfALink) {
+  const Exchange exchange = make_exchange(point_scenario(loaded(nodes), {}));
+  const Link link = link_of({"receiver.module=TSSP4056", "receiver.range_m=2"});
+  EXPECT_DOUBLE_EQ(exchange.irradiance_mw_per_m2, link.operating.irradiance_mw_per_m2);
+  EXPECT_GT(exchange.reflected_mw_per_m2, 0);
+}
+
+TEST(Exchange, ThreadsAndTheNumberOfRunsChangeNothing) {
+  const LoadedScenario scenario = loaded(nodes, {"exchange.runs=5", "exchange.duration_s=5"});
+  const auto digest = [&](int threads) {
+    return dataset_digest(
+        exchange_dataset(scenario, "", run_exchanges(scenario, {.threads = threads})));
+  };
+  const std::string one = digest(1);
+  EXPECT_EQ(digest(2), one);
+  EXPECT_EQ(digest(5), one);
+  const Exchange exchange = make_exchange(point_scenario(scenario, {}));
+  ExchangeTally single;
+  for (std::uint32_t run = 0; run < 5; ++run) single += run_exchange(exchange, run, 1);
+  const ExchangeTally all = run_exchange(exchange, 0, 5);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(all.direction[i].n_sent, single.direction[i].n_sent);
+    EXPECT_EQ(all.direction[i].n_bits, single.direction[i].n_bits);
+    EXPECT_EQ(all.direction[i].n_bit_errors, single.direction[i].n_bit_errors);
+    EXPECT_EQ(all.direction[i].age.mean_s(), single.direction[i].age.mean_s());
+  }
+}
+
+TEST(Exchange, CompressionSendsLessAndKnowsOlderValues) {
+  const std::vector<std::string> still{"exchange.change_every_s=1e6", "exchange.query_every_s=0"};
+  const DirectionTally all = together(only_point(with(still, {"exchange.compressed=false"})).tally);
+  const DirectionTally few = together(only_point(with(still, {"exchange.compressed=true"})).tally);
+  EXPECT_LT(few.n_bits, all.n_bits / 2);
+  EXPECT_GT(few.age.mean_s(), all.age.mean_s());
+  // A full set every 5 s at the earliest, then at the node's next turn: 2.5 to 3.5 s old on
+  // average.
+  EXPECT_NEAR(few.age.mean_s(), 3.2, 0.8);
+}
+
+TEST(Exchange, AnInterruptKeepsWhatWasFinished) {
+  const std::atomic<bool> stop{true};
+  const LoadedScenario scenario = loaded(nodes);
+  const auto points = run_exchanges(scenario, {.interrupt = &stop});
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points[0].tally.n_runs, 0U);
+  EXPECT_NO_THROW(exchange_dataset(scenario, "", points));
+}
+
+TEST(Exchange, RefusesWhatCannotBe) {
+  EXPECT_NE(refusal(nodes, {"exchange.interval_min_ms=500", "exchange.interval_max_ms=400"})
+                .find("the shortest pause cannot exceed the longest"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace sim
