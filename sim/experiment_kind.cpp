@@ -73,7 +73,8 @@ void check_experiment(const LoadedScenario& scenario) {
   const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
   for (const auto& [key, place] : scenario.places)
     if (!has(kind, key))
-      throw bad_input(key + " " + place, "it means nothing in the experiment \"" + name + "\"",
+      throw bad_input(fmt::format("{} {}", key, place),
+                      fmt::format("it means nothing in the experiment \"{}\"", name),
                       fmt::format("remove it, or write experiment = {} before the first table",
                                   kinds_with(key)));
   if (kind.check != nullptr) kind.check(scenario);

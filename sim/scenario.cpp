@@ -61,7 +61,7 @@ void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
     const std::string values = read_number_lines(scenario.parent_path() / file, asked);
     draft.set_text(*find_key(list), values, "in " + file);
     options.push_back(name + "=");
-    options.push_back(list + "=" + values);
+    options.push_back(fmt::format("{}={}", list, values));
   }
 }
 

@@ -8,7 +8,7 @@
 #include "dsp/units.hpp"
 #include "protocol/uart.hpp"
 #include "sim/arena/light_track.hpp"
-#include "sim/arena/sender.hpp"
+#include "sim/arena/sending.hpp"
 #include "sim/arena/way.hpp"
 #include "sim/scenario.hpp"
 

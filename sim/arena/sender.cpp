@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "protocol/cosys.hpp"
-#include "protocol/uart.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
 #include "sim/list_text.hpp"
@@ -17,11 +15,6 @@ namespace sim {
 namespace {
 
 using dsp::Seconds;
-
-/// Purposes of one sender's draws in a run, added to the address that it is given.
-constexpr std::uint32_t pauses = 0, contents = 1, spells = 2;
-
-// ---- from the scenario ----
 
 /// "{}" in a message is the number of the device.
 std::string numbered(std::string_view message, int number) {
@@ -111,107 +104,6 @@ void name_draws(const Scenario& s, std::vector<Sender>& senders) {
   }
 }
 
-// ---- in a run ----
-
-/// Pauses between messages.
-class Pauses {
- public:
-  Pauses(const Sender& sender, const dsp::RandomAddress& draws) : sender_(sender), draws_(draws) {
-    if (!sender.intervals.empty())
-      at_ = static_cast<std::size_t>(uniform() * static_cast<double>(sender.intervals.size()));
-  }
-
-  double uniform() { return draws_.uniform(next_++); }
-
-  Seconds next() {
-    if (!sender_.intervals.empty()) return sender_.intervals[at_++ % sender_.intervals.size()];
-    return sender_.interval_min + uniform() * (sender_.interval_max - sender_.interval_min);
-  }
-
- private:
-  const Sender& sender_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_ = 0;
-  std::size_t at_ = 0;
-};
-
-/// Spells in which a device has other things to do: exponential, so that they have no memory and
-/// the first may be looked for at any time.
-class SilentSpells {
- public:
-  SilentSpells(const Sender& sender, const dsp::RandomAddress& draws, Seconds from)
-      : sender_(sender), draws_(draws), until_(from) {
-    const Seconds cycle = sender.silent_every + sender.silent_for;
-    silent_ = uniform() * cycle.value >= sender.silent_for.value;  // flipped at once
-    flip();
-  }
-
-  /// Times asked must not decrease.
-  bool silent_at(Seconds t) {
-    if (sender_.silent_every.value <= 0) return false;
-    while (until_ <= t) flip();
-    return silent_;
-  }
-
- private:
-  double uniform() { return draws_.uniform(next_++); }
-  void flip() {
-    silent_ = !silent_;
-    until_ += -std::log1p(-uniform()) * (silent_ ? sender_.silent_for : sender_.silent_every);
-  }
-
-  const Sender& sender_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_ = 0;
-  bool silent_ = false;
-  Seconds until_;
-};
-
-/// Bytes on the line of each message that it may send.
-std::vector<std::size_t> sizes_of(const Sender& sender) {
-  const bool counts = sender.source == MessageSource::counter;
-  const bool only_first = counts || sender.source == MessageSource::fixed;
-  std::vector<std::size_t> sizes;
-  for (const std::string& message : sender.messages)
-    sizes.push_back(message.size() + (counts ? counter_size : 0) + protocol::tail_size);
-  if (only_first) sizes.resize(1);
-  return sizes;
-}
-
-Seconds mean_frame(const Sender& sender) {
-  Seconds sum;
-  const auto sizes = sizes_of(sender);
-  for (const std::size_t size : sizes) sum += frame_time(sender, size);
-  return sum / static_cast<double>(sizes.size());
-}
-
-Seconds mean_pause(const Sender& sender) {
-  if (sender.intervals.empty()) return (sender.interval_min + sender.interval_max) * 0.5;
-  Seconds sum;
-  for (const Seconds interval : sender.intervals) sum += interval;
-  return sum / static_cast<double>(sender.intervals.size());
-}
-
-Seconds mean_period(const Sender& sender) { return mean_frame(sender) + mean_pause(sender); }
-
-/// Periods after which messages and pauses repeat themselves, if not too many to be waited for.
-double periods_in_turn(const Sender& sender) {
-  constexpr double most = 100;
-  const auto n = std::max<std::size_t>(sender.intervals.size(), 1);
-  const auto m = sender.source == MessageSource::list ? sender.messages.size() : 1;
-  return std::min(static_cast<double>(n * m), most);
-}
-
-double awake_share(const Sender& sender) {
-  if (sender.silent_every.value <= 0) return 1;
-  return sender.silent_every / (sender.silent_every + sender.silent_for);
-}
-
-dsp::RandomAddress purpose(dsp::RandomAddress draws, std::uint32_t which) {
-  draws.purpose += which << 8U;
-  return draws;
-}
-
 }  // namespace
 
 std::vector<Sender> make_senders(const Scenario& s) {
@@ -223,46 +115,6 @@ std::vector<Sender> make_senders(const Scenario& s) {
   }
   name_draws(s, senders);
   return senders;
-}
-
-Seconds frame_time(const Sender& sender, std::size_t bytes) {
-  return static_cast<double>(bytes * protocol::bits_per_byte) * dsp::period(sender.baud);
-}
-
-Seconds longest_frame(const Sender& sender) {
-  return frame_time(sender, std::ranges::max(sizes_of(sender)));
-}
-
-double mean_load(const Sender& sender) {
-  return awake_share(sender) * (mean_frame(sender) / mean_period(sender));
-}
-
-/// Half the data bits of a message are taken as light.
-double mean_light(const Sender& sender) {
-  constexpr double lit_slots = (1 + protocol::data_bits / 2.0) / protocol::bits_per_byte;
-  return sender.duty * lit_slots * mean_load(sender);
-}
-
-SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds end) {
-  constexpr double periods_before = 10;
-  Pauses pause(sender, purpose(draws, pauses));
-  Seconds at = -(periods_before + pause.uniform() * periods_in_turn(sender)) * mean_period(sender);
-  MessageQueue queue(sender.source, sender.messages, sender.status_hold, purpose(draws, contents));
-  SilentSpells silence(sender, purpose(draws, spells), at);
-  SentFrames sent{dsp::LogicTrace(true), {}};
-  while (at < end) {
-    SentFrame frame{at, at, queue.next(at), silence.silent_at(at)};
-    const protocol::Bytes bytes = protocol::cosys_encode(frame.message);
-    frame.end = at + frame_time(sender, bytes.size());
-    if (frame.end > Seconds(0)) {
-      if (!frame.silent)
-        for (const std::uint8_t byte : bytes)
-          at = protocol::send_byte(sent.drive, byte, at, sender.baud);
-      sent.frames.push_back(frame);
-    }
-    at = frame.end + pause.next();
-  }
-  return sent;
 }
 
 }  // namespace sim

@@ -63,6 +63,15 @@ TEST(FrameFates, TwoOfEqualLightCollide) {
   EXPECT_GT(share(tally, FrameFate::collision), 0.95);
 }
 
+TEST(FrameFates, NobodyCollidesWithTheSilentNorWithTheFar) {
+  const SenderTally tally =
+      tally_of(device("a", "1") + device("far", "100", without_pause) +
+               device("quiet", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6\n" + without_pause));
+  EXPECT_GT(tally.n_in_reach, 100u);
+  EXPECT_EQ(tally.n_overlapped, 0u);
+  EXPECT_EQ(tally[FrameFate::collision], 0u);
+}
+
 // The comparator follows the stronger light, which the weaker, a hundredth of it, cannot reach.
 TEST(FrameFates, TheStrongerCaptures) {
   const ArenaPoint point = arena_point(two_minutes + device("near", "0.5", without_pause) +

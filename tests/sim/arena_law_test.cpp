@@ -1,7 +1,10 @@
 // What holds in any arena: fates add up, and results hang neither on threads nor on neighbours.
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <set>
+#include <thread>
 
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
@@ -79,6 +82,23 @@ TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
   }
   for (std::size_t i = 0; i < first_us.size(); ++i)
     EXPECT_EQ(first_us[i], point.tally.senders[i].latency_us) << i;
+}
+
+// A receiver that backs away at 3 m/s loses a lone device where a link does, from 12.2 m on.
+TEST(ArenaLaws, ADeviceIsHeardAsFarAsItsLightGoes) {
+  const ArenaPoint point = arena_point(
+      "[arena]\nruns = 16\n[path]\nx_m = [0, -29]\nheading_deg = 0\nspeed_m_per_s = 3\n" +
+      device("a", "1", "interval_min_ms = 0\ninterval_max_ms = 0"));
+  const SenderTally& tally = point.tally.senders.front();
+  double farthest = 0;
+  for (const HeardFrame& heard : point.heard) farthest = std::max(farthest, 1 - heard.x_m);
+  EXPECT_GT(farthest, 11);
+  EXPECT_LT(farthest, 13);
+  const double share_near = 11.2 / 29;  // of the way, of equal messages
+  EXPECT_NEAR(
+      static_cast<double>(tally[FrameFate::delivered]) / static_cast<double>(tally.messages()),
+      share_near, 0.04);
+  EXPECT_GT(tally[FrameFate::out_of_reach], tally.messages() / 2);
 }
 
 // With a slow AGC, which makes two passes of each run.
@@ -178,6 +198,24 @@ TEST(ArenaInterrupt, LeavesAWholeResult) {
   }
   EXPECT_NE(dataset_json(arena_dataset(scenario, "", points)).find("\"n_runs\""),
             std::string::npos);
+}
+
+// Whenever it comes: what is left are the first runs.
+TEST(ArenaInterrupt, KeepsTheRunsThatWereFinished) {
+  const std::string scene = "[arena]\nduration_s = 0.5\nruns = 100000\n" + device("a", "1");
+  std::atomic<bool> stop = false;
+  std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    stop = true;
+  });
+  const ArenaPoint left =
+      run_arenas(loaded_arena(scene), {.threads = 2, .interrupt = &stop}).front();
+  EXPECT_LT(left.tally.n_runs, 100000u);
+  if (left.tally.n_runs == 0) return;
+  const ArenaPoint same = arena_point(scene, {"arena.runs=" + std::to_string(left.tally.n_runs)});
+  ASSERT_EQ(left.heard.size(), same.heard.size());
+  EXPECT_EQ(left.tally.senders.front().fate, same.tally.senders.front().fate);
+  EXPECT_EQ(left.heard.back().run, same.heard.back().run);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "channel/geometry.hpp"
 #include "gtest/gtest.h"
 #include "sim/arena/light_track.hpp"
+#include "sim/disturbance.hpp"
 #include "sim/statistics.hpp"
 #include "sim/trial.hpp"
 
@@ -112,7 +113,7 @@ TEST(LightTrack, IsTheGeometrysAllAlongTheWay) {
               way.duration().value + 1 + step.value);
     int bends = 0;
     for (int i = 0; i < 100; ++i) {
-      const Seconds t(u(random));
+      const Seconds t(i == 0 ? 0 : u(random));
       const double expected = light_at(s, sender, way.at(t));
       // At corners of the way the light bends within a step; where nothing is heard, a thousandth
       // of what any module hears will do.
@@ -143,6 +144,23 @@ TEST(LightTrack, BodiesKeepLedAndModuleApart) {
   };
   EXPECT_EQ(light("0.001"), light("0.03"));
   EXPECT_GT(light("0.03"), light("0.031"));
+}
+
+// All their light together raises the threshold, as the sun's does.
+TEST(ArenaLight, TheMeanOfAllIsAmbientLight) {
+  const std::string near = device("a", "0.1", "interval_min_ms = 0\ninterval_max_ms = 0") +
+                           device("b", "0.2", "interval_min_ms = 100");
+  const LoadedScenario scenario = loaded_arena(near);
+  const Arena arena = make_arena(scenario.base);
+  double mean = 0;
+  for (std::size_t i = 0; i < 2; ++i)
+    mean += mean_light(arena.senders[i]) * arena.light[i].highest() * 1e-3;
+  EXPECT_GT(mean, 0.5);
+  const channel::ModuleData module = module_of(scenario.base);
+  const auto ambient = ambient_of(scenario.base) + dsp::WattsPerSquareMetre(mean);
+  EXPECT_NEAR(arena.reach_mw_per_m2,
+              channel::emin_in_ambient(module, ambient) / band_pass_gain(module, dsp::Hertz(59e3)),
+              1e-6);
 }
 
 // Half of a message's data bits, its start bits, and half of each of their cycles are light.

@@ -10,7 +10,7 @@ std::string line_of(const std::string& text, const std::vector<std::string>& set
     check_experiment(loaded(text, set));
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::bad_input);
-    const std::string line = failure.what();
+    std::string line = failure.what();
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
     EXPECT_LT(line.size(), 300u) << line;
     return line;

@@ -101,7 +101,7 @@ TEST(ArenaMessages, AStatusThatHardlyChangesIsAnyOfTheList) {
   constexpr int runs = 400;
   for (std::uint32_t run = 0; run < runs; ++run)
     first += sent_by(sender, 2, run).frames.front().message == "A";
-  EXPECT_NEAR(first, runs / 2, 3.3 * std::sqrt(runs / 4.0));
+  EXPECT_NEAR(first, runs / 2.0, 3.3 * std::sqrt(runs / 4.0));
 }
 
 TEST(ArenaMessages, WhatIsOnTheWireIsTheMessage) {
@@ -157,19 +157,20 @@ TEST(ArenaPauses, BeginAnywhereInTheirTurn) {
     for (const SentFrame& sent : sent_by(sender, turn, run).frames)
       if (sent.start.value >= 0) ++quarters[static_cast<int>(4 * sent.start.value / turn)];
   for (int quarter = 0; quarter < 4; ++quarter)  // two messages a turn, together
-    EXPECT_NEAR(quarters[quarter], 2 * runs / 4, 2 * 3.5 * std::sqrt(runs * 3 / 16.0)) << quarter;
+    EXPECT_NEAR(quarters[quarter], 2 * runs / 4.0, 2 * 3.5 * std::sqrt(runs * 3 / 16.0)) << quarter;
 }
 
 class IntervalFile : public testing::Test {
- protected:
+ public:
   IntervalFile() {
     std::string name = (std::filesystem::temp_directory_path() / "cosys_arena.XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
   ~IntervalFile() override { std::filesystem::remove_all(folder_); }
 
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
+    std::ofstream(file(name), std::ios::binary) << text;
   }
   LoadedScenario load(const std::string& text) const {
     write("x.toml", arena_head + text);
@@ -188,6 +189,7 @@ class IntervalFile : public testing::Test {
     return "accepted";
   }
 
+ private:
   std::filesystem::path folder_;
 };
 
@@ -206,8 +208,8 @@ TEST_F(IntervalFile, IsKeptWithTheResult) {
   write("p.txt", "100\n300\n");
   write("q.txt", "40\n900\n20\n");
   const LoadedScenario here = load(scene);
-  std::filesystem::remove(folder_ / "p.txt");
-  std::filesystem::remove(folder_ / "q.txt");
+  std::filesystem::remove(file("p.txt"));
+  std::filesystem::remove(file("q.txt"));
   const LoadedScenario there = parse_scenario(here.text, "elsewhere/y.toml", {}, {});
   const auto digest = [](const LoadedScenario& s) {
     return dataset_digest(arena_dataset(s, "", run_arenas(s, {})));
@@ -260,6 +262,16 @@ TEST(ArenaSilence, TakesItsShareOfTime) {
   ASSERT_GT(lengths.size(), 800u);
   // Spells shorter than a message are not seen and some are cut by one, both by little.
   EXPECT_NEAR(mean(lengths), 4, 3.3 * 4 / std::sqrt(static_cast<double>(lengths.size())) + 0.2);
+}
+
+// Spells as long as a run are met in the middle, as often as they are.
+TEST(ArenaSilence, IsUnderWayWhenARunBegins) {
+  const Sender sender = sender_of("silent_every_s = 1e5\nsilent_for_s = 1e5");
+  int silent = 0;
+  constexpr int runs = 400;
+  for (std::uint32_t run = 0; run < runs; ++run)
+    silent += sent_by(sender, 2, run).frames.front().silent;
+  EXPECT_NEAR(silent, runs / 2.0, 3.3 * std::sqrt(runs / 4.0));
 }
 
 TEST(ArenaSilence, IsDark) {
