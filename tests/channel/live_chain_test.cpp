@@ -66,9 +66,9 @@ ChainInput input(std::uint32_t seed, const dsp::LogicTrace* drive, dsp::LogicTra
   return {.drive = drive,
           .carrier_phase = seed * 77777U,
           .noise_seed = {seed, 2, 3, 4},
-          .disturbances = {{.phase = {seed, 1}, .drive = {}},
+          .disturbances = {{.phase = {seed, 1}, .drive = dsp::LogicTrace(true)},
                            {.phase = {seed * 31U, 0}, .drive = std::move(other)},
-                           {.phase = {5, seed}, .drive = {}}}};
+                           {.phase = {5, seed}, .drive = dsp::LogicTrace(true)}}};
 }
 
 void expect_same_pins(InstructionSet set, std::size_t n) {

@@ -36,14 +36,35 @@ std::vector<std::string> with(std::vector<std::string> all, const std::vector<st
 }
 
 TEST(Exchange, InGoodLightEverythingArrives) {
-  const DirectionTally all =
-      together(only_point(with(patient, {"exchange.query_every_s=5"})).tally);
+  const DirectionTally all = together(
+      only_point(with(patient, {"exchange.query_every_s=5", "exchange.query_timeout_s=10"})).tally);
   EXPECT_GT(all.n_sent, 40U);
   EXPECT_GE(all.n_accepted + 2, all.n_sent);
   EXPECT_LT(static_cast<double>(all.n_bit_errors), 0.01 * static_cast<double>(all.n_bits));
   EXPECT_GT(all.n_asked, 20U);
   EXPECT_GE(all.n_answered + all.n_timed_out + 4, all.n_asked) << "all but those under way";
   EXPECT_GT(all.n_answered, all.n_asked * 3 / 4);
+}
+
+TEST(Exchange, NodesWaitWhileTheOtherIsHeard) {
+  // With pauses of 0.1 to 0.9 s and messages of 0.3 to 0.7 s half of them would meet.
+  const DirectionTally all =
+      together(only_point({"exchange.compressed=false", "exchange.duration_s=60"}).tally);
+  EXPECT_GT(all.n_sent, 120U);
+  EXPECT_LT(static_cast<double>(all.n_sent - all.n_accepted),
+            0.05 * static_cast<double>(all.n_sent));
+}
+
+TEST(Exchange, AgesCountFromTheTurnThatBroughtTheValue) {
+  // Without compression each turn brings all values: a turn of B's comes every 1 to 2 s, and its
+  // message takes 0.67 s, so values are no younger than that when they come.
+  const DirectionTally all = together(
+      only_point({"exchange.compressed=false", "exchange.query_every_s=0", "exchange.runs=4"})
+          .tally);
+  const double message_s = static_cast<double>(all.n_bits) / static_cast<double>(all.n_sent) / 600;
+  EXPECT_GT(all.age.mean_s(), message_s + 0.5);
+  EXPECT_LT(all.age.mean_s(), message_s + 2);
+  EXPECT_GT(all.age.quantile_s(0.01), message_s);
 }
 
 TEST(Exchange, OutOfReachNothingArrives) {
