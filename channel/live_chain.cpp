@@ -48,30 +48,30 @@ LiveKernel kernel_for(std::size_t chains, InstructionSet set) {
 struct LiveChains::State {
   State(const ChainDesign& chain, std::span<const ChainInput> inputs, InstructionSet set)
       : design(chain), own(inputs.size()), pins(inputs.size(), dsp::LogicTrace(true)) {
-    kernel.carrier = &design.carrier;
-    kernel.noise_dark = design.noise_dark;
-    kernel.noise_lit = design.noise_lit;
-    kernel.on_flip = &State::flip;
-    kernel.context = this;
-    for (ChainKernelInput::Lane& lane : kernel.lane) lane.module = &design.module;
-    for (std::size_t i = 0; i < inputs.size(); ++i) take(inputs[i], kernel.lane[i]);
+    kernel_.carrier = &design.carrier;
+    kernel_.noise_dark = design.noise_dark;
+    kernel_.noise_lit = design.noise_lit;
+    kernel_.on_flip = &State::flip;
+    kernel_.context = this;
+    for (ChainKernelInput::Lane& lane : kernel_.lane) lane.module = &design.module;
+    for (std::size_t i = 0; i < inputs.size(); ++i) take(inputs[i], kernel_.lane[i]);
     take_disturbances();
-    live = kernel_for(inputs.size(), set);
-    run = live.start(kernel);
+    live_ = kernel_for(inputs.size(), set);
+    run_ = live_.start(kernel_);
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() { live.stop(run); }
+  ~State() { live_.stop(run_); }
 
   void advance(std::int64_t end) {
     show();
-    live.advance(run, end);
-    done = std::max(done, end / chain_block * chain_block);
-    for (dsp::LogicTrace& pin : pins) pin.observe_until(time_of(done));
+    live_.advance(run_, end);
+    done_ = std::max(done_, end / chain_block * chain_block);
+    for (dsp::LogicTrace& pin : pins) pin.observe_until(time_of(done_));
   }
 
   KeyedBursts& keyed(std::size_t chain, std::size_t which) {
-    return others_keyed[carrier_of[which]][chain];
+    return others_keyed_[carrier_of_[which]][chain];
   }
 
  private:
@@ -89,22 +89,22 @@ struct LiveChains::State {
     lane.carrier_phase = input.carrier_phase;
     lane.noise_seed = input.noise_seed;
     if (input.unit != nullptr) lane.module = input.unit;
-    others.add_lane(design.disturbances, input.disturbances, design.sample_rate);
+    others_.add_lane(design.disturbances, input.disturbances, design.sample_rate);
   }
 
-  /// The carriers among them become our own, as their bursts grow.
+  /// The carriers_ among them become our own, as their bursts grow.
   void take_disturbances() {
-    others.show_to(kernel);
-    carriers.assign(kernel.carriers, kernel.carriers + kernel.n_carriers);
-    kernel.carriers = carriers.data();
-    for (const ChainKernelInput::Carrier& carrier : carriers)
+    others_.show_to(kernel_);
+    carriers_.assign(kernel_.carriers, kernel_.carriers + kernel_.n_carriers);
+    kernel_.carriers = carriers_.data();
+    for (const ChainKernelInput::Carrier& carrier : carriers_)
       for (std::size_t i = 0; i < own.size(); ++i) {
-        if (i == 0) others_keyed.emplace_back();
-        others_keyed.back().emplace_back(carrier.bursts[i], carrier.n_bursts[i]);
+        if (i == 0) others_keyed_.emplace_back();
+        others_keyed_.back().emplace_back(carrier.bursts[i], carrier.n_bursts[i]);
       }
     std::size_t next = 0;
     for (const Disturbance& d : design.disturbances) {
-      carrier_of.push_back(next);
+      carrier_of_.push_back(next);
       next += d.carrier.has_value();
     }
   }
@@ -112,11 +112,11 @@ struct LiveChains::State {
   /// Bursts, which may have moved, to the kernel.
   void show() {
     for (std::size_t i = 0; i < own.size(); ++i) {
-      own[i].forget(done);
-      own[i].show_to(kernel.lane[i].bursts, kernel.lane[i].n_bursts);
-      for (std::size_t k = 0; k < carriers.size(); ++k) {
-        others_keyed[k][i].forget(done);
-        others_keyed[k][i].show_to(carriers[k].bursts[i], carriers[k].n_bursts[i]);
+      own[i].forget(done_);
+      own[i].show_to(kernel_.lane[i].bursts, kernel_.lane[i].n_bursts);
+      for (std::size_t k = 0; k < carriers_.size(); ++k) {
+        others_keyed_[k][i].forget(done_);
+        others_keyed_[k][i].show_to(carriers_[k].bursts[i], carriers_[k].n_bursts[i]);
       }
     }
   }
@@ -127,14 +127,14 @@ struct LiveChains::State {
   std::vector<dsp::LogicTrace> pins;  // one a chain
 
  private:
-  KernelDisturbances others;
-  std::vector<ChainKernelInput::Carrier> carriers;     // theirs
-  std::vector<std::vector<KeyedBursts>> others_keyed;  // of each of those, one a chain
-  std::vector<std::size_t> carrier_of;                 // each disturbance's place among them
-  ChainKernelInput kernel;
-  LiveKernel live{};
-  void* run = nullptr;
-  std::int64_t done = 0;
+  KernelDisturbances others_;
+  std::vector<ChainKernelInput::Carrier> carriers_;     // theirs
+  std::vector<std::vector<KeyedBursts>> others_keyed_;  // of each of those, one a chain
+  std::vector<std::size_t> carrier_of_;                 // each disturbance's place among them
+  ChainKernelInput kernel_;
+  LiveKernel live_{};
+  void* run_ = nullptr;
+  std::int64_t done_ = 0;
 };
 
 LiveChains::LiveChains(const ChainDesign& design, std::span<const ChainInput> inputs,

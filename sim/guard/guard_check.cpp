@@ -23,7 +23,7 @@ std::string first_word(const std::string& message) { return message.substr(0, me
 
 /// "By convention the first word identifies the device": it names its variable.
 std::string variable_of(const Sender& sender) {
-  const std::string name = first_word(sender.messages.front());
+  std::string name = first_word(sender.messages.front());
   for (const std::string& message : sender.messages) {
     if (first_word(message) != name || name.empty())
       refuse_messages(sender, message, "its first word is the name by which the guard knows it",
@@ -63,7 +63,7 @@ void check_list(const std::vector<std::string>& variables, const std::vector<Sen
 }  // namespace
 
 std::vector<std::string> shared_variables(const std::vector<Sender>& senders) {
-  const std::vector<std::string> variables = names_of_variables(senders);
+  std::vector<std::string> variables = names_of_variables(senders);
   check_list(variables, senders);
   return variables;
 }

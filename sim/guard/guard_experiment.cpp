@@ -30,8 +30,10 @@ GuardRuns run_lot(const Arena& arena, const MirrorDesign& design, std::uint32_t 
                   const std::atomic<bool>* stop) {
   GuardRuns runs{run_arena(arena, first, n, stop), {}};
   for (std::uint32_t run = first; run < first + static_cast<std::uint32_t>(n); ++run) {
-    const auto heard = std::ranges::equal_range(runs.arena.heard, run, {}, &HeardFrame::run);
-    runs.tally += mirror(design, heard,
+    const auto& all = runs.arena.heard;
+    const auto begin = std::ranges::lower_bound(all, run, {}, &HeardFrame::run);
+    const auto end = std::ranges::upper_bound(all, run, {}, &HeardFrame::run);
+    runs.tally += mirror(design, {begin, end},
                          {.seed = arena.seed,
                           .point = arena.point,
                           .trial = run,

@@ -136,19 +136,21 @@ TEST(ArenaRefusals, UnknownNames) {
 }
 
 TEST(ArenaRefusals, KeysOfAnotherExperiment) {
-  EXPECT_EQ(
-      line_of(one, {"receiver.range_m=3"}),
-      "receiver.range_m in --set (it means nothing in the experiment \"arena\") remove it, or "
-      "write experiment = \"link\" before the first table");
-  EXPECT_EQ(line_of(one + "[stop]\nmax_frames = 5\n"),
-            "stop.max_frames in x.toml:5 (it means nothing in the experiment \"arena\") remove it, "
-            "or write experiment = \"link\" before the first table");
-  EXPECT_EQ(line_of("[devices.a]\nx_m = 1\n"),
-            "devices.a.x_m in x.toml:2 (it means nothing in the experiment \"link\") remove it, or "
-            "write experiment = \"arena\" before the first table");
-  EXPECT_EQ(line_of("[sweep]\narena.duration_s = [1, 2]\n"),
-            "arena.duration_s in x.toml:2 (it means nothing in the experiment \"link\") remove it, "
-            "or write experiment = \"arena\" before the first table");
+  const auto expect = [](const std::string& line, const std::string& problem,
+                         const std::string& experiment) {
+    EXPECT_EQ(line.find(problem + ") remove it, or write experiment = "), 0U) << line;
+    EXPECT_NE(line.find('"' + experiment + '"', problem.size()), std::string::npos) << line;
+    EXPECT_TRUE(line.ends_with(" before the first table")) << line;
+  };
+  const std::string nothing = " (it means nothing in the experiment ";
+  expect(line_of(one, {"receiver.range_m=3"}), "receiver.range_m in --set" + nothing + "\"arena\"",
+         "link");
+  expect(line_of(one + "[stop]\nmax_frames = 5\n"),
+         "stop.max_frames in x.toml:5" + nothing + "\"arena\"", "link");
+  expect(line_of("[devices.a]\nx_m = 1\n"), "devices.a.x_m in x.toml:2" + nothing + "\"link\"",
+         "arena");
+  expect(line_of("[sweep]\narena.duration_s = [1, 2]\n"),
+         "arena.duration_s in x.toml:2" + nothing + "\"link\"", "guard");
   EXPECT_EQ(
       line_of(one, {"receiver.module=ideal-coherent"}),
       "receiver.module = \"ideal-coherent\" in --set (an ideal receiver is told when bits are "
