@@ -279,7 +279,7 @@ std::vector<channel::ChainInput> chain_starts(const Exchange& exchange, std::uin
                                               std::uint32_t n) {
   std::vector<channel::ChainInput> starts;
   for (std::uint32_t run = first; run < first + n; ++run)
-    for (const std::size_t node : {0, 1}) starts.push_back(chain_start(exchange, run, node));
+    for (const std::size_t node : {0U, 1U}) starts.push_back(chain_start(exchange, run, node));
   return starts;
 }
 
