@@ -81,6 +81,11 @@ std::string devices_text(Scenario& s) {
   return lines;
 }
 
+/// Nothing where the experiment has none.
+std::string photodiode_text(const Scenario& s) {
+  return s.photodiode.name.empty() ? "" : numbers_text(photodiode_keys(), s.photodiode);
+}
+
 }  // namespace
 
 std::string canonical_text(const Scenario& scenario) {
@@ -91,7 +96,7 @@ std::string canonical_text(const Scenario& scenario) {
       lines += fmt::format("{} = {}\n", key.name(), value_text(key, s));
   return lines + disturbances_text(s) + devices_text(s) + choices_text(module_keys(), s.module) +
          curves_text(module_keys(), s.module) + numbers_text(led_keys(), s.emitter) +
-         curves_text(led_keys(), s.emitter);
+         curves_text(led_keys(), s.emitter) + photodiode_text(s);
 }
 
 }  // namespace sim

@@ -18,30 +18,45 @@ constexpr std::array kinds{
     ExperimentKind{"sharedlink",
                    {"exchange.", "receiver.range_m", "receiver.bearing_deg",
                     "device.clock_error_ppm", "device.carrier_error_ppm"}},
+    ExperimentKind{"presence",
+                   {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
+                    "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                    "receiver.temperature_c", "ambient.", "noise."},
+                   false},
+    ExperimentKind{"location", {"location."}, false},
 };
 
 /// Of every experiment.
-constexpr std::array<std::string_view, 20> common{
+constexpr std::array<std::string_view, 12> common{
     "title",
     "experiment",
+    "led.part",
+    "led.current_ma",
+    "led.height_mm",
+    "led.temperature_c",
+    "led.elevation_deg",
+    "floor.",
+    "receiver.height_mm",
+    "receiver.yaw_deg",
+    "receiver.tilt_deg",
+    "simulation.seed",
+};
+
+/// Of every experiment in which receiver modules hear messages.
+constexpr std::array<std::string_view, 13> of_modules{
     "device.baud",
     "device.carrier_hz",
     "device.carrier_duty",
-    "led.",
+    "led.yaw_deg",
     "module.",
-    "floor.",
     "uart.",
     "ambient.",
     "noise.",
     "disturbance.",
     "receiver.module",
-    "receiver.height_mm",
-    "receiver.yaw_deg",
-    "receiver.tilt_deg",
     "receiver.temperature_c",
     "receiver.supply",
     "simulation.sample_rate_hz",
-    "simulation.seed",
 };
 
 bool begins_with_one(std::string_view key, std::span<const std::string_view> prefixes) {
@@ -51,7 +66,8 @@ bool begins_with_one(std::string_view key, std::span<const std::string_view> pre
 }
 
 bool has(const ExperimentKind& kind, std::string_view key) {
-  return begins_with_one(key, common) || begins_with_one(key, kind.tables);
+  return begins_with_one(key, common) || begins_with_one(key, kind.tables) ||
+         (kind.has_modules && begins_with_one(key, of_modules));
 }
 
 /// The experiments that such a key is of.
@@ -71,7 +87,8 @@ void check_experiment(const LoadedScenario& scenario) {
   const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
   for (const auto& [key, place] : scenario.places)
     if (!has(kind, key))
-      throw bad_input(key + " " + place, "it means nothing in the experiment \"" + name + "\"",
+      throw bad_input(fmt::format("{} {}", key, place),
+                      fmt::format("it means nothing in the experiment \"{}\"", name),
                       fmt::format("remove it, or write experiment = {} before the first table",
                                   kinds_with(key)));
 }

@@ -12,6 +12,7 @@
 #include "sim/fidelity.hpp"
 #include "sim/guard/keys.hpp"
 #include "sim/key_making.hpp"
+#include "sim/location/keys.hpp"
 #include "sim/method.hpp"
 
 namespace sim {
@@ -211,7 +212,8 @@ std::vector<Key> make_scenario_keys() {
        {device_keys(), led_settings_keys(), receiver_keys(),
         override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
         override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
-        run_keys(), stop_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys()})
+        run_keys(), stop_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys(),
+        presence_keys(), location_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -9,6 +9,7 @@
 
 #include "channel/light_meter.hpp"
 #include "sim/location/detection_theory.hpp"
+#include "sim/location/trial_sharing.hpp"
 #include "sim/statistics.hpp"
 
 namespace sim {
@@ -52,8 +53,16 @@ struct PresenceResult {
   double clipped = 0;  // share of all samples
 };
 
-/// The same for any equal settings. Throws bad_input for a window that the message does not fill,
-/// and for a carrier that looks like steady light at this sample rate.
+/// The same for any equal settings and number of threads; nothing if it was interrupted. Throws
+/// bad_input for a window that the message does not fill, and for a carrier that looks like steady
+/// light at this sample rate.
+std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
+                                               const TrialSharing& sharing);
+
+/// The same by one thread.
 PresenceResult measure_presence(const PresenceSettings& settings);
+
+/// Throws as measure_presence.
+void check_presence(const PresenceSettings& settings);
 
 }  // namespace sim

@@ -30,7 +30,9 @@ std::string other_text(const Key& key) {
   if (key.name() == "led.part") return "tsal6200";
   if (key.name() == "receiver.module") return "tsop4856";
   if (key.name() == "floor.part") return "INDOOR";
-  if (key.facts.type == KeyType::number_list) return "1,2";
+  if (key.name().ends_with(".photodiode")) return "bpw34";
+  if (key.facts.type == KeyType::number_list)
+    return fmt::format("{},{}", key.facts.range.high / 2, key.facts.range.high / 4);
   return key.facts.type == KeyType::choice ? key.choices.back() : "RFID \"S:\\U";
 }
 
@@ -112,7 +114,8 @@ TEST(ScenarioLaw, WhatIsCountedHowOftenIsNoPhysics) {
     if (!key.physics) names += key.name() + " ";
   EXPECT_EQ(names,
             "title led.part receiver.module floor.part simulation.seed stop.max_frames "
-            "stop.max_frame_errors stop.rel_ci stop.target_flr arena.runs exchange.runs ");
+            "stop.max_frame_errors stop.rel_ci stop.target_flr arena.runs exchange.runs "
+            "presence.trials presence.photodiode location.photodiode location.trials ");
 }
 
 TEST(ScenarioLaw, CanonicalTextTellsTheCurvesOfTheParts) {
