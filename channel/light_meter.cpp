@@ -71,7 +71,7 @@ double noise_volts(const LightMeter& meter, double mean_volts) {
   const double density = shot_noise_density(meter.photodiode, light) +
                          thermal_noise_density(meter.temperature_k, meter.feedback_ohm);
   const double aperture = meter.aperture / meter.sample_rate_hz;
-  return meter.feedback_ohm * std::sqrt(density / (2 * aperture));
+  return meter.noise_scale * meter.feedback_ohm * std::sqrt(density / (2 * aperture));
 }
 
 double adc_step(const LightMeter& meter) { return std::ldexp(meter.full_scale_v, -meter.adc_bits); }

@@ -21,6 +21,7 @@ struct LightMeter {
   double aperture = 1;      // share of the sample interval, above 0 to 1; 1: an integrating ADC
   int adc_bits = 12;        // 1..24
   double full_scale_v = 5;  // of the ADC's input, which begins at 0
+  double noise_scale = 1;   // on the rms of all noise but the ADC's rounding
 };
 
 /// Light on the photodiode, what it loses off axis left out already.

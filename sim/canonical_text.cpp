@@ -12,12 +12,6 @@
 namespace sim {
 namespace {
 
-bool is_physics(const Key& key) {
-  return key.facts.type != KeyType::part && key.name() != "title" &&
-         key.name() != "simulation.seed" && key.name() != "arena.runs" &&
-         key.name() != "exchange.runs" && !key.name().starts_with("stop.");
-}
-
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
 
 std::string value_text(const Key& key, Scenario& s) {
@@ -87,17 +81,22 @@ std::string devices_text(Scenario& s) {
   return lines;
 }
 
+/// Nothing where the experiment has none.
+std::string photodiode_text(const Scenario& s) {
+  return s.photodiode.name.empty() ? "" : numbers_text(photodiode_keys(), s.photodiode);
+}
+
 }  // namespace
 
 std::string canonical_text(const Scenario& scenario) {
   Scenario s = scenario;  // keys give access for writing
   std::string lines;
   for (const Key& key : scenario_keys())
-    if (is_physics(key) && !is_younger_default(key, s))
+    if (key.physics && !is_younger_default(key, s))
       lines += fmt::format("{} = {}\n", key.name(), value_text(key, s));
   return lines + disturbances_text(s) + devices_text(s) + choices_text(module_keys(), s.module) +
          curves_text(module_keys(), s.module) + numbers_text(led_keys(), s.emitter) +
-         curves_text(led_keys(), s.emitter);
+         curves_text(led_keys(), s.emitter) + photodiode_text(s);
 }
 
 }  // namespace sim

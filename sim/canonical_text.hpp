@@ -7,7 +7,7 @@
 namespace sim {
 
 /// All that decides the physics, part data included, as names and shortest exact values: equal
-/// physics, equal text, wherever the point stands. Without title, seed, stop.* and parts' names.
+/// physics, equal text, wherever the point stands. Without keys that are no physics.
 std::string canonical_text(const Scenario& scenario);
 
 }  // namespace sim

@@ -185,7 +185,8 @@ void add_locate(CLI::App& app, LocateRequest& request) {
   add_place(
       locate, "READINGS", request.readings, "",
       "readings (.csv): x_m, y_m, heading_deg, irradiance_mw_per_m2 or photocurrent_ua, sigma "
-      "or relative_sigma; bearing_deg, bearing_sigma_deg if measured")
+      "or relative_sigma; bearing_deg, bearing_sigma_deg if measured; or a scenario of location "
+      "(.toml), of which one trial is drawn")
       ->required();
   locate.add_option("--led", request.led, "the device's LED; TSAL6200 if not given")
       ->type_name("NAME");
@@ -214,7 +215,16 @@ void add_locate(CLI::App& app, LocateRequest& request) {
       ->check(between(-1e4, 1e4));
   locate.add_flag("--unknown-intensity", request.intensity_unknown,
                   "find the LED's intensity too, as a factor to the sheet's; needs --area");
-  add_part_folders(locate, request.parts);
+  locate
+      .add_option("--point", request.point,
+                  "of a scenario: point of the sweep, counted from 0; 0 if not given")
+      ->type_name("K")
+      ->check(an_index);
+  locate
+      .add_option("--trial", request.trial, "of a scenario: trial, counted from 0; 0 if not given")
+      ->type_name("N")
+      ->check(an_index);
+  add_scenario_options(locate, request.options);
   locate.add_flag("--json", request.json, "one JSON object on stdout, not text");
   locate.footer(
       "Exit code 4 if the readings leave it open. Example: cosys-sim locate "
@@ -276,6 +286,11 @@ Failure wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
   return bad_input(error.what(), "wrong usage", "see cosys-sim" + name + " --help");
 }
 
+std::vector<std::string> given_options(const CLI::App& command) {
+  return names_of(command.get_options(
+      [](const CLI::Option* option) { return option->count() > 0 && !option->get_positional(); }));
+}
+
 struct Requests {
   RunRequest run;
   TraceRequest trace;
@@ -293,7 +308,7 @@ void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = from.program;
   for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts,
-                           &to.parts.parts, &to.locate.parts})
+                           &to.parts.parts, &to.locate.options.parts})
     parts->push_back(from.shipped_parts);
 }
 
@@ -347,6 +362,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
     throw wrong_usage(app, e);
   }
   fill_in(requests, surroundings);
+  requests.locate.given = given_options(*app.get_subcommand("locate"));
   return static_cast<int>(carry_out(app, requests));
 }
 

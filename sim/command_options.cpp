@@ -87,7 +87,8 @@ void add_short_form(CLI::App& app, const std::string& names, const char* key,
 
 void add_part_folders(CLI::App& app, PartRoots& parts) {
   app.add_option("--parts", parts,
-                 "a folder with modules/, leds/ or floors/ of your own; may be given several times")
+                 "a folder with modules/, leds/, floors/ or photodiodes/ of your own; may be given "
+                 "several times")
       ->type_name("DIR")
       ->expected(1)
       ->check(CLI::ExistingDirectory.description(""))

@@ -120,17 +120,23 @@ struct PartsRequest {
 ExitCode parts_command(const PartsRequest& request);
 
 struct LocateRequest {
-  std::filesystem::path readings;
+  std::filesystem::path readings;  // or a scenario of location, by its ending .toml
+  ScenarioOptions options;         // --parts is for both
+  // Of a scenario.
+  std::uint64_t point = 0;
+  std::uint32_t trial = 0;
+  // Of readings.
   std::string led = "TSAL6200", floor = "indoor", photodiode = "BPW34";
   double led_current_ma = 100;
   std::optional<double> led_yaw_deg;        // nothing: as bright to all sides
   double height_mm = 10;                    // of LED and receivers
   std::optional<std::vector<double>> area;  // x from, to, y from, to in metres
   bool intensity_unknown = false;
-  PartRoots parts;  // --parts, then the program's own
+  std::vector<std::string> given;  // names of all options that were: "--led"
   bool json = false;
 };
-/// Where readings of light say that a device is; inconclusive if they leave it open.
+/// Where readings of light, measured or drawn, say that a device is; inconclusive if they leave it
+/// open.
 ExitCode locate_command(const LocateRequest& request);
 
 }  // namespace sim

@@ -15,35 +15,50 @@ namespace {
 
 constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
-    ExperimentKind{"arena", {"path.", "arena.", "devices."}, check_arena},
-    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, check_guard},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}, true, check_arena},
+    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, true, check_guard},
     ExperimentKind{"sharedlink",
                    {"exchange.", "receiver.range_m", "receiver.bearing_deg",
                     "device.clock_error_ppm", "device.carrier_error_ppm"}},
+    ExperimentKind{"presence",
+                   {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
+                    "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                    "receiver.temperature_c", "ambient.", "noise."},
+                   false},
+    ExperimentKind{"location", {"location."}, false},
 };
 
 /// Of every experiment.
-constexpr std::array<std::string_view, 20> common{
+constexpr std::array<std::string_view, 12> common{
     "title",
     "experiment",
+    "led.part",
+    "led.current_ma",
+    "led.height_mm",
+    "led.temperature_c",
+    "led.elevation_deg",
+    "floor.",
+    "receiver.height_mm",
+    "receiver.yaw_deg",
+    "receiver.tilt_deg",
+    "simulation.seed",
+};
+
+/// Of every experiment in which receiver modules hear messages.
+constexpr std::array<std::string_view, 13> of_modules{
     "device.baud",
     "device.carrier_hz",
     "device.carrier_duty",
-    "led.",
+    "led.yaw_deg",
     "module.",
-    "floor.",
     "uart.",
     "ambient.",
     "noise.",
     "disturbance.",
     "receiver.module",
-    "receiver.height_mm",
-    "receiver.yaw_deg",
-    "receiver.tilt_deg",
     "receiver.temperature_c",
     "receiver.supply",
     "simulation.sample_rate_hz",
-    "simulation.seed",
 };
 
 bool begins_with_one(std::string_view key, std::span<const std::string_view> prefixes) {
@@ -53,7 +68,8 @@ bool begins_with_one(std::string_view key, std::span<const std::string_view> pre
 }
 
 bool has(const ExperimentKind& kind, std::string_view key) {
-  return begins_with_one(key, common) || begins_with_one(key, kind.tables);
+  return begins_with_one(key, common) || begins_with_one(key, kind.tables) ||
+         (kind.has_modules && begins_with_one(key, of_modules));
 }
 
 /// The experiments that such a key is of.

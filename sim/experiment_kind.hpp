@@ -8,8 +8,9 @@
 namespace sim {
 
 struct ExperimentKind {
-  std::string_view name;       // "arena"
-  std::string_view tables[8];  // keys that it has besides those of all: "path.", "device.baud"
+  std::string_view name;        // "arena"
+  std::string_view tables[12];  // keys that it has besides those of all: "path.", "device.baud"
+  bool has_modules = true;      // receiver modules and UARTs, with all of their keys
   /// Throws for what the keys alone do not show.
   void (*check)(const LoadedScenario&) = nullptr;
 };

@@ -36,10 +36,12 @@ Key flag(std::string name, Group Scenario::*group, double Group::*member, std::s
 template <class Group>
 Key text(KeyType type, std::string name, Group Scenario::*group, std::string Group::*member,
          std::string long_name, std::string note = "", std::vector<std::string> choices = {}) {
-  return {{std::move(name), "", {}, std::move(long_name), std::move(note), type},
+  Key key{{std::move(name), "", {}, std::move(long_name), std::move(note), type},
           {},
           [=](Scenario& s) -> std::string& { return s.*group.*member; },
           std::move(choices)};
+  key.physics = type != KeyType::part;
+  return key;
 }
 
 /// Numbers that belong together, which are no sweep.
@@ -50,6 +52,11 @@ Key number_list(std::string name, std::string unit, Range range, Group Scenario:
                  std::move(note));
   key.facts.unit = std::move(unit);
   key.facts.range = range;
+  return key;
+}
+
+inline Key no_physics(Key key) {
+  key.physics = false;
   return key;
 }
 

@@ -12,6 +12,7 @@
 #include "sim/fidelity.hpp"
 #include "sim/guard/keys.hpp"
 #include "sim/key_making.hpp"
+#include "sim/location/keys.hpp"
 #include "sim/method.hpp"
 
 namespace sim {
@@ -20,10 +21,11 @@ namespace {
 constexpr double largest_whole = 9007199254740991;  // 2^53 - 1: every one up to it is exact
 
 Key title_key() {
-  return {{"title", "", {}, "name of the experiment", "before the first table", KeyType::text},
-          {},
-          [](Scenario& s) -> std::string& { return s.title; },
-          {}};
+  return no_physics(
+      {{"title", "", {}, "name of the experiment", "before the first table", KeyType::text},
+       {},
+       [](Scenario& s) -> std::string& { return s.title; },
+       {}});
 }
 
 Key experiment_key() {
@@ -161,7 +163,6 @@ std::vector<Key> surroundings_keys() {
 
 std::vector<Key> run_keys() {
   constexpr auto run = &Scenario::simulation;
-  constexpr auto stop = &Scenario::stop;
   return {
       younger(
           text(KeyType::choice, "simulation.fidelity", run, &SimulationSettings::fidelity,
@@ -180,8 +181,14 @@ std::vector<Key> run_keys() {
       whole("simulation.warmup_messages", "1", from(0, 100), run,
             &SimulationSettings::warmup_messages, "messages sent before counting starts",
             "they settle the gain control"),
-      whole("simulation.seed", "1", from(0, largest_whole), run, &SimulationSettings::seed,
-            "seed of all randomness"),
+      no_physics(whole("simulation.seed", "1", from(0, largest_whole), run,
+                       &SimulationSettings::seed, "seed of all randomness")),
+  };
+}
+
+std::vector<Key> stop_keys() {
+  constexpr auto stop = &Scenario::stop;
+  std::vector<Key> keys{
       whole("stop.max_frames", "1", from(1, 4e9), stop, &StopSettings::max_frames,
             "messages after which a point ends", "trial numbers are 32 bits"),
       whole("stop.max_frame_errors", "1", from(0, 1e12), stop, &StopSettings::max_frame_errors,
@@ -195,6 +202,8 @@ std::vector<Key> run_keys() {
              "frame loss ratio; a point is finished when its own is surely below or above",
              "by its 99.9 % interval; 0: no such rule"),
   };
+  for (Key& key : keys) key.physics = false;
+  return keys;
 }
 
 std::vector<Key> make_scenario_keys() {
@@ -203,7 +212,8 @@ std::vector<Key> make_scenario_keys() {
        {device_keys(), led_settings_keys(), receiver_keys(),
         override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
         override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
-        run_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys()})
+        run_keys(), stop_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys(),
+        presence_keys(), location_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -113,6 +113,11 @@ double colour_response(const channel::ModuleData& module, const channel::Emitter
 }
 
 channel::ReceivedLight light_of(const Scenario& s) {
+  return light_of(
+      s, {.relative_distance = s.module.directivity, .vertical = s.module.directivity_vertical});
+}
+
+channel::ReceivedLight light_of(const Scenario& s, const channel::Directivity& directivity) {
   const channel::Pose led{.z = s.led.height_mm * 1e-3,
                           .yaw = dsp::degrees(s.led.yaw_deg),
                           .elevation = dsp::degrees(s.led.elevation_deg)};
@@ -122,8 +127,6 @@ channel::ReceivedLight light_of(const Scenario& s) {
                              dsp::degrees(s.receiver.yaw_deg), dsp::degrees(s.receiver.tilt_deg));
   const auto axial = channel::axial_intensity(s.emitter, dsp::Amperes(s.led.current_ma * 1e-3),
                                               s.led.temperature_c);
-  const channel::Directivity directivity{.relative_distance = s.module.directivity,
-                                         .vertical = s.module.directivity_vertical};
   return channel::received_light(s.emitter, axial, led, directivity, receiver, s.floor,
                                  s.led.temperature_c);
 }

@@ -80,4 +80,7 @@ double colour_response(const channel::ModuleData& module, const channel::Emitter
 /// Light that the scenario's receiver gets, by path.
 channel::ReceivedLight light_of(const Scenario& scenario);
 
+/// The same with another receiver in the module's place.
+channel::ReceivedLight light_of(const Scenario& scenario, const channel::Directivity& directivity);
+
 }  // namespace sim

@@ -84,4 +84,13 @@ std::vector<double> parse_values(std::string_view text, const std::string& probl
   return values;
 }
 
+std::vector<double> stretched(std::vector<double> list, std::size_t size, const std::string& key,
+                              const std::string& whole) {
+  if (list.size() == 1) list.resize(size, list.front());
+  if (list.size() != size)
+    throw bad_input(fmt::format("{} has {} numbers", key, list.size()), whole,
+                    fmt::format("give one or {}", size));
+  return list;
+}
+
 }  // namespace sim

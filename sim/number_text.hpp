@@ -24,6 +24,11 @@ bool is_range_or_list(std::string_view text);
 /// line.
 std::vector<double> parse_values(std::string_view text, const std::string& problem);
 
+/// A list as long as `size`: one number holds throughout. `key` names the list in the error line
+/// and `whole` what it is a list of: "the way has 3 way-points".
+std::vector<double> stretched(std::vector<double> list, std::size_t size, const std::string& key,
+                              const std::string& whole);
+
 /// Throws, as nobody means so many values.
 [[noreturn]] void refuse_size(const std::string& problem);
 

@@ -34,7 +34,9 @@ const PartSlot& part_slot(const std::string& key) {
   static const std::array slots{
       slot<&Scenario::module>("receiver.module", module_keys().folder, is_a_module),
       slot<&Scenario::emitter>("led.part", led_keys().folder, always),
-      slot<&Scenario::floor>("floor.part", floor_keys().folder, always)};
+      slot<&Scenario::floor>("floor.part", floor_keys().folder, always),
+      slot<&Scenario::photodiode>("presence.photodiode", photodiode_keys().folder, always),
+      slot<&Scenario::photodiode>("location.photodiode", photodiode_keys().folder, always)};
   const auto* const at = std::ranges::find(slots, key, &PartSlot::key);
   assert(at != slots.end());
   return *at;

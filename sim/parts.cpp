@@ -102,7 +102,7 @@ bool is_part_file(const std::string& file) {
   const std::string folder = path.parent_path().generic_string();
   return path.extension() == ".toml" &&
          (folder == module_keys().folder || folder == led_keys().folder ||
-          folder == floor_keys().folder);
+          folder == floor_keys().folder || folder == photodiode_keys().folder);
 }
 
 std::vector<PartFile> list_parts(const PartRoots& folders) {

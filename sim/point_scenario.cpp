@@ -188,6 +188,15 @@ Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>&
   return s;
 }
 
+Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number) {
+  const std::size_t points = count_points(loaded.sweep);
+  if (number >= points)
+    throw bad_input(fmt::format("--point {}", number),
+                    fmt::format("the sweep has {} points, counted from 0", points),
+                    fmt::format("use one from 0 to {}", points - 1));
+  return point_scenario(loaded, point_coordinates(loaded.sweep, number));
+}
+
 void check_all_points(const LoadedScenario& loaded) {
   const Setters setters = setters_of(loaded.sweep);
   const std::size_t n = count_points(loaded.sweep);

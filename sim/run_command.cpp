@@ -14,6 +14,7 @@
 #include "sim/failure.hpp"
 #include "sim/guard/guard_command.hpp"
 #include "sim/keeper.hpp"
+#include "sim/location/trial_commands.hpp"
 #include "sim/progress_line.hpp"
 #include "sim/report_json.hpp"
 #include "sim/report_table.hpp"
@@ -139,6 +140,8 @@ RunExperiment runner_of(const LoadedScenario& scenario) {
   if (scenario.base.experiment == "arena") return run_arena_scenario;
   if (scenario.base.experiment == "guard") return run_guard_scenario;
   if (scenario.base.experiment == "sharedlink") return run_exchange_scenario;
+  if (scenario.base.experiment == "presence") return run_presence_scenario;
+  if (scenario.base.experiment == "location") return run_location_scenario;
   return nullptr;
 }
 

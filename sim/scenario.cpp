@@ -45,6 +45,17 @@ void load_device_leds(Scenario& s, const Draft& draft, const PartSources& from,
   }
 }
 
+/// The photodiode of an experiment that looks at the light itself.
+void load_photodiode(Scenario& s, const Draft& draft, const PartSources& from,
+                     std::vector<CarriedPart>& parts) {
+  const Key* key = find_key(s.experiment + ".photodiode");
+  if (key == nullptr) return;
+  const std::string& name = key->text(s);
+  auto photodiode = load_photodiode(name, from, asked_for(draft, key->name(), name));
+  s.photodiode = std::move(photodiode.data);
+  parts.push_back(std::move(photodiode.source));
+}
+
 /// Files of pauses become lists in the draft, and in the options that repeat the run: they are not
 /// carried with it.
 void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
@@ -82,6 +93,7 @@ Assembly assemble(const Draft& draft, const PartSources& from) {
   std::vector<CarriedPart> parts{std::move(module.source), std::move(led.source),
                                  std::move(floor.source)};
   load_device_leds(s, draft, from, parts);
+  load_photodiode(s, draft, from, parts);
   return {std::move(s), std::move(parts)};
 }
 

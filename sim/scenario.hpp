@@ -9,11 +9,13 @@
 
 #include "channel/emitter.hpp"
 #include "channel/floor.hpp"
+#include "channel/photodiode.hpp"
 #include "channel/receiver_module.hpp"
 #include "sim/arena/settings.hpp"
 #include "sim/axis.hpp"
 #include "sim/exchange/settings.hpp"
 #include "sim/guard/settings.hpp"
+#include "sim/location/settings.hpp"
 
 namespace sim {
 
@@ -120,6 +122,9 @@ struct Scenario {
   ArenaSettings arena;
   GuardSettings guard;
   ExchangeSettings exchange;
+  PresenceScenario presence;
+  LocationScenario location;
+  channel::PhotodiodeData photodiode;  // from the part's file, in experiments that have one
   std::map<std::string, PlacedDevice> devices;  // by their names
 };
 
@@ -141,7 +146,8 @@ struct LoadedScenario {
 };
 
 /// Load a file. `overrides` are "key=value" as of --set, applied in order after the file's own
-/// [[override]] tables; `roots` are folders that hold modules/, leds/ and floors/.
+/// [[override]] tables; `roots` are folders that hold modules/, leds/, floors/ and
+/// photodiodes/.
 LoadedScenario load_scenario(const std::filesystem::path& path,
                              const std::vector<std::string>& overrides,
                              const std::vector<std::filesystem::path>& roots);

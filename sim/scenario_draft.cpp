@@ -252,9 +252,9 @@ void take_file_override(Draft& draft, const Entry& entry) {
 void take_part(Draft& draft, const Entry& entry) {
   const std::string file = entry.key.substr(part_prefix.size());
   if (!is_part_file(file))
-    throw bad_input(
-        file + " " + entry.place, "no name of a part's file",
-        "write \"modules/NAME.toml\", \"leds/NAME.toml\" or \"floors/NAME.toml\" in quotes");
+    throw bad_input(file + " " + entry.place, "no name of a part's file",
+                    "write \"modules/NAME.toml\", \"leds/NAME.toml\", \"floors/NAME.toml\" or "
+                    "\"photodiodes/NAME.toml\" in quotes");
   if (std::ranges::find(draft.parts, file, &CarriedPart::file) != draft.parts.end())
     throw bad_input(file + " " + entry.place, "carried twice", "remove one of the two");
   const auto* text = std::get_if<std::string>(&entry.value);

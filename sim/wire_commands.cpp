@@ -75,13 +75,8 @@ void refuse_without_memory(const Scenario& scenario, std::uint32_t trial) {
 
 ExitCode trace_command(const TraceRequest& request) {
   const LoadedScenario scenario = load_link(request.options, request.scenario, "trace");
-  const std::size_t points = count_points(scenario.sweep);
-  if (request.point >= points)
-    throw bad_input(fmt::format("--point {}", request.point),
-                    fmt::format("the sweep has {} points, counted from 0", points),
-                    fmt::format("use one from 0 to {}", points - 1));
+  const Scenario point = numbered_point(scenario, request.point);
   check_trace_path(request.output);
-  const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, request.point));
   refuse_weighted(point, "trace shows trials as they come");
   check_traceable(request.output, point);
   refuse_without_memory(point, request.trial);

@@ -143,8 +143,8 @@ std::vector<Key> arena_keys() {
   return all_younger({
       number("arena.duration_s", "s", from(0.1, 86400), at, &ArenaSettings::duration_s,
              "simulated time of a run", "unset: what the way takes, 60 if it is one place"),
-      whole("arena.runs", "1", from(1, 1e6), at, &ArenaSettings::runs,
-            "runs of each point, with random numbers of their own"),
+      no_physics(whole("arena.runs", "1", from(1, 1e6), at, &ArenaSettings::runs,
+                       "runs of each point, with random numbers of their own")),
   });
 }
 

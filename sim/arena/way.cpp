@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "sim/failure.hpp"
 #include "sim/number_text.hpp"
 
 namespace sim {
@@ -27,14 +27,9 @@ std::vector<double> numbers_of(const char* key, const std::string& list) {
   return parse_values(list, fmt::format("path.{} = {}", key, list));
 }
 
-/// A list of one number holds for all.
-std::vector<double> stretched(const char* key, std::vector<double> list, std::size_t points) {
-  if (list.size() == 1) list.resize(points, list.front());
-  if (list.size() != points)
-    throw bad_input(fmt::format("path.{} has {} numbers", key, list.size()),
-                    fmt::format("the way has {} way-points", points),
-                    fmt::format("give one or {}", points));
-  return list;
+std::vector<double> at_each(const char* key, std::vector<double> list, std::size_t points) {
+  return stretched(std::move(list), points, fmt::format("path.{}", key),
+                   fmt::format("the way has {} way-points", points));
 }
 
 double share_of_way(Seconds start, Seconds end, Seconds t) {
@@ -47,8 +42,8 @@ Way::Way(const PathSettings& path) {
   auto x = numbers_of("x_m", path.x_m), y = numbers_of("y_m", path.y_m);
   const auto headings = numbers_of("heading_deg", path.heading_deg);
   const std::size_t points = std::max({x.size(), y.size(), headings.size(), std::size_t{1}});
-  x = stretched("x_m", x, points);
-  y = stretched("y_m", y, points);
+  x = at_each("x_m", x, points);
+  y = at_each("y_m", y, points);
   now_ = {x[0], y[0], Radians(0)};
   if (headings.empty()) {
     for (std::size_t i = 1; i < points; ++i) {
@@ -60,7 +55,7 @@ Way::Way(const PathSettings& path) {
     }
     return;
   }
-  const auto looks = stretched("heading_deg", headings, points);
+  const auto looks = at_each("heading_deg", headings, points);
   now_.heading = dsp::degrees(looks[0]);
   for (std::size_t i = 1; i < points; ++i) {
     const Radians by = turned(now_.heading, dsp::degrees(looks[i]));

@@ -38,8 +38,8 @@ std::vector<Key> exchange_keys() {
              "distance of a node's LED from its module", "side by side"),
       number("exchange.duration_s", "s", from(1, 86400), at, &E::duration_s,
              "simulated time of a run"),
-      whole("exchange.runs", "1", from(1, 1e6), at, &E::runs,
-            "runs of each point, with random numbers of their own"),
+      no_physics(whole("exchange.runs", "1", from(1, 1e6), at, &E::runs,
+                       "runs of each point, with random numbers of their own")),
   });
 }
 

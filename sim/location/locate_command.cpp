@@ -1,20 +1,34 @@
-// `cosys-sim locate`: where readings of light say that a device is.
+// `cosys-sim locate`: where readings of light, measured or drawn, say that a device is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
 #include "sim/commands.hpp"
 #include "sim/location/locate.hpp"
 #include "sim/location/location_report.hpp"
+#include "sim/location/location_settings.hpp"
 #include "sim/location/readings_file.hpp"
 #include "sim/parts.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
 namespace {
 
-std::optional<Area> area_of(const LocateRequest& request) {
-  if (!request.area) return std::nullopt;
-  const std::vector<double>& a = *request.area;
-  if (a[0] >= a[1] || a[2] >= a[3])
-    throw bad_input("--area", "each range goes up", "write x from,to and y from,to: -3,3,0,5");
-  return Area{a[0], a[1], a[2], a[3]};
+constexpr std::string_view of_readings[] = {"--led",   "--led-current-ma",   "--led-yaw-deg",
+                                            "--floor", "--photodiode",       "--height-mm",
+                                            "--area",  "--unknown-intensity"};
+constexpr std::string_view of_scenarios[] = {"--set", "--seed", "--point", "--trial"};
+
+/// Options that would not be heeded.
+void refuse(std::span<const std::string_view> names, const LocateRequest& request,
+            const char* why) {
+  for (const std::string_view name : names)
+    if (std::ranges::find(request.given, name) != request.given.end())
+      throw bad_input(fmt::format("{} with {}", name, request.readings.string()), why,
+                      "leave it out");
 }
 
 LightModel model_of(const LocateRequest& request, const PartSources& parts,
@@ -31,18 +45,34 @@ LightModel model_of(const LocateRequest& request, const PartSources& parts,
   return model;
 }
 
-}  // namespace
-
-ExitCode locate_command(const LocateRequest& request) {
-  const PartSources parts{.folders = request.parts, .carried = {}, .carrier = {}};
+Location of_readings_file(const LocateRequest& request) {
+  refuse(of_scenarios, request, "readings are measured, not drawn");
+  const PartSources parts{.folders = request.options.parts, .carried = {}, .carrier = {}};
   const channel::PhotodiodeData photodiode =
       load_photodiode(request.photodiode, parts, "--photodiode " + request.photodiode).data;
   LocateSettings settings;
   settings.model = model_of(request, parts, photodiode);
-  settings.area = area_of(request);
+  if (request.area) settings.area = area_of(*request.area, "--area");
   settings.intensity_unknown = request.intensity_unknown;
-  const Location location =
-      locate(settings, read_readings(request.readings, photodiode, request.height_mm * 1e-3));
+  return locate(settings, read_readings(request.readings, photodiode, request.height_mm * 1e-3));
+}
+
+Location of_scenario(const LocateRequest& request) {
+  refuse(of_readings, request, "a scenario says it by a key");
+  const LoadedScenario scenario = load_with(request.options, request.readings);
+  if (scenario.base.experiment != "location")
+    throw bad_input(request.readings.string(),
+                    "an experiment \"" + scenario.base.experiment + "\" locates nothing",
+                    "write experiment = \"location\" before the first table");
+  return locate_trial(location_settings(numbered_point(scenario, request.point), scenario.places),
+                      request.trial);
+}
+
+}  // namespace
+
+ExitCode locate_command(const LocateRequest& request) {
+  const bool is_scenario = request.readings.extension() == ".toml";
+  const Location location = is_scenario ? of_scenario(request) : of_readings_file(request);
   print(request.json ? location_json(location) : location_text(location));
   return location.outcome == LocateOutcome::located ? ExitCode::done : ExitCode::inconclusive;
 }

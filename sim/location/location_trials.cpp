@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "sim/location/addressed_normals.hpp"
 #include "sim/theory.hpp"
@@ -33,23 +34,65 @@ struct Errors {
   }
 };
 
-double bound(const LocationTrialsSettings& s) {
-  const auto covariance =
-      cramer_rao_bound(s.locate.model, s.readings, s.truth, s.locate.intensity_unknown);
-  return covariance ? covariance->rms() : std::numeric_limits<double>::infinity();
-}
+/// What one trial came to.
+struct Judged {
+  LocateOutcome outcome;
+  double squared_m2 = 0;  // of the error of a located one
+  bool covered = false;
+};
 
-void judge(const Location& location, const Position& truth, LocationTrials& result,
-           Errors& errors) {
-  ++result.count.at(static_cast<std::size_t>(location.outcome));
-  if (location.outcome != LocateOutcome::located) return;
+Judged judged(const Location& location, const Position& truth) {
+  if (location.outcome != LocateOutcome::located) return {location.outcome};
   const Place& best = location.places.front();
   const double dx = best.at.at.x - truth.x, dy = best.at.at.y - truth.y;
-  errors.add(dx * dx + dy * dy);
-  result.covered += squared_deviations(*best.covariance, dx, dy) <= chi_square_95 ? 1 : 0;
+  return {location.outcome, dx * dx + dy * dy,
+          squared_deviations(*best.covariance, dx, dy) <= chi_square_95};
 }
 
+/// In the order of the trials, so that sums are the same however they were shared out.
+using Lot = std::vector<Judged>;
+
+LocationTrials summed(const std::vector<Lot>& lots, double level) {
+  LocationTrials result;
+  Errors errors;
+  for (const Lot& lot : lots)
+    for (const Judged& trial : lot) {
+      ++result.count.at(static_cast<std::size_t>(trial.outcome));
+      if (trial.outcome != LocateOutcome::located) continue;
+      errors.add(trial.squared_m2);
+      result.covered += trial.covered ? 1 : 0;
+    }
+  result.rmse_m = errors.rms(level);
+  const Interval ci =
+      clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n), level);
+  result.coverage = {ratio(result.covered, errors.n), ci.low, ci.high};
+  return result;
+}
+
+TrialAddress address_of(const LocationTrialsSettings& s, std::uint32_t trial) {
+  return {s.seed, s.point, trial};
+}
+
+/// Receivers and noiseless readings, ready for any number of trials.
+struct Bench {
+  explicit Bench(const LocationTrialsSettings& s)
+      : readings(noiseless_readings(s.locate.model, s.readings, s.truth)),
+        locator(s.locate, readings) {
+    locator.prepare(readings);
+  }
+  std::vector<Reading> readings;
+  Locator locator;
+};
+
 }  // namespace
+
+std::uint64_t LocationTrials::trials() const {
+  return std::accumulate(count.begin(), count.end(), std::uint64_t{0});
+}
+
+double LocationTrials::bound_m() const {
+  return bound ? bound->rms() : std::numeric_limits<double>::infinity();
+}
 
 std::vector<Reading> noiseless_readings(const LightModel& model, std::vector<Reading> readings,
                                         const Position& device) {
@@ -74,22 +117,30 @@ std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialA
   return noiseless;
 }
 
-LocationTrials measure_location(const LocationTrialsSettings& s) {
-  const auto readings = noiseless_readings(s.locate.model, s.readings, s.truth);
-  Locator locator(s.locate, readings);
-  locator.prepare(readings);
-  LocationTrials result;
-  Errors errors;
-  for (std::uint32_t trial = 0; trial < s.trials; ++trial) {
-    const auto drawn = drawn_readings(readings, {s.seed, s.point, trial});
-    judge(locator.locate(drawn), s.truth, result, errors);
-  }
-  result.bound_m = bound(s);
-  result.rmse_m = errors.rms(s.level);
-  const Interval ci =
-      clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n), s.level);
-  result.coverage = {ratio(result.covered, errors.n), ci.low, ci.high};
+std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
+                                               const TrialSharing& sharing) {
+  const Bench bench(s);
+  RunSharing<Lot> trials(shared_trials(s.trials, sharing), [&](std::uint32_t first, int n) {
+    Lot lot;
+    for (std::uint32_t trial = first; trial < first + static_cast<std::uint32_t>(n); ++trial)
+      lot.push_back(judged(
+          bench.locator.locate(drawn_readings(bench.readings, address_of(s, trial))), s.truth));
+    return lot;
+  });
+  const std::vector<Lot> lots = trials();
+  if (lots.empty()) return std::nullopt;
+  LocationTrials result = summed(lots, s.level);
+  result.bound = cramer_rao_bound(s.locate.model, s.readings, s.truth, s.locate.intensity_unknown);
   return result;
+}
+
+LocationTrials measure_location(const LocationTrialsSettings& s) {
+  return measure_location(s, {}).value();
+}
+
+Location locate_trial(const LocationTrialsSettings& s, std::uint32_t trial) {
+  const Bench bench(s);
+  return bench.locator.locate(drawn_readings(bench.readings, address_of(s, trial)));
 }
 
 }  // namespace sim

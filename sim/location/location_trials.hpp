@@ -4,9 +4,11 @@
 // ellipse holds the truth.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/location/locate.hpp"
+#include "sim/location/trial_sharing.hpp"
 #include "sim/statistics.hpp"
 
 namespace sim {
@@ -25,19 +27,33 @@ struct LocationTrialsSettings {
 struct LocationTrials {
   static constexpr std::size_t outcomes = 5;
   std::array<std::uint64_t, outcomes> count{};  // by LocateOutcome
-  Estimate rmse_m;            // of the located ones; normal interval of the mean square
-  double bound_m = 0;         // root of the Cramer-Rao bound's trace; infinite if underdetermined
-  std::uint64_t covered = 0;  // located with the truth in the ellipse
-  Estimate coverage;          // of the located ones, with Clopper and Pearson's interval
+  Estimate rmse_m;  // of the located ones; normal interval of the mean square
+  std::optional<PositionCovariance> bound;  // of Cramer and Rao; nothing if underdetermined
+  std::uint64_t covered = 0;                // located with the truth in the ellipse
+  Estimate coverage;  // of the located ones, with Clopper and Pearson's interval
+
+  /// Fewer than asked for where it was interrupted.
+  std::uint64_t trials() const;
+
+  /// Root of the bound's trace; infinite if underdetermined.
+  double bound_m() const;
 };
 
-/// The same for any equal settings.
+/// The same for any equal settings and number of threads; nothing if an interrupt came before any
+/// trial was done.
+std::optional<LocationTrials> measure_location(const LocationTrialsSettings& settings,
+                                               const TrialSharing& sharing);
+
+/// The same by one thread.
 LocationTrials measure_location(const LocationTrialsSettings& settings);
 
 struct TrialAddress {
   std::uint64_t seed = 1;
   std::uint32_t point = 0, trial = 0;
 };
+
+/// One trial: what it measured, and where that leads.
+Location locate_trial(const LocationTrialsSettings& settings, std::uint32_t trial);
 
 /// What a trial measures: noiseless readings with the noise that they say they have.
 std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialAddress& address);

@@ -10,11 +10,37 @@ namespace {
 /// Windows over which the closed form is averaged.
 constexpr int theory_windows = 512;
 
-void count(const PresencePoint::Trial& trial, std::vector<RocPoint>& roc) {
-  for (RocPoint& point : roc) {
-    point.false_alarms += trial.without > point.threshold ? 1 : 0;
-    point.detections += trial.with > point.threshold ? 1 : 0;
+/// What some trials gave, by the points of the ROC.
+struct Counts {
+  std::vector<std::uint64_t> false_alarms, detections;
+  std::uint64_t clipped = 0;
+  std::uint32_t trials = 0;
+
+  void add(const PresencePoint::Trial& trial, const std::vector<RocPoint>& roc) {
+    false_alarms.resize(roc.size());
+    detections.resize(roc.size());
+    for (std::size_t i = 0; i < roc.size(); ++i) {
+      false_alarms[i] += trial.without > roc[i].threshold ? 1 : 0;
+      detections[i] += trial.with > roc[i].threshold ? 1 : 0;
+    }
+    clipped += trial.clipped;
+    ++trials;
   }
+};
+
+Counts count(const PresencePoint& point, const std::vector<RocPoint>& roc, std::uint32_t first,
+             int n) {
+  Counts counts;
+  for (std::uint32_t trial = first; trial < first + static_cast<std::uint32_t>(n); ++trial)
+    counts.add(point.trial(trial), roc);
+  return counts;
+}
+
+std::vector<RocPoint> thresholds(const PresenceSettings& settings) {
+  std::vector<RocPoint> roc;
+  for (const double pfa : settings.pfa)
+    roc.push_back({.pfa = pfa, .threshold = detection_threshold(settings.detector, pfa)});
+  return roc;
 }
 
 Estimate share(std::uint64_t successes, std::uint32_t trials, double level) {
@@ -33,28 +59,45 @@ void add_theory(const PresencePoint& point, Detector detector, PresenceResult& r
   }
 }
 
-}  // namespace
-
-PresenceResult measure_presence(const PresenceSettings& settings) {
-  const PresencePoint point(settings);
-  PresenceResult result;
-  for (const double pfa : settings.pfa)
-    result.roc.push_back({.pfa = pfa, .threshold = detection_threshold(settings.detector, pfa)});
-  add_theory(point, settings.detector, result);
+void add_counts(const std::vector<Counts>& lots, double level, std::uint64_t samples_a_trial,
+                PresenceResult& result) {
   std::uint64_t clipped = 0;
-  for (std::uint32_t number = 0; number < settings.trials; ++number) {
-    const PresencePoint::Trial trial = point.trial(number);
-    clipped += trial.clipped;
-    count(trial, result.roc);
+  for (const Counts& lot : lots) {
+    for (std::size_t i = 0; i < result.roc.size(); ++i) {
+      result.roc[i].false_alarms += lot.false_alarms[i];
+      result.roc[i].detections += lot.detections[i];
+    }
+    clipped += lot.clipped;
+    result.trials += lot.trials;
   }
   for (RocPoint& roc : result.roc) {
-    roc.false_alarm = share(roc.false_alarms, settings.trials, settings.level);
-    roc.detection = share(roc.detections, settings.trials, settings.level);
+    roc.false_alarm = share(roc.false_alarms, result.trials, level);
+    roc.detection = share(roc.detections, result.trials, level);
   }
+  result.clipped = ratio(clipped, result.trials * samples_a_trial);
+}
+
+}  // namespace
+
+std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
+                                               const TrialSharing& sharing) {
+  const PresencePoint point(settings);
+  PresenceResult result{.roc = thresholds(settings)};
+  RunSharing<Counts> trials(
+      shared_trials(settings.trials, sharing),
+      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n); });
+  add_counts(trials(), settings.level, point.samples_drawn(), result);
+  if (result.trials == 0 && sharing.interrupted()) return std::nullopt;
+  add_theory(point, settings.detector, result);
   result.noise_v = point.deviation();
   result.noise_over_step = result.noise_v / channel::adc_step(settings.meter);
-  result.clipped = ratio(clipped, settings.trials * point.samples_drawn());
   return result;
 }
+
+PresenceResult measure_presence(const PresenceSettings& settings) {
+  return measure_presence(settings, {}).value();
+}
+
+void check_presence(const PresenceSettings& settings) { const PresencePoint point(settings); }
 
 }  // namespace sim

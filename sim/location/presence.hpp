@@ -9,6 +9,7 @@
 
 #include "channel/light_meter.hpp"
 #include "sim/location/detection_theory.hpp"
+#include "sim/location/trial_sharing.hpp"
 #include "sim/statistics.hpp"
 
 namespace sim {
@@ -43,6 +44,7 @@ struct RocPoint {
 };
 
 struct PresenceResult {
+  std::uint32_t trials = 0;   // fewer than asked for where it was interrupted
   std::vector<RocPoint> roc;  // a point for each of the settings' pfa
   double signal = 0;          // mean of DetectionLaw::signal over windows
   double noise_v = 0;         // of a sample without light, the ADC's rounding included
@@ -52,8 +54,17 @@ struct PresenceResult {
   double clipped = 0;  // share of all samples
 };
 
-/// The same for any equal settings. Throws bad_input for a window that the message does not fill,
-/// and for a carrier that looks like steady light at this sample rate.
+/// The same for any equal settings and number of threads; nothing if an interrupt came before any
+/// trial was done. Throws
+/// bad_input for a window that the message does not fill, and for a carrier that looks like steady
+/// light at this sample rate.
+std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
+                                               const TrialSharing& sharing);
+
+/// The same by one thread.
 PresenceResult measure_presence(const PresenceSettings& settings);
+
+/// Throws as measure_presence.
+void check_presence(const PresenceSettings& settings);
 
 }  // namespace sim

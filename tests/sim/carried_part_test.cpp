@@ -69,7 +69,7 @@ TEST(CarriedPart, AnyCharacterOfAPartFileIsKept) {
 TEST(CarriedPart, IsRefusedInOneLine) {
   EXPECT_EQ(refusal("[[part]]\n\"parts/x.toml\" = \"\"\n"),
             "parts/x.toml in x.toml:2 (no name of a part's file) write \"modules/NAME.toml\", "
-            "\"leds/NAME.toml\" or \"floors/NAME.toml\" in quotes");
+            "\"leds/NAME.toml\", \"floors/NAME.toml\" or \"photodiodes/NAME.toml\" in quotes");
   EXPECT_EQ(
       refusal("[[part]]\n\"modules/x.toml\" = 5\n"),
       "part.modules/x.toml in x.toml:2 (a number where text is expected) write the part's file "

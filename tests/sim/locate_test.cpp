@@ -232,8 +232,8 @@ void expect_efficient(const LocationTrialsSettings& settings) {
   const LocationTrials result = measure_location(settings);
   EXPECT_EQ(result.count[0] + result.count[2], settings.trials);  // located, or a poor fit ...
   EXPECT_LT(result.count[2], 12U);  // ... by chance: 1 in 1000, so 2 +- 1.4
-  EXPECT_LE(result.rmse_m.low, result.bound_m);
-  EXPECT_GE(result.rmse_m.high, result.bound_m);
+  EXPECT_LE(result.rmse_m.low, result.bound_m());
+  EXPECT_GE(result.rmse_m.high, result.bound_m());
   EXPECT_LT(result.rmse_m.high / result.rmse_m.low, 1.2);  // or nothing is compared
   EXPECT_LE(result.coverage.low, 0.95);
   EXPECT_GE(result.coverage.high, 0.95);
