@@ -39,17 +39,21 @@ std::vector<std::string> dimensions_of(const Dataset& data, const Dataset::Varia
   return names;
 }
 
+void add_variable(NetcdfFile& file, const Dataset& data, const Dataset::Variable& variable) {
+  std::visit(
+      [&](const auto& values) {
+        file.add_variable(variable.facts, dimensions_of(data, variable), span_of(values));
+      },
+      variable.values);
+  if (!variable.flags.empty()) file.set_flags(variable.facts.name, variable.flags);
+}
+
 std::string image_of(const Dataset& data, const ProgramInfo& program) {
   NetcdfFile file(filetype, program);
   for (const Axis& axis : data.axes) add_axis(file, axis);
   for (const Dataset::Dimension& d : data.dimensions)
     std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);
-  for (const Dataset::Variable& v : data.variables)
-    std::visit(
-        [&](const auto& values) {
-          file.add_variable(v.facts, dimensions_of(data, v), span_of(values));
-        },
-        v.values);
+  for (const Dataset::Variable& v : data.variables) add_variable(file, data, v);
   file.set_user_text(root, "title", data.title);
   file.set_user_text(root, "scenario_toml", data.scenario_toml);
   file.set_user_text(root, "command", data.command);
@@ -77,6 +81,7 @@ Json json_variable(const Dataset& data, const Dataset::Variable& variable) {
             {"long_name", variable.facts.long_name},
             {"dimensions", dimensions_of(data, variable)}};
   std::visit([&](const auto& values) { json["values"] = values; }, variable.values);
+  if (!variable.flags.empty()) json["flags"] = variable.flags;
   return json;
 }
 
@@ -86,7 +91,7 @@ std::string dataset_digest(const Dataset& data) {
   std::string bytes;
   for (const Dataset::Variable& variable : data.variables) {
     const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
-    if (counts == nullptr) continue;
+    if (counts == nullptr || !variable.flags.empty()) continue;
     bytes += variable.facts.name;
     for (std::int64_t count : *counts)
       for (int i = 0; i < 8; ++i, count >>= 8) bytes += static_cast<char>(count & 0xff);

@@ -22,12 +22,14 @@ struct Dataset {
       return std::visit([](const auto& v) { return v.size(); }, values);
     }
   };
-  /// Row-major. Whole numbers are counts, of which the digest is made; a NaN means: not known.
+  /// Row-major. Whole numbers are counts, of which the digest is made, or flags; a NaN means: not
+  /// known.
   struct Variable {
     VariableFacts facts;
     bool on_axes = true;                  // one value a point at least
     std::vector<std::string> dimensions;  // behind the axes, by the names of their facts
     std::variant<std::vector<double>, std::vector<std::int64_t>> values;
+    std::vector<std::string> flags{};  // what the bits of whole numbers mean, from bit 0 on
   };
 
   std::string title, scenario_toml, command, experiment;

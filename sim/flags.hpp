@@ -26,6 +26,20 @@ std::string raised_names(std::span<const Flag> table, std::uint64_t mask) {
   return names;
 }
 
+/// All names, that of bit i at i.
+template <class Flag>
+std::vector<std::string> flag_names(std::span<const Flag> table) {
+  std::vector<std::string> names;
+  for (const Flag& flag : table) names.push_back(flag.name);
+  return names;
+}
+
+/// "! near,emax"; empty if none.
+template <class Flag>
+std::string raised_mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
+  return mask == 0 ? "" : std::string(sign) + " " + raised_names(table, mask);
+}
+
 /// A line for each: what a mark such as "! near" means.
 template <class Flag>
 std::string raised_notes(std::span<const Flag> table, std::uint64_t mask, const char* sign) {

@@ -175,6 +175,17 @@ void NetcdfFile::set_numbers(const std::string& variable, const char* name, Valu
   std::visit([&](auto v) { write_numbers(object, name, v); }, values);
 }
 
+void NetcdfFile::set_flags(const std::string& variable, const std::vector<std::string>& names) {
+  std::vector<std::int64_t> masks;
+  std::string meanings;
+  for (const std::string& name : names) {
+    meanings += (meanings.empty() ? "" : " ") + name;
+    masks.push_back(std::int64_t{1} << masks.size());
+  }
+  set_numbers(variable, "flag_masks", std::span<const std::int64_t>(masks));
+  set_text(variable, "flag_meanings", meanings);
+}
+
 std::string NetcdfFile::image() const {
   checked(H5Fflush(state_->file, H5F_SCOPE_GLOBAL));
   std::string image(static_cast<std::size_t>(checked(H5Fget_file_image(state_->file, nullptr, 0))),

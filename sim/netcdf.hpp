@@ -49,6 +49,8 @@ class NetcdfFile {
   void set_text(const std::string& variable, const char* name, const std::string& text);
   void set_user_text(const std::string& variable, const char* name, const std::string& text);
   void set_numbers(const std::string& variable, const char* name, Values values);
+  /// What the bits of a variable mean, from bit 0 on (CF conventions 1.11, 3.5).
+  void set_flags(const std::string& variable, const std::vector<std::string>& names);
 
   /// The whole file.
   std::string image() const;

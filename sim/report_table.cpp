@@ -41,12 +41,11 @@ std::string theory_text(double ratio) {
   return ratio < 0.01 ? scientific(ratio, 3) : fmt::format("{:.4f}", ratio);
 }
 
-constexpr const char* outside_sign = "!";
 constexpr const char* alarm_sign = "!!";
 
 template <class Flag>
 std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
-  return mask == 0 ? "" : fmt::format("  {} {}", sign, raised_names(table, mask));
+  return (mask == 0 ? "" : "  ") + raised_mark(table, mask, sign);
 }
 
 /// Why it stopped, and behind it marks where a model is outside of its range and of alarms.

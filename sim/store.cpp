@@ -6,6 +6,7 @@
 
 #include "sim/alarms.hpp"
 #include "sim/existing_file.hpp"
+#include "sim/flags.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/netcdf_reader.hpp"
 #include "sim/new_file.hpp"
@@ -74,16 +75,6 @@ void explain_stop_reason(NetcdfFile& file) {
                 fmt::format("{}", fmt::join(stop_reason_names(), " ")));
 }
 
-template <class Flag>
-void explain_flags(NetcdfFile& file, const char* variable, std::span<const Flag> flags) {
-  std::vector<std::int64_t> masks;
-  for (std::size_t i = 0; i < flags.size(); ++i) masks.push_back(std::int64_t{1} << i);
-  std::string names;
-  for (const Flag& flag : flags) names += (names.empty() ? "" : " ") + std::string(flag.name);
-  file.set_numbers(variable, "flag_masks", std::span<const std::int64_t>(masks));
-  file.set_text(variable, "flag_meanings", names);
-}
-
 // As an attribute only where it is one number; the variable snr_bandwidth_hz always has it.
 void explain_snr(Target& in) {
   in.file.set_text("snr_db", "ancillary_variables", "snr_bandwidth_hz");
@@ -125,8 +116,8 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
   for (const Column* column : columns_of(result))
     std::visit(ColumnWriter{to, *column}, column->value);
   explain_stop_reason(to.file);
-  explain_flags(to.file, "outside_validity", validity_limits());
-  explain_flags(to.file, "alarms", alarms());
+  to.file.set_flags("outside_validity", flag_names(validity_limits()));
+  to.file.set_flags("alarms", flag_names(alarms()));
   explain_snr(to);
   to.file.set_text("ebn0_db", "eb_convention", "average");
   write_root(to);

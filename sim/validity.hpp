@@ -18,6 +18,9 @@ struct ValidityLimit {
 
 std::span<const ValidityLimit> validity_limits();
 
+/// Marks them in tables.
+constexpr const char* outside_sign = "!";
+
 /// The limits that a point leaves.
 std::uint64_t outside_validity(const Scenario& scenario, const OperatingPoint& at);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "channel/interference.hpp"
+#include "sim/arena/arena_validity.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
@@ -90,6 +91,7 @@ Arena make_arena(const Scenario& scenario) {
   add_lights(arena, s);
   arena.receiver_baud = dsp::Hertz(s.device.baud * (1 + s.uart.clock_error_ppm * 1e-6));
   arena.uart = protocol::find_uart_receiver(s.uart.receiver);
+  arena.outside = outside_validity(scenario, arena);
   arena.seed = static_cast<std::uint64_t>(s.simulation.seed);
   arena.point = point_hash(scenario);
   return arena;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/arena/arena_report.hpp"
+#include "sim/outside_report.hpp"
 
 namespace sim {
 namespace {
@@ -114,6 +115,9 @@ void add_sums(Dataset& data, const std::vector<ArenaPoint>& points) {
   add_point_variable<double>(
       data, points, {"pure_aloha_throughput", "1", "throughput of pure ALOHA at that load"},
       [&](const ArenaPoint& p) { return known(p, pure_aloha(offered_load(p, together(p)))); });
+  std::vector<std::int64_t> outside;
+  for (const ArenaPoint& p : points) outside.push_back(static_cast<std::int64_t>(p.outside));
+  data.variables.push_back(outside_variable(std::move(outside)));
 }
 
 /// One frame that was heard after the other, of all points.

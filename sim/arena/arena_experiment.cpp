@@ -58,7 +58,8 @@ ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinate
   return {.coordinates = coordinates,
           .senders = facts_of(arena),
           .duration_s = arena.duration.value,
-          .reach_mw_per_m2 = arena.reach_mw_per_m2};
+          .reach_mw_per_m2 = arena.reach_mw_per_m2,
+          .outside = arena.outside};
 }
 
 void add_runs(ArenaPoint& point, ArenaRuns runs) {

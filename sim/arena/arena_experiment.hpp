@@ -25,6 +25,7 @@ struct ArenaPoint {
   std::vector<HeardFrame> heard{};
   double duration_s = 0;
   double reach_mw_per_m2 = 0;
+  std::uint64_t outside = 0;  // of sim/validity
 };
 
 /// Runs that each thread may do at once: all of them, at some 140 bytes a character that devices

@@ -9,6 +9,7 @@
 
 #include "sim/arena/way.hpp"
 #include "sim/estimate_text.hpp"
+#include "sim/outside_report.hpp"
 #include "sim/statistics.hpp"
 #include "sim/text_table.hpp"
 
@@ -42,6 +43,7 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   columns.push_back({{"offered", "load", "G"}, 7});
   columns.push_back({{"through-", "put", "S"}, 8});
   columns.push_back({{"pure", "ALOHA", "S"}, 7});
+  columns.push_back(outside_column());
   return columns;
 }
 
@@ -156,6 +158,7 @@ std::string arena_row(const std::vector<Axis>& axes, const ArenaPoint& point) {
   const double load = offered_load(point, all);
   for (const double value : {load, throughput(point, all), pure_aloha(load)})
     texts.push_back(share(value));
+  texts.push_back(outside_mark(point.outside));
   return table_line(point_columns(axes), texts);
 }
 

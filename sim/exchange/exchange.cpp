@@ -3,6 +3,7 @@
 #include "channel/geometry.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/link.hpp"
+#include "sim/validity.hpp"
 
 namespace sim {
 namespace {
@@ -57,6 +58,8 @@ Exchange make_exchange(const Scenario& scenario) {
              .uart = protocol::find_uart_receiver(s.uart.receiver),
              .irradiance_mw_per_m2 = signal.value * 1e3,
              .reflected_mw_per_m2 = reflected.value * 1e3,
+             .outside = outside_validity(
+                 scenario, {.irradiance_mw_per_m2 = (signal + reflected).value * 1e3}),
              .seed = static_cast<std::uint64_t>(s.simulation.seed),
              .point = point_hash(scenario)};
   e.chain.disturbances.push_back(design_reflection(s, reflected, carrier));

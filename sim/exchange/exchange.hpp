@@ -29,6 +29,8 @@ struct Exchange {
   dsp::Seconds delay;                             // constant part, light to pin
   const protocol::UartReceiver* uart = nullptr;
   double irradiance_mw_per_m2 = 0, reflected_mw_per_m2 = 0;
+  // Of sim/validity; of bursts as of device.message, which has longer ones than SharedLink.
+  std::uint64_t outside = 0;
   std::uint64_t seed = 0;
   std::uint32_t point = 0;
 };

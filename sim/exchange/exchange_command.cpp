@@ -4,6 +4,7 @@
 
 #include "sim/dataset.hpp"
 #include "sim/exchange/exchange_report.hpp"
+#include "sim/outside_report.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
@@ -21,6 +22,7 @@ void run_exchange_scenario(const ExperimentRun& run) {
   const Dataset data = exchange_dataset(scenario, run.command, points);
   write_dataset(run.output, data, run.program);
   if (run.json) return print(dataset_json(data) + "\n");
+  print(outside_notes(data));
   if (points.size() == 1 && points[0].tally.n_runs > 0) print("\n" + direction_table(points[0]));
   print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/estimate_text.hpp"
+#include "sim/outside_report.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/run_sharing.hpp"
 #include "sim/statistics.hpp"
@@ -21,7 +22,8 @@ constexpr double high_share = 0.95;
 ExchangePoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
                         const ExchangeOptions& options) {
   const Exchange exchange = make_exchange(scenario);
-  ExchangePoint point{coordinates, exchange.irradiance_mw_per_m2, exchange.reflected_mw_per_m2};
+  ExchangePoint point{coordinates, exchange.irradiance_mw_per_m2, exchange.reflected_mw_per_m2,
+                      exchange.outside};
   const auto runs = static_cast<std::uint32_t>(scenario.exchange.runs);
   RunSharing<ExchangeTally> sharing(
       {.runs = runs, .most_at_once = runs, .threads = options.threads, .stop = options.interrupt},
@@ -85,6 +87,7 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
   columns.push_back({{"own", "reflection", "[mW/m2]"}, number_width});
   for (const TextColumn& column : tally_columns()) columns.push_back(column);
+  columns.push_back(outside_column());
   return columns;
 }
 
@@ -208,6 +211,7 @@ std::string exchange_row(const std::vector<Axis>& axes, const ExchangePoint& poi
   texts.push_back(fmt::format("{:.4g}", point.irradiance_mw_per_m2));
   texts.push_back(fmt::format("{:.4g}", point.reflected_mw_per_m2));
   for (std::string& text : tally_texts(together(point.tally))) texts.push_back(std::move(text));
+  texts.push_back(outside_mark(point.outside));
   return table_line(point_columns(axes), texts);
 }
 
@@ -243,6 +247,9 @@ Dataset exchange_dataset(const LoadedScenario& scenario, const std::string& comm
   add_point_variable<double>(data, points,
                              {"reflected_mw_per_m2", "mW/m2", "light of the node's own LED"},
                              [](const ExchangePoint& p) { return p.reflected_mw_per_m2; });
+  std::vector<std::int64_t> outside;
+  for (const ExchangePoint& p : points) outside.push_back(static_cast<std::int64_t>(p.outside));
+  data.variables.push_back(outside_variable(std::move(outside)));
   for (const Column& column : columns()) {
     if (column.is_count)
       data.variables.push_back(

@@ -14,7 +14,8 @@ namespace sim {
 struct ExchangePoint {
   std::vector<double> coordinates;  // one value an axis
   double irradiance_mw_per_m2 = 0, reflected_mw_per_m2 = 0;
-  ExchangeTally tally{};  // no runs: never reached
+  std::uint64_t outside = 0;  // of sim/validity
+  ExchangeTally tally{};      // no runs: never reached
 };
 
 /// Both directions together.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/arena/arena_report.hpp"
+#include "sim/outside_report.hpp"
 #include "sim/text_table.hpp"
 
 namespace sim {
@@ -40,6 +41,7 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   columns.push_back({{"questions", "", "asked"}, 9});
   columns.push_back({{"", "", "answered"}, 9});
   columns.push_back({{"", "timed", "out"}, 9});
+  columns.push_back(outside_column());
   return columns;
 }
 
@@ -68,6 +70,7 @@ std::string guard_row(const std::vector<Axis>& axes, const GuardPoint& point) {
   for (const std::uint64_t n :
        {point.tally.n_asked, point.tally.n_answered, point.tally.n_timed_out})
     texts.push_back(fmt::format("{}", n));
+  texts.push_back(outside_mark(point.arena.outside));
   return table_line(point_columns(axes), texts);
 }
 

@@ -7,6 +7,14 @@ namespace sim {
 
 using dsp::Seconds;
 
+/// It may be out already, as at any other time.
+SerialLine::SerialLine(const LineSettings& settings, const dsp::RandomAddress& draws)
+    : settings_(settings), draws_(draws) {
+  if (settings_.outage_every.value <= 0) return;
+  const Seconds cycle = settings_.outage_every + settings_.outage_for;
+  out_ = uniform() * cycle.value >= settings_.outage_for.value;  // flipped at once
+}
+
 void SerialLine::send(const protocol::Bytes& bytes, Seconds now) {
   const Seconds each = protocol::bits_per_byte * dsp::period(settings_.baud);
   Seconds at = std::max(now, free_at_);
@@ -17,7 +25,7 @@ void SerialLine::send(const protocol::Bytes& bytes, Seconds now) {
   free_at_ = at;
 }
 
-/// Exponential spells; it begins with the line there.
+/// Exponential spells.
 bool SerialLine::out_at(Seconds t) {
   if (settings_.outage_every.value <= 0) return false;
   while (until_ <= t) {

@@ -16,8 +16,7 @@ struct LineSettings {
 
 class SerialLine {
  public:
-  SerialLine(const LineSettings& settings, const dsp::RandomAddress& draws)
-      : settings_(settings), draws_(draws) {}
+  SerialLine(const LineSettings& settings, const dsp::RandomAddress& draws);
 
   /// Whether all that was sent has gone over it.
   bool is_free(dsp::Seconds now) const { return free_at_ <= now; }
@@ -45,7 +44,7 @@ class SerialLine {
   std::uint32_t next_ = 0;
   std::deque<Flight> flying_;
   dsp::Seconds free_at_;
-  bool out_ = true;  // flipped at once
+  bool out_ = false;
   dsp::Seconds until_;
 };
 

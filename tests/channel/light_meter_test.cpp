@@ -60,7 +60,7 @@ TEST(LightMeter, BurstsBeginAndEndInsideOfSamples) {
   const auto v = noiseless_volts(meter, light, {4, 0.3, {{0.25, 1.1}, {1.4, 2.25}}});
   const double full = 0.6667 * 7.5;
   const double expected[] = {0.5, 0.4, 0.5, 0};
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(v[i], expected[i] * full, 1e-12) << i;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(v[i], expected[i] * full, 1e-12) << i;
 }
 
 /// Amplitude of a frequency in the samples, as a share of the carrier's peak.

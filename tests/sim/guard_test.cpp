@@ -94,6 +94,15 @@ TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
   EXPECT_GT(points[1].tally.n_timed_out, points[0].tally.n_timed_out);
 }
 
+TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as likely as not
+  const auto points =
+      run_guards(loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
+                               "guard.byte_error_ratio=0", "arena.runs=8"}),
+                 {});
+  EXPECT_GT(together(points[0]).n_known, 0U);
+  EXPECT_GT(together(points[0]).n_lost, 0U);
+}
+
 TEST(Guard, AnInterruptLeavesPointsWithoutRuns) {
   const std::atomic<bool> stop{true};
   const LoadedScenario scenario = loaded(room);

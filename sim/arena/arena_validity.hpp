@@ -1,0 +1,13 @@
+#pragma once
+// Where an arena leaves the range of a model that it is made of.
+#include <cstdint>
+
+#include "sim/arena/arena.hpp"
+
+namespace sim {
+
+/// The limits (sim/validity) that the link from any sender leaves where the receiver comes nearest
+/// to it, or is farthest from it, with light in reach.
+std::uint64_t outside_validity(const Scenario& scenario, const Arena& arena);
+
+}  // namespace sim

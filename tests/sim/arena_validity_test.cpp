@@ -1,0 +1,52 @@
+// Arenas say where they leave the range of a model, as links do (sim/validity).
+#include <nlohmann/json.hpp>
+
+#include "arena_scenes.hpp"
+#include "gtest/gtest.h"
+#include "sim/dataset.hpp"
+#include "sim/flags.hpp"
+#include "sim/outside_report.hpp"
+#include "sim/validity.hpp"
+
+namespace sim {
+namespace {
+
+std::string outside_of(const std::string& text, const std::vector<std::string>& set = {}) {
+  return raised_names(validity_limits(), arena_of(text, set).outside);
+}
+
+const std::string past = "[devices.one]\nx_m = 1\ny_m = 0.3\n[path]\nx_m = [0, 2]\n";
+
+TEST(ArenaValidity, SaysWhenTheReceiverComesTooNear) {
+  EXPECT_EQ(outside_of(past), "");
+  EXPECT_EQ(outside_of(past, {"devices.one.y_m=0.04"}), "near");
+  EXPECT_EQ(outside_of(past, {"devices.one.y_m=0.04", "devices.one.x_m=-1"}), "");  // passed by
+}
+
+TEST(ArenaValidity, LooksAtEachDevicesOwnLedAndCarrier) {
+  const std::string other = past + device("two", "3");
+  EXPECT_EQ(outside_of(other, {"devices.two.current_ma=500"}), "current");
+  EXPECT_EQ(outside_of(other, {"devices.two.carrier_error_ppm=190000"}), "carrier");
+}
+
+TEST(ArenaValidity, DevicesOutOfReachDoNotCount) {
+  const std::string other = past + device("two", "900", "current_ma = 500");
+  EXPECT_EQ(outside_of(other), "");
+}
+
+TEST(ArenaValidity, IsInTheTableInItsNotesAndInTheFile) {
+  const LoadedScenario scenario =
+      loaded_arena(past + "[arena]\nruns = 1\n", {"devices.one.y_m=0.04,0.3"});
+  const std::vector<ArenaPoint> points = run_arenas(scenario, {});
+  EXPECT_NE(arena_row(scenario.sweep, points.at(0)).find("  ! near\n"), std::string::npos);
+  EXPECT_EQ(arena_row(scenario.sweep, points.at(1)).find('!'), std::string::npos);
+  const Dataset data = arena_dataset(scenario, "", points);
+  EXPECT_EQ(outside_notes(data),
+            "! near: nearer than 5 cm LED and module are no points to each other\n");
+  const auto json = nlohmann::json::parse(dataset_json(data))["variables"]["outside_validity"];
+  EXPECT_EQ(json["values"], nlohmann::json({1, 0}));
+  EXPECT_EQ(json["flags"][0], "near");
+}
+
+}  // namespace
+}  // namespace sim
