@@ -8,14 +8,24 @@
 #include "sim/disturbance_keys.hpp"
 #include "sim/entries.hpp"
 #include "sim/keys.hpp"
+#include "sim/number_text.hpp"
 
 namespace sim {
 namespace {
 
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }  // no negative zero
 
+std::string exact_list(const std::string& list) {
+  std::string text;
+  for (const double value : parse_values(list, ""))
+    text += (text.empty() ? "" : ",") + exact(value);
+  return text;
+}
+
 std::string value_text(const Key& key, Scenario& s) {
-  return key.is_number() ? exact(key.number(s)) : toml_string(key.text(s));
+  if (key.is_number()) return exact(key.number(s));
+  const std::string& text = key.text(s);
+  return toml_string(key.facts.type == KeyType::number_list && !text.empty() ? exact_list(text) : text);
 }
 
 bool is_younger_default(const Key& key, Scenario& s) {

@@ -37,6 +37,7 @@ struct Dataset {
   std::vector<Axis> axes;
   std::vector<Dimension> dimensions{};
   std::vector<Variable> variables{};
+  std::uint64_t n_runs = 0;  // or trials, of all points together; 0: nothing was measured
 };
 
 /// Hash (32 hex digits) of all counts: equal digests, equal results.

@@ -99,23 +99,6 @@ void check_current(const Scenario& s, const Places& places) {
       fmt::format("use at most {}", last));
 }
 
-/// Where its data do not tell of temperature, an LED has the sheet's.
-void check_temperature(const Scenario& s, const Places& places) {
-  const double celsius = s.led.temperature_c;
-  if (celsius == channel::emitter_reference_celsius) return;
-  const auto& known = s.emitter.relative_intensity_against_temperature.x;
-  if (!known.empty() && known.front() <= celsius && celsius <= known.back()) return;
-  const std::string asked =
-      fmt::format("led.temperature_c = {} {}", celsius, place_of(places, "led.temperature_c"));
-  if (known.empty())
-    throw bad_input(asked, "the data of " + s.emitter.name + " hold for one temperature",
-                    fmt::format("use {}", channel::emitter_reference_celsius));
-  throw bad_input(asked,
-                  fmt::format("the data of {} span {} to {} degree_C", s.emitter.name,
-                              known.front(), known.back()),
-                  "use a temperature between them");
-}
-
 /// Without noise there is no light of a given Eb/N0.
 void check_ebn0(const Scenario& s, const Places& places) {
   if (std::isnan(s.receiver.ebn0_db) || s.noise.scale > 0) return;
@@ -141,7 +124,7 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& pl
   check_remotes(s, places);
   check_current(s, places);
   check_ebn0(s, places);
-  check_temperature(s, places);
+  check_led_temperature(s.emitter, s.led.temperature_c, places);
   check_fidelity(s, places);
   check_method(s, places);
 }
@@ -174,6 +157,22 @@ void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
 }
 
 }  // namespace
+
+void check_led_temperature(const channel::EmitterData& emitter, double celsius,
+                           const Places& places) {
+  if (celsius == channel::emitter_reference_celsius) return;
+  const auto& known = emitter.relative_intensity_against_temperature.x;
+  if (!known.empty() && known.front() <= celsius && celsius <= known.back()) return;
+  const std::string asked =
+      fmt::format("led.temperature_c = {} {}", celsius, place_of(places, "led.temperature_c"));
+  if (known.empty())
+    throw bad_input(asked, "the data of " + emitter.name + " hold for one temperature",
+                    fmt::format("use {}", channel::emitter_reference_celsius));
+  throw bad_input(asked,
+                  fmt::format("the data of {} span {} to {} degree_C", emitter.name, known.front(),
+                              known.back()),
+                  "use a temperature between them");
+}
 
 std::string place_of(const Places& places, const std::string& key) {
   const auto at = places.find(key);

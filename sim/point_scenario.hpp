@@ -19,6 +19,10 @@ Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number);
 /// Throw unless every point of the sweep holds.
 void check_all_points(const LoadedScenario& loaded);
 
+/// Throws where the LED's data do not tell of that temperature.
+void check_led_temperature(const channel::EmitterData& emitter, double celsius,
+                           const Places& places);
+
 /// Where a key has its value from, for messages: "in x.toml:14", "from the part", "by default".
 std::string place_of(const Places& places, const std::string& key);
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "channel/instruction_set.hpp"
 #include "sim/worker_threads.hpp"
 
 namespace sim {
@@ -28,15 +27,12 @@ class RunSharing {
  public:
   using Work = std::function<Result(std::uint32_t first, int n)>;
 
-  /// A lot is as many runs as may be done at once and there are lanes for, and not so many that
-  /// threads have none.
+  /// A lot is as many runs as may be done at once, and not so many that threads have none.
   RunSharing(const SharedRuns& shared, Work work)
       : shared_(shared),
-        lot_(std::clamp(
-            (shared.runs + static_cast<std::uint32_t>(shared.threads) - 1) /
-                static_cast<std::uint32_t>(shared.threads),
-            1U,
-            std::min(shared.most_at_once, static_cast<std::uint32_t>(channel::trials_at_once())))),
+        lot_(std::clamp((shared.runs + static_cast<std::uint32_t>(shared.threads) - 1) /
+                            static_cast<std::uint32_t>(shared.threads),
+                        1U, shared.most_at_once)),
         work_(std::move(work)),
         lots_((shared.runs + lot_ - 1) / lot_) {}
 

@@ -42,12 +42,17 @@ void check_currents(const std::vector<Sender>& senders, const Places& places) {
   }
 }
 
+void check_temperatures(const std::vector<Sender>& senders, double celsius, const Places& places) {
+  for (const Sender& sender : senders) check_led_temperature(sender.emitter, celsius, places);
+}
+
 void check_point(const Scenario& s, const Places& places) {
   check_receiver(s, places);
   const Way way(s.path);
   const std::vector<Sender> senders = make_senders(s);
   check_names(senders);
   check_currents(senders, places);
+  check_temperatures(senders, s.led.temperature_c, places);
 }
 
 }  // namespace

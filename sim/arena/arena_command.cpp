@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include "sim/arena/arena_report.hpp"
-#include "sim/dataset.hpp"
-#include "sim/outside_report.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
@@ -14,7 +12,7 @@ namespace {
 std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
   const SenderTally all = together(point);
   std::string text =
-      "\n" + device_table(point) + "\n" + waterfall(all.messages(), loss_stages(all), "delivered");
+      device_table(point) + "\n" + waterfall(all.messages(), loss_stages(all), "delivered");
   if (point.tally.n_false > 0)
     text += fmt::format("{:>10}  accepted though nobody sent them\n", point.tally.n_false);
   return text + "\n" + way_table(scenario.base, point);
@@ -31,11 +29,8 @@ void run_arena_scenario(const ExperimentRun& run) {
   }
   const std::vector<ArenaPoint> points = run_arenas(scenario, options);
   const Dataset data = arena_dataset(scenario, run.command, points);
-  write_dataset(run.output, data, run.program);
-  if (run.json) return print(dataset_json(data) + "\n");
-  print(outside_notes(data));
-  if (points.size() == 1 && points[0].tally.n_runs > 0) print(details(scenario, points[0]));
-  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+  const bool single = points.size() == 1 && points[0].tally.n_runs > 0;
+  conclude(run, data, single ? details(scenario, points[0]) : "");
 }
 
 }  // namespace sim

@@ -203,6 +203,7 @@ Dataset arena_dataset(const LoadedScenario& scenario, const std::string& command
                .axes = scenario.sweep};
   const std::vector<std::string> names = sender_names(points);
   if (!names.empty()) data.dimensions.push_back({{"device", "", "devices"}, names});
+  for (const ArenaPoint& point : points) data.n_runs += point.tally.n_runs;
   add_sums(data, points);
   add_device_variables(data, points);
   add_heard(data, points, names);

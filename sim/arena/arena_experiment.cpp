@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "channel/instruction_set.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/run_sharing.hpp"
 #include "sim/sweep.hpp"
@@ -50,8 +51,9 @@ double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
 
 std::uint32_t runs_that_fit(const Arena& arena, int threads) {
   constexpr double most_characters = 2.5e6;
-  return static_cast<std::uint32_t>(
-      std::clamp(most_characters / (characters(arena) * threads + 1), 1.0, 1e6));
+  return static_cast<std::uint32_t>(std::clamp(most_characters / (characters(arena) * threads + 1),
+                                               1.0,
+                                               static_cast<double>(channel::trials_at_once())));
 }
 
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates) {

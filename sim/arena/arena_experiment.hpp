@@ -28,8 +28,8 @@ struct ArenaPoint {
   std::uint64_t outside = 0;  // of sim/validity
 };
 
-/// Runs that each thread may do at once: all of them, at some 140 bytes a character that devices
-/// send, are to take no more than 350 MB.
+/// Runs that each thread may do at once: as many as there are lanes, but all of them, at some 140
+/// bytes a character that devices send, are to take no more than 350 MB.
 std::uint32_t runs_that_fit(const Arena& arena, int threads);
 
 /// A point before its first run, and with runs added, which are to be in order.

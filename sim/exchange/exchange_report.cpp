@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "channel/instruction_set.hpp"
 #include "sim/estimate_text.hpp"
 #include "sim/outside_report.hpp"
 #include "sim/point_scenario.hpp"
@@ -26,7 +27,10 @@ ExchangePoint run_point(const Scenario& scenario, const std::vector<double>& coo
                       exchange.outside};
   const auto runs = static_cast<std::uint32_t>(scenario.exchange.runs);
   RunSharing<ExchangeTally> sharing(
-      {.runs = runs, .most_at_once = runs, .threads = options.threads, .stop = options.interrupt},
+      {.runs = runs,
+       .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
+       .threads = options.threads,
+       .stop = options.interrupt},
       [&](std::uint32_t first, int n) {
         return run_exchange(exchange, first, n, options.interrupt);
       });
@@ -236,6 +240,7 @@ Dataset exchange_dataset(const LoadedScenario& scenario, const std::string& comm
                .experiment = "sharedlink",
                .seed = static_cast<std::uint64_t>(scenario.base.simulation.seed),
                .axes = scenario.sweep};
+  for (const ExchangePoint& point : points) data.n_runs += point.tally.n_runs;
   data.dimensions.push_back(
       {{"sender", "", "node that sends"}, std::vector<std::string>{"A", "B"}});
   add_point_variable<std::int64_t>(

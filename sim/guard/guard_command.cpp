@@ -1,14 +1,19 @@
 #include "sim/guard/guard_command.hpp"
 
-#include <fmt/format.h>
-
 #include "sim/arena/arena_report.hpp"
-#include "sim/dataset.hpp"
 #include "sim/guard/guard_report.hpp"
-#include "sim/outside_report.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
+namespace {
+
+/// What there is to say of one point more than its row.
+std::string details(const LoadedScenario& scenario, const GuardPoint& point) {
+  return mirror_table(point) + "\n" + guard_waterfall(point) + "\n" +
+         way_table(scenario.base, point.arena);
+}
+
+}  // namespace
 
 void run_guard_scenario(const ExperimentRun& run) {
   const LoadedScenario& scenario = run.scenario;
@@ -19,13 +24,8 @@ void run_guard_scenario(const ExperimentRun& run) {
   }
   const std::vector<GuardPoint> points = run_guards(scenario, options);
   const Dataset data = guard_dataset(scenario, run.command, points);
-  write_dataset(run.output, data, run.program);
-  if (run.json) return print(dataset_json(data) + "\n");
-  print(outside_notes(data));
-  if (points.size() == 1 && points[0].arena.tally.n_runs > 0)
-    print("\n" + mirror_table(points[0]) + "\n" + guard_waterfall(points[0]) + "\n" +
-          way_table(scenario.base, points[0].arena));
-  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+  const bool single = points.size() == 1 && points[0].arena.tally.n_runs > 0;
+  conclude(run, data, single ? details(scenario, points[0]) : "");
 }
 
 }  // namespace sim

@@ -121,6 +121,7 @@ Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& comm
   std::vector<double> numbers(points.front().settings.readings.size());
   std::iota(numbers.begin(), numbers.end(), 1);
   data.dimensions.push_back({{"reading", "1", "number of the receiver or heading"}, numbers});
+  for (const Point& point : points) data.n_runs += point.result ? point.result->trials() : 0;
   TrialVariables<Point> to(data, points);
   to.count({"n_trials", "1", "times that the device was located"}, [](const Point& p) {
     return p.result ? static_cast<std::int64_t>(p.result->trials()) : 0;
@@ -130,6 +131,8 @@ Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& comm
   to.count(
       {"n_covered", "1", "located ones with the truth in their 95 % ellipse"},
       [](const Point& p) { return p.result ? static_cast<std::int64_t>(p.result->covered) : 0; });
+  to.count({"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
+           [](const Point& p) { return p.result ? std::llround(p.result->squared_um2) : 0; });
   add_estimate(to, {"rmse_m", "m", "rms error of the located ones"}, &LocationTrials::rmse_m);
   add_bound(to);
   add_estimate(to, {"coverage", "1", "share of the located ones with the truth in their ellipse"},

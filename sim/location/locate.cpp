@@ -24,13 +24,13 @@ constexpr double least_relative_deviation = 1e-7;
 std::string in_words(std::size_t i) { return fmt::format("reading {}", i + 1); }
 
 void check(const Reading& r, std::size_t i) {
-  if (!(std::isfinite(r.irradiance_w_per_m2) && r.irradiance_w_per_m2 >= 0))
+  if (!std::isfinite(r.irradiance_w_per_m2))
     throw bad_input(fmt::format("{} of {} W/m2", in_words(i), r.irradiance_w_per_m2),
-                    "light is 0 or more", "take the ambient light off and leave failures out");
+                    "light is a number", "leave failures out");
   if (!(std::isfinite(r.deviation_w_per_m2) && r.deviation_w_per_m2 > 0))
     throw bad_input(fmt::format("{} has a deviation of {} W/m2", in_words(i), r.deviation_w_per_m2),
                     "it is above 0", "give the noise that the reading has");
-  if (r.deviation_w_per_m2 < least_relative_deviation * r.irradiance_w_per_m2)
+  if (r.deviation_w_per_m2 < least_relative_deviation * std::abs(r.irradiance_w_per_m2))
     throw bad_input(fmt::format("{} has a deviation of {} of itself", in_words(i),
                                 r.deviation_w_per_m2 / r.irradiance_w_per_m2),
                     fmt::format("the model is good to {}", least_relative_deviation),
@@ -127,6 +127,10 @@ const std::vector<std::string>& locate_outcome_names() {
   static const std::vector<std::string> names{"located", "ambiguous", "poor_fit", "underdetermined",
                                               "not_converged"};
   return names;
+}
+
+void check_readings(const LocateSettings& settings, const std::vector<Reading>& readings) {
+  area_of(settings, readings);
 }
 
 Locator::Locator(const LocateSettings& settings, const std::vector<Reading>& readings)

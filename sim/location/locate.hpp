@@ -44,11 +44,14 @@ struct Location {
   double probability = 1;      // of so large a chi-square by chance; 1 without freedom
 };
 
+/// Throws bad_input for readings that cannot be.
+void check_readings(const LocateSettings& settings, const std::vector<Reading>& readings);
+
 /// Receivers at their places, for readings of any light.
 class Locator {
  public:
   /// Only places, headings and deviations of the readings are kept, and for an area that is not
-  /// set the strongest one. Throws bad_input for readings that cannot be.
+  /// set the strongest one. Throws as check_readings.
   Locator(const LocateSettings& settings, const std::vector<Reading>& readings);
 
   /// Computes scattered light around all places where such readings may lead, once for all: good

@@ -124,7 +124,7 @@ LocationTrialsSettings location_settings(const Scenario& s, const Places& places
   settings.trials = static_cast<std::uint32_t>(s.location.trials);
   settings.seed = static_cast<std::uint64_t>(s.simulation.seed);
   settings.point = point_hash(s);
-  const Locator check(settings.locate, settings.readings);  // throws for what cannot be located by
+  check_readings(settings.locate, settings.readings);
   return settings;
 }
 

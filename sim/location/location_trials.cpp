@@ -62,6 +62,7 @@ LocationTrials summed(const std::vector<Lot>& lots, double level) {
       errors.add(trial.squared_m2);
       result.covered += trial.covered ? 1 : 0;
     }
+  result.squared_um2 = errors.squares * 1e12;
   result.rmse_m = errors.rms(level);
   const Interval ci =
       clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n), level);
@@ -122,9 +123,9 @@ std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
   const Bench bench(s);
   RunSharing<Lot> trials(shared_trials(s.trials, sharing), [&](std::uint32_t first, int n) {
     Lot lot;
-    for (std::uint32_t trial = first; trial < first + static_cast<std::uint32_t>(n); ++trial)
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !sharing.interrupted(); ++i)
       lot.push_back(judged(
-          bench.locator.locate(drawn_readings(bench.readings, address_of(s, trial))), s.truth));
+          bench.locator.locate(drawn_readings(bench.readings, address_of(s, first + i))), s.truth));
     return lot;
   });
   const std::vector<Lot> lots = trials();

@@ -27,6 +27,7 @@ struct LocationTrialsSettings {
 struct LocationTrials {
   static constexpr std::size_t outcomes = 5;
   std::array<std::uint64_t, outcomes> count{};  // by LocateOutcome
+  double squared_um2 = 0;                       // sum of the squared errors of the located ones
   Estimate rmse_m;  // of the located ones; normal interval of the mean square
   std::optional<PositionCovariance> bound;  // of Cramer and Rao; nothing if underdetermined
   std::uint64_t covered = 0;                // located with the truth in the ellipse

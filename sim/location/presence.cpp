@@ -28,11 +28,12 @@ struct Counts {
   }
 };
 
+/// Worth nothing after an interrupt.
 Counts count(const PresencePoint& point, const std::vector<RocPoint>& roc, std::uint32_t first,
-             int n) {
+             int n, const TrialSharing& sharing) {
   Counts counts;
-  for (std::uint32_t trial = first; trial < first + static_cast<std::uint32_t>(n); ++trial)
-    counts.add(point.trial(trial), roc);
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !sharing.interrupted(); ++i)
+    counts.add(point.trial(first + i), roc);
   return counts;
 }
 
@@ -85,7 +86,7 @@ std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
   PresenceResult result{.roc = thresholds(settings)};
   RunSharing<Counts> trials(
       shared_trials(settings.trials, sharing),
-      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n); });
+      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n, sharing); });
   add_counts(trials(), settings.level, point.samples_drawn(), result);
   if (result.trials == 0 && sharing.interrupted()) return std::nullopt;
   add_theory(point, settings.detector, result);

@@ -17,6 +17,7 @@ namespace sim {
 namespace {
 
 double mean(const std::vector<double>& samples) {
+  if (samples.empty()) return 0;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
@@ -52,19 +53,21 @@ PresencePoint::Trial PresencePoint::trial(std::uint32_t number) const {
   const Samples dark = sampled(Samples(n, dark_volts_), normals.data());
   const Samples lit =
       sampled(channel::noiseless_volts(s_.meter, s_.light, window), normals.data() + n);
-  const Samples reference =
-      sampled(Samples(s_.reference_samples, dark_volts_), normals.data() + 2 * n);
+  const Samples reference = sampled(dark_reference(), normals.data() + 2 * n);
   std::size_t clipped = 0;
   for (const Samples* each : {&dark, &lit, &reference}) clipped += clipped_samples(s_.meter, *each);
-  return {statistic(dark, reference, window.phase), statistic(lit, reference, window.phase),
-          clipped};
+  const Statistic statistic = statistic_at(window.phase);
+  return {statistic(dark, reference), statistic(lit, reference), clipped};
 }
 
 DetectionLaw PresencePoint::law(double phase, double place) const {
   const Samples lit = channel::noiseless_volts(s_.meter, s_.light, window_at(phase, place));
-  const Samples reference(s_.reference_samples, dark_volts_);
-  return {statistic(lit, reference, phase),
+  return {statistic_at(phase)(lit, dark_reference()),
           statistic_widening(deviation_at(mean(lit)) / deviation_)};
+}
+
+double PresencePoint::in_ms(double samples) const {
+  return samples / s_.meter.sample_rate_hz * 1e3;
 }
 
 dsp::RandomAddress PresencePoint::address(std::uint32_t trial, Purpose purpose) const {
@@ -80,17 +83,18 @@ void PresencePoint::place_message() {
   message_ = message_bursts(*s_.keyed, s_.meter.sample_rate_hz);
   room_ = message_.back().off - static_cast<double>(s_.window_samples);
   if (room_ < 0)
-    throw bad_input(fmt::format("a window of {} samples", s_.window_samples),
-                    fmt::format("the message's light ends after {:.0f}", message_.back().off),
-                    "take a shorter window or a longer message");
+    throw bad_input(
+        fmt::format("presence.window_ms = {:g}", in_ms(static_cast<double>(s_.window_samples))),
+        fmt::format("the message's light ends after {:.4g} ms", in_ms(message_.back().off)),
+        "take a shorter window or a longer device.message");
 }
 
 void PresencePoint::refuse_blindness() const {
   const bool blind = (s_.detector == Detector::synchronous && synchronous(0).blind()) ||
                      (s_.detector == Detector::goertzel && goertzel_.blind());
   if (blind)
-    throw bad_input(fmt::format("a detector of {:g} Hz in samples of {:g} Hz", s_.tuned_to.value,
-                                s_.meter.sample_rate_hz),
+    throw bad_input(fmt::format("presence.tuned_hz = {:g} with presence.adc_rate_hz = {:g}",
+                                s_.tuned_to.value, s_.meter.sample_rate_hz),
                     "to it the carrier looks like steady light", "take another sample rate");
 }
 
@@ -106,16 +110,26 @@ channel::MeterWindow PresencePoint::window_at(double phase, double place) const 
 channel::SynchronousDetector PresencePoint::synchronous(double phase) const {
   channel::MeteredLight wanted = s_.light;
   wanted.signal = dsp::WattsPerSquareMetre(1);
+  wanted.ambient = dsp::WattsPerSquareMetre(0);
   wanted.carrier = s_.tuned_to;
+  channel::LightMeter meter = s_.meter;
+  meter.photodiode.dark_current_na = 0;
   return channel::SynchronousDetector(
-      channel::noiseless_volts(s_.meter, wanted, channel::steady_window(s_.window_samples, phase)));
+      channel::noiseless_volts(meter, wanted, channel::steady_window(s_.window_samples, phase)));
 }
 
-double PresencePoint::statistic(const Samples& window, const Samples& reference,
-                                double phase) const {
-  if (s_.detector == Detector::synchronous) return synchronous(phase)(window) / deviation_;
-  if (s_.detector == Detector::goertzel) return goertzel_(window) / (deviation_ * deviation_);
-  return channel::dc_difference(window, reference) / deviation_;
+PresencePoint::Statistic PresencePoint::statistic_at(double phase) const {
+  if (s_.detector == Detector::synchronous)
+    return [replica = synchronous(phase), this](const Samples& window, const Samples&) {
+      return replica.blind() ? 0 : replica(window) / deviation_;
+    };
+  if (s_.detector == Detector::goertzel)
+    return [this](const Samples& window, const Samples&) {
+      return goertzel_(window) / (deviation_ * deviation_);
+    };
+  return [this](const Samples& window, const Samples& reference) {
+    return channel::dc_difference(window, reference) / deviation_;
+  };
 }
 
 /// From the deviation of a sample to that of the statistic: the reference has no light.
@@ -124,6 +138,10 @@ double PresencePoint::statistic_widening(double widening) const {
   const double window = 1 / static_cast<double>(s_.window_samples);
   const double reference = 1 / static_cast<double>(s_.reference_samples);
   return std::sqrt((widening * widening * window + reference) / (window + reference));
+}
+
+PresencePoint::Samples PresencePoint::dark_reference() const {
+  return Samples(references_drawn(), dark_volts_);
 }
 
 PresencePoint::Samples PresencePoint::sampled(Samples volts, const float* normals) const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "channel/photodiode.hpp"
 #include "sim/estimate_text.hpp"
 #include "sim/location/trial_variables.hpp"
@@ -23,9 +25,25 @@ double photocurrent_na(const Point& point) {
 /// Below it rounding is no white noise (sim/location/presence.hpp).
 constexpr double least_noise_in_steps = 0.5;
 
-std::string outside_text(const PresenceResult& result) {
-  if (result.clipped > 0) return "clipped";
-  return result.noise_over_step < least_noise_in_steps ? "steps" : "";
+/// Sums of few rounded samples have few values: so many in a deviation of their noise at least, and
+/// a probability is off by a hundredth at most (half a value of a normal density's height).
+constexpr double least_values_in_noise = 20;
+
+double samples_summed(const PresenceSettings& s) {
+  const auto n = static_cast<double>(s.window_samples),
+             m = static_cast<double>(s.reference_samples);
+  return s.detector == Detector::dc_difference ? n * m / (n + m) : n;
+}
+
+bool is_coarse(const Point& point) {
+  const double noise = point.result->noise_over_step;
+  return noise < least_noise_in_steps ||
+         noise * std::sqrt(samples_summed(point.settings)) < least_values_in_noise;
+}
+
+std::string outside_text(const Point& point) {
+  if (point.result->clipped > 0) return "clipped";
+  return is_coarse(point) ? "steps" : "";
 }
 
 std::vector<TextColumn> columns_of(const LoadedScenario& scenario) {
@@ -110,7 +128,7 @@ std::string presence_row(const LoadedScenario& scenario, const Point& point) {
     texts.push_back(estimate_text(roc.detection));
     texts.push_back(fmt::format("{:.4f}", roc.detection_theory));
   }
-  texts.push_back(outside_text(result));
+  texts.push_back(outside_text(point));
   return table_line(columns_of(scenario), texts);
 }
 
@@ -128,6 +146,7 @@ Dataset presence_dataset(const LoadedScenario& scenario, const std::string& comm
   Dataset data = trial_dataset(scenario, command);
   data.dimensions.push_back(
       {{"false_alarm", "1", "probability of false alarm, as set"}, points.front().settings.pfa});
+  for (const Point& point : points) data.n_runs += point.result ? point.result->trials : 0;
   TrialVariables<Point> variables(data, points);
   add_point_variables(variables);
   add_roc_variables(variables);

@@ -15,6 +15,7 @@ namespace sim {
 namespace {
 
 constexpr double fewest_samples = 4, most_samples = 200'000;
+constexpr std::size_t most_false_alarms = 100;
 constexpr double zero_celsius_k = 273.15;
 
 dsp::Hertz off_by(double nominal, double ppm) { return dsp::Hertz(nominal * (1 + ppm * 1e-6)); }
@@ -56,10 +57,21 @@ std::size_t samples_in(const std::string& key, double ms, double rate_hz, const 
                   most_samples / rate_hz * 1e3));
 }
 
+/// Other detectors have none, whatever its key says.
+std::size_t reference_samples(const PresenceScenario& p, const Places& places) {
+  if (detector_of(p.detector) != Detector::dc_difference) return 0;
+  return samples_in("presence.reference_ms", p.reference_ms, p.adc_rate_hz, places);
+}
+
 std::vector<double> false_alarms(const PresenceScenario& p, const Places& places) {
   const std::string problem = fmt::format("presence.false_alarm = {} {}", p.false_alarm,
                                           place_of(places, "presence.false_alarm"));
   std::vector<double> pfa = parse_values(p.false_alarm, problem);
+  if (pfa.size() > most_false_alarms)
+    throw bad_input(fmt::format("presence.false_alarm of {} numbers {}", pfa.size(),
+                                place_of(places, "presence.false_alarm")),
+                    "each has columns of its own",
+                    fmt::format("use {} at most", most_false_alarms));
   std::vector<double> sorted = pfa;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end())
@@ -83,8 +95,7 @@ PresenceSettings presence_settings(const Scenario& s, const Places& places) {
       .detector = detector_of(p.detector),
       .tuned_to = dsp::Hertz(p.tuned_hz),
       .window_samples = samples_in("presence.window_ms", p.window_ms, p.adc_rate_hz, places),
-      .reference_samples =
-          samples_in("presence.reference_ms", p.reference_ms, p.adc_rate_hz, places),
+      .reference_samples = reference_samples(p, places),
       .keyed = keyed_message(s),
       .pfa = false_alarms(p, places),
       .trials = static_cast<std::uint32_t>(p.trials),

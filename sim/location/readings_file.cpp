@@ -129,33 +129,29 @@ class Table {
   std::vector<std::string> columns_;
 };
 
-void refuse_below(double least, bool least_too, const std::string& column, double value,
-                  const std::string& place) {
-  if (value > least || (least_too && value == least)) return;
-  throw bad_input(fmt::format("{} = {} {}", column, value, place),
-                  fmt::format("it is {}", least_too ? "0 or more" : "above 0"),
+void refuse_0_and_below(const std::string& column, double value, const std::string& place) {
+  if (value > 0) return;
+  throw bad_input(fmt::format("{} = {} {}", column, value, place), "it is above 0",
                   "correct it or leave the line out");
 }
 
-/// The number of the one column of a pair that the row has, checked.
-double one_of(const Row& row, const std::pair<std::string, std::string>& pair, bool zero_too,
-              const std::string& place) {
-  const auto found = row.contains(pair.first) ? row.find(pair.first) : row.find(pair.second);
-  refuse_below(0, zero_too, found->first, found->second, place);
-  return found->second;
+/// The one column of a pair that the row has, and its number.
+Row::value_type one_of(const Row& row, const std::pair<std::string, std::string>& pair) {
+  return *(row.contains(pair.first) ? row.find(pair.first) : row.find(pair.second));
 }
 
 void set_light(Reading& reading, const Row& row, const channel::PhotodiodeData& photodiode,
                const std::string& place) {
   const double per_w_m2 = channel::photocurrent(photodiode, dsp::WattsPerSquareMetre(1)).value;
   const double unit = row.contains("photocurrent_ua") ? 1e-6 / per_w_m2 : 1e-3;
-  const double value = one_of(row, either[0], true, place);
-  const double sigma = one_of(row, either[1], false, place);
+  const double value = one_of(row, either[0]).second;
+  const auto& [sigma_column, sigma] = one_of(row, either[1]);
+  refuse_0_and_below(sigma_column, sigma, place);
   reading.irradiance_w_per_m2 = value * unit;
   reading.deviation_w_per_m2 = (row.contains("sigma") ? sigma : sigma * value) * unit;
   if (reading.deviation_w_per_m2 > 0) return;
-  throw bad_input("relative_sigma of a reading of 0 " + place, "its deviation would be 0 too",
-                  "give sigma, in the unit of the reading");
+  throw bad_input(fmt::format("relative_sigma of a reading of {} {}", value, place),
+                  "its deviation would not be above 0", "give sigma, in the unit of the reading");
 }
 
 void set_bearing(Reading& reading, const Row& row, const std::string& place) {
@@ -163,7 +159,7 @@ void set_bearing(Reading& reading, const Row& row, const std::string& place) {
     throw bad_input("half a bearing " + place, "it has a direction and a sigma",
                     "fill both cells or none");
   if (!row.contains(bearing[0])) return;
-  refuse_below(0, false, bearing[1], row.at(bearing[1]), place);
+  refuse_0_and_below(bearing[1], row.at(bearing[1]), place);
   reading.bearing = dsp::degrees(row.at(bearing[0]));
   reading.bearing_deviation = dsp::degrees(row.at(bearing[1]));
 }

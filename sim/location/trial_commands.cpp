@@ -1,8 +1,5 @@
 #include "sim/location/trial_commands.hpp"
 
-#include <fmt/format.h>
-
-#include "sim/dataset.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/location/presence_report.hpp"
@@ -34,12 +31,10 @@ void run_points(const ExperimentRun& run, const Measurement<Settings, Result>& m
   };
   const TrialSharing sharing{.threads = run.threads, .interrupt = run.interrupt};
   const auto points = measure_points(scenario, measurement, sharing, show);
-  const Dataset data = report.dataset(scenario, run.command, points);
-  write_dataset(run.output, data, run.program);
-  if (run.json) return print(dataset_json(data) + "\n");
-  if (report.details != nullptr && points.size() == 1 && points[0].result)
-    print("\n" + report.details(points[0]));
-  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+  if (points.empty()) return conclude_without_points(run);
+  const bool single = report.details != nullptr && points.size() == 1 && points[0].result;
+  conclude(run, report.dataset(scenario, run.command, points),
+           single ? report.details(points[0]) : "");
 }
 
 }  // namespace

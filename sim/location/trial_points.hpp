@@ -15,7 +15,7 @@ template <class Settings, class Result>
 struct TrialPoint {
   std::vector<double> coordinates;  // one value an axis
   Settings settings;
-  std::optional<Result> result{};  // nothing: an interrupt came before its last trial
+  std::optional<Result> result{};  // nothing: an interrupt came before any trial of it was done
 };
 
 /// What measures a point.
@@ -25,8 +25,8 @@ struct Measurement {
   std::optional<Result> (*measure)(const Settings&, const TrialSharing&);
 };
 
-/// All points, in order. Whatever is refused is so before the first trial; `on_point` is called
-/// after each that is finished.
+/// All points, in order; none after an interrupt before the first trial. Whatever is refused is so
+/// before that; `on_point` is called after each that has a result.
 template <class Settings, class Result>
 std::vector<TrialPoint<Settings, Result>> measure_points(
     const LoadedScenario& scenario, const Measurement<Settings, Result>& of,
@@ -34,6 +34,7 @@ std::vector<TrialPoint<Settings, Result>> measure_points(
     const std::function<void(const TrialPoint<Settings, Result>&)>& on_point = {}) {
   std::vector<TrialPoint<Settings, Result>> points;
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
+    if (sharing.interrupted()) return {};
     auto coordinates = point_coordinates(scenario.sweep, i);
     auto settings = of.settings(point_scenario(scenario, coordinates), scenario.places);
     points.push_back({std::move(coordinates), std::move(settings)});

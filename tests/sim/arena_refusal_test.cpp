@@ -69,6 +69,12 @@ TEST(ArenaRefusals, NumbersOutOfRange) {
             "most 997");
 }
 
+TEST(ArenaRefusals, ATemperatureOfWhichADevicesOwnLedIsNotKnown) {
+  EXPECT_EQ(with("led = \"IR333-A\"\n[led]\ntemperature_c = 40"),
+            "led.temperature_c = 40 in x.toml:6 (the data of IR333-A hold for one temperature) use "
+            "25");
+}
+
 TEST(ArenaRefusals, ListsThatAreNone) {
   EXPECT_EQ(with("[path]\nx_m = [0, 2000]"),
             "path.x_m = 2000 in x.toml:5 (way-points along x must be at most 1000 m) use a value "

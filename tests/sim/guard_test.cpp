@@ -95,10 +95,9 @@ TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
 }
 
 TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as likely as not
-  const auto points =
-      run_guards(loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
-                               "guard.byte_error_ratio=0", "arena.runs=8"}),
-                 {});
+  const auto points = run_guards(loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
+                                               "guard.byte_error_ratio=0", "arena.runs=8"}),
+                                 {});
   EXPECT_GT(together(points[0]).n_known, 0U);
   EXPECT_GT(together(points[0]).n_lost, 0U);
 }

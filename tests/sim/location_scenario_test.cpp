@@ -5,6 +5,7 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "sim/canonical_text.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
 
@@ -98,13 +99,32 @@ TEST(LocationScenario, ThreadsChangeNothing) {
   EXPECT_EQ(json(16), one);
 }
 
-TEST(LocationScenario, AnInterruptLeavesPointsWithoutResult) {
-  const std::atomic<bool> stop{true};
+std::optional<LocationTrials> nothing(const LocationTrialsSettings&, const TrialSharing&) {
+  return {};
+}
+
+TEST(LocationScenario, APointWithoutResultHasNoTrials) {
   const LoadedScenario scenario = loaded(location);
-  const auto points = measure_points(scenario, measured, {.interrupt = &stop});
-  ASSERT_EQ(points.size(), 1U);
-  EXPECT_FALSE(points[0].result.has_value());
-  EXPECT_NO_THROW(accuracy_dataset(scenario, "", points));
+  const auto points = measure_points<LocationTrialsSettings, LocationTrials>(
+      scenario, {location_settings, nothing}, {});
+  EXPECT_EQ(accuracy_dataset(scenario, "", points).n_runs, 0U);
+}
+
+TEST(LocationScenario, OtherErrorsAreAnotherDigest) {
+  const auto digest = [](const std::string& seed) {
+    const LoadedScenario scenario = loaded(
+        location, {"simulation.seed=" + seed, "location.trials=3", "floor.diffuse_reflectance=0"});
+    return dataset_digest(accuracy_dataset(scenario, "", measure_points(scenario, measured, {})));
+  };
+  EXPECT_NE(digest("2"), digest("3"));
+}
+
+TEST(LocationScenario, AListIsTheSamePointHoweverItIsTyped) {
+  const auto text = [](const std::string& list) {
+    return canonical_text(loaded(location, {"location.x_m=" + list}).base);
+  };
+  EXPECT_EQ(text("0,3,3,0"), text("0, 3.0, 30e-1, 0"));
+  EXPECT_NE(text("0,3,3,0"), text("0,3,3,0.1"));
 }
 
 TEST(LocationScenario, TheShippedOneReachesTheBoundWhereReadingsAreGood) {

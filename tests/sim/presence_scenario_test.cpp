@@ -4,6 +4,7 @@
 #include "program.hpp"
 #include "scenarios.hpp"
 #include "sim/canonical_text.hpp"
+#include "sim/location/presence_point.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
 #include "sim/text_file.hpp"
@@ -23,7 +24,7 @@ TEST(PresenceScenario, AnEmptyOneHasTheDefaultsOfItsSettings) {
   EXPECT_EQ(s.detector, defaults.detector);
   EXPECT_EQ(s.tuned_to.value, defaults.tuned_to.value);
   EXPECT_EQ(s.window_samples, defaults.window_samples);
-  EXPECT_EQ(s.reference_samples, defaults.reference_samples);
+  EXPECT_EQ(s.reference_samples, 0U);  // Goertzel needs none
   EXPECT_FALSE(s.keyed.has_value());
   EXPECT_EQ(s.pfa, defaults.pfa);
   EXPECT_EQ(s.trials, defaults.trials);
@@ -151,13 +152,21 @@ TEST(PresenceScenario, ThreadsChangeNothing) {
   EXPECT_EQ(json(16), one);
 }
 
-TEST(PresenceScenario, AnInterruptLeavesPointsWithoutResult) {
+TEST(PresenceScenario, AnInterruptBeforeAllLeavesNoPoints) {
   const std::atomic<bool> stop{true};
+  EXPECT_TRUE(measure_points(loaded(presence), measured, {.interrupt = &stop}).empty());
+}
+
+/// As an interrupt would that comes before its first trial.
+std::optional<PresenceResult> nothing(const PresenceSettings&, const TrialSharing&) { return {}; }
+
+TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   const LoadedScenario scenario = loaded(presence);
-  const auto points = measure_points(scenario, measured, {.interrupt = &stop});
+  const auto points =
+      measure_points<PresenceSettings, PresenceResult>(scenario, {presence_settings, nothing}, {});
   ASSERT_EQ(points.size(), 1U);
-  EXPECT_FALSE(points[0].result.has_value());
   const Dataset data = presence_dataset(scenario, "", points);
+  EXPECT_EQ(data.n_runs, 0U);
   for (const auto& variable : data.variables) {
     const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
     if (counts == nullptr) continue;
@@ -205,15 +214,22 @@ TEST(PresenceScenario, RefusesWhatCannotBeMeasured) {
   EXPECT_EQ(setting_refusal("[presence]\nwindow_ms = 0.01\n"),
             "presence.window_ms = 0.01 in x.toml:3 (at presence.adc_rate_hz = 200000 it is 2 "
             "samples) use 0.02 to 1000 ms");
-  EXPECT_EQ(setting_refusal("[presence]\nreference_ms = 5000\n"),
+  EXPECT_EQ(setting_refusal("[presence]\nreference_ms = 5000\n"), "accepted");  // not used
+  EXPECT_EQ(setting_refusal("[presence]\nreference_ms = 5000\ndetector = \"dc-difference\"\n"),
             "presence.reference_ms = 5000 in x.toml:3 (at presence.adc_rate_hz = 200000 it is "
             "1000000 samples) use 0.02 to 1000 ms");
   EXPECT_EQ(setting_refusal("[presence]\nfalse_alarm = [0.1, 0.01, 0.1]\n"),
             "presence.false_alarm = 0.1,0.01,0.1 in x.toml:3 (one is there twice) remove one of "
             "the two");
   EXPECT_EQ(setting_refusal("[presence]\nadc_rate_hz = 29500\n"),
-            "a detector of 59000 Hz in samples of 29500 Hz (to it the carrier looks like steady "
-            "light) take another sample rate");
+            "presence.tuned_hz = 59000 with presence.adc_rate_hz = 29500 (to it the carrier looks "
+            "like steady light) take another sample rate");
+  EXPECT_EQ(setting_refusal("[presence]\nkeyed = true\nwindow_ms = 500\n"),
+            "presence.window_ms = 500 (the message's light ends after 281.7 ms) take a shorter "
+            "window or a longer device.message");
+  EXPECT_EQ(setting_refusal("[presence]\nfalse_alarm = \"0.001:0.001:0.2\"\n"),
+            "presence.false_alarm of 200 numbers in x.toml:3 (each has columns of its own) use 100 "
+            "at most");
   EXPECT_EQ(setting_refusal("[presence]\nfalse_alarm = [0.1, 0]\n"),
             "presence.false_alarm = 0 in x.toml:3 (probabilities of false alarm that thresholds "
             "are set for must be at least 1e-09) use a value 1e-09 to 0.999");
@@ -221,6 +237,36 @@ TEST(PresenceScenario, RefusesWhatCannotBeMeasured) {
       setting_refusal("[presence]\nphotodiode = \"BPW35\"\n"),
       "presence.photodiode = \"BPW35\" in x.toml:3 (no photodiode of this name in " COSYS_SOURCE_DIR
       "/scenarios/photodiodes) did you mean bpw34?");
+}
+
+/// The row of a point of few samples, coarsely rounded.
+std::string row_of(const std::vector<std::string>& set) {
+  const LoadedScenario scenario = loaded(presence, set);
+  return presence_row(scenario, measure_points(scenario, measured, {}).at(0));
+}
+
+// Sums of few rounded samples have few values, however white rounding is: of 4 samples with 0.6
+// steps of noise 5 in a deviation, and the share of false alarms is off by half of itself.
+TEST(PresenceScenario, SaysWhereRoundingSpoilsTheClosedForm) {
+  const std::vector<std::string> fine{"presence.trials=10", "presence.adc_bits=13"};
+  const auto with = [&](const std::string& one) {
+    auto set = fine;
+    set.push_back(one);
+    return row_of(set);
+  };
+  EXPECT_EQ(row_of(fine).find("steps"), std::string::npos);
+  EXPECT_NE(with("presence.window_ms=0.02").find("steps"), std::string::npos);
+  EXPECT_NE(with("presence.adc_bits=11").find("steps"), std::string::npos);
+}
+
+// At twice the carrier there are phases at which each sample sees half of a cycle's light.
+TEST(PresenceScenario, APhaseToWhichTheReplicaIsBlindFindsNothing) {
+  PresenceSettings s = settings_of(
+      "", {"presence.detector=synchronous", "presence.adc_rate_hz=118000", "presence.window_ms=1",
+           "ambient.irradiance_w_per_m2=900", "device.carrier_duty=0.5"});
+  const PresencePoint point(s);
+  EXPECT_NEAR(point.law(0.25, 0).signal, 0, 1e-6);
+  EXPECT_GT(point.law(0, 0).signal, 1e-3);
 }
 
 class PresenceRun : public CommandLine {

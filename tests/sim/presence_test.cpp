@@ -204,7 +204,8 @@ TEST(Presence, RefusesWhatCannotBeSeen) {
     PresenceSettings s = faint_light(detector, 12);
     s.meter.sample_rate_hz = 29.5e3;
     EXPECT_EQ(refusal_of(s),
-              "a detector of 59000 Hz in samples of 29500 Hz (to it the carrier looks like steady "
+              "presence.tuned_hz = 59000 with presence.adc_rate_hz = 29500 (to it the carrier "
+              "looks like steady "
               "light) take another sample rate");
   }
 }
@@ -213,7 +214,7 @@ TEST(Presence, RefusesAWindowBeyondTheMessage) {
   PresenceSettings s = faint_light(Detector::dc_difference, 12);
   s.keyed = KeyedMessage{};
   s.window_samples = 60000;  // 300 ms; the message has 283
-  EXPECT_TRUE(refusal_of(s).starts_with("a window of 60000 samples (the message's light ends "))
+  EXPECT_TRUE(refusal_of(s).starts_with("presence.window_ms = 300 (the message's light ends "))
       << refusal_of(s);
 }
 

@@ -118,18 +118,18 @@ TEST_F(ReadingsFile, WrongLinesAreNamed) {
   EXPECT_EQ(line("1e300,1,1,1,1,,"),
             "x_m = \"1e300\" in r.csv:3 (not a number from -1e+09 to 1e+09) write a number such as "
             "0.25 or leave the line out");
-  EXPECT_EQ(line("1,1,1,-2,1,,"),
-            "irradiance_mw_per_m2 = -2 in r.csv:3 (it is 0 or more) correct it or leave the line "
-            "out");
   EXPECT_EQ(line("1,1,1,2,0,,"),
             "sigma = 0 in r.csv:3 (it is above 0) correct it or leave the line out");
   EXPECT_EQ(line("1,1,1,2,1,20,"),
             "half a bearing in r.csv:3 (it has a direction and a sigma) fill both cells or none");
   EXPECT_EQ(line("1,1,1,2,1,20,0"),
             "bearing_sigma_deg = 0 in r.csv:3 (it is above 0) correct it or leave the line out");
-  EXPECT_EQ(refusal("x_m,y_m,heading_deg,irradiance_mw_per_m2,relative_sigma\n1,1,1,0,0.1\n"),
-            "relative_sigma of a reading of 0 in r.csv:2 (its deviation would be 0 too) give "
-            "sigma, in the unit of the reading");
+  for (const std::string value : {"0", "-2"})
+    EXPECT_EQ(refusal("x_m,y_m,heading_deg,irradiance_mw_per_m2,relative_sigma\n1,1,1," + value +
+                      ",0.1\n"),
+              "relative_sigma of a reading of " + value +
+                  " in r.csv:2 (its deviation would not be above 0) give sigma, in the unit of the "
+                  "reading");
   EXPECT_EQ(refusal("# nothing\n"),
             "in r.csv (no readings) begin with x_m,y_m,heading_deg,irradiance_mw_per_m2,sigma and "
             "a line for each");

@@ -1,0 +1,23 @@
+#include "sim/experiment_run.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/outside_report.hpp"
+#include "sim/standard_output.hpp"
+
+namespace sim {
+
+void conclude(const ExperimentRun& run, const Dataset& data, const std::string& details) {
+  if (data.n_runs == 0 && run.interrupted()) return conclude_without_points(run);
+  write_dataset(run.output, data, run.program);
+  if (run.json) return print(dataset_json(data) + "\n");
+  print(outside_notes(data));
+  if (!details.empty()) print("\n" + details);
+  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+}
+
+void conclude_without_points(const ExperimentRun& run) {
+  say(fmt::format("{}: nothing was finished, the file is left as it was\n", run.output.string()));
+}
+
+}  // namespace sim
