@@ -65,7 +65,7 @@ TEST_F(Merge, SaysWhichTrialsTheSumHas) {
 TEST_F(Merge, AStoppedShardIsToldAndNotOverwritten) {
   run_shard("1/2");
   Running running = start_program({"run", "s.toml", "-q", "-n", "100000", "--shard", "2/2"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  running.line();
   running.finish(SIGTERM);
   EXPECT_EQ(program({"merge", "s-2of2.h5", "-o", "sum.h5"}).err,
             "cosys-sim: some points are unfinished (their shards were stopped) run those shards "
