@@ -25,7 +25,8 @@ std::string exact_list(const std::string& list) {
 std::string value_text(const Key& key, Scenario& s) {
   if (key.is_number()) return exact(key.number(s));
   const std::string& text = key.text(s);
-  return toml_string(key.facts.type == KeyType::number_list && !text.empty() ? exact_list(text) : text);
+  return toml_string(key.facts.type == KeyType::number_list && !text.empty() ? exact_list(text)
+                                                                             : text);
 }
 
 bool is_younger_default(const Key& key, Scenario& s) {

@@ -14,11 +14,11 @@ namespace sim {
 namespace {
 
 constexpr std::array kinds{
-    ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop."}},
+    ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
     ExperimentKind{"arena", {"path.", "arena.", "devices."}, true, check_arena},
     ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, true, check_guard},
     ExperimentKind{"sharedlink",
-                   {"exchange.", "receiver.range_m", "receiver.bearing_deg",
+                   {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
                     "device.clock_error_ppm", "device.carrier_error_ppm"}},
     ExperimentKind{"presence",
                    {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
@@ -45,11 +45,10 @@ constexpr std::array<std::string_view, 12> common{
 };
 
 /// Of every experiment in which receiver modules hear messages.
-constexpr std::array<std::string_view, 13> of_modules{
+constexpr std::array<std::string_view, 12> of_modules{
     "device.baud",
     "device.carrier_hz",
     "device.carrier_duty",
-    "led.yaw_deg",
     "module.",
     "uart.",
     "ambient.",

@@ -21,6 +21,8 @@ struct SharedRuns {
   const std::atomic<bool>* stop = nullptr;
 };
 
+inline bool is_stopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
+
 /// Result: what runs first ... first + n - 1 gave.
 template <class Result>
 class RunSharing {
@@ -52,7 +54,7 @@ class RunSharing {
   }
 
  private:
-  bool stopped() const { return shared_.stop != nullptr && *shared_.stop; }
+  bool stopped() const { return is_stopped(shared_.stop); }
 
   void run_lots() {
     while (const auto lot = next()) {

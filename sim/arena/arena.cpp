@@ -8,6 +8,7 @@
 #include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
 #include "sim/link.hpp"
+#include "sim/run_sharing.hpp"
 
 namespace sim {
 namespace {
@@ -40,6 +41,21 @@ Seconds longest_frame_of(const std::vector<Sender>& senders) {
   Seconds longest;
   for (const Sender& sender : senders) longest = std::max(longest, longest_frame(sender));
   return longest;
+}
+
+/// Fewer than senders after a stop.
+std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena, int threads,
+                                     const std::atomic<bool>* stop) {
+  const Seconds step(channel::gain_step / s.simulation.sample_rate_hz);
+  RunSharing<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
+                                  .most_at_once = 1,
+                                  .threads = threads,
+                                  .stop = stop},
+                                 [&](std::uint32_t sender, int) {
+                                   return light_track(s, arena.senders[sender], arena.way,
+                                                      arena.end, step, stop);
+                                 });
+  return sharing();
 }
 
 void set_module(Arena& arena, const Scenario& s) {
@@ -78,15 +94,14 @@ Seconds duration_of(const Scenario& s, const Way& way) {
   return way.duration() > Seconds(0) ? way.duration() : default_duration;
 }
 
-Arena make_arena(const Scenario& scenario) {
+Arena make_arena(const Scenario& scenario, int threads, const std::atomic<bool>* stop) {
   Scenario s = scenario;
   s.module = module_of(scenario);
   Arena arena{.senders = make_senders(s), .way = Way(s.path)};
   arena.duration = duration_of(s, arena.way);
   arena.end = arena.duration + longest_frame_of(arena.senders) + lead_out;
-  const Seconds step(channel::gain_step / s.simulation.sample_rate_hz);
-  for (const Sender& sender : arena.senders)
-    arena.light.push_back(light_track(s, sender, arena.way, arena.end, step));
+  arena.light = light_tracks(s, arena, threads, stop);
+  if (arena.light.size() < arena.senders.size()) return arena;  // stopped
   set_module(arena, s);
   add_lights(arena, s);
   arena.receiver_baud = dsp::Hertz(s.device.baud * (1 + s.uart.clock_error_ppm * 1e-6));

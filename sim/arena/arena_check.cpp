@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "sim/arena/arena.hpp"
 #include "sim/arena/sender.hpp"
 #include "sim/arena/way.hpp"
 #include "sim/failure.hpp"
@@ -13,6 +14,8 @@
 
 namespace sim {
 namespace {
+
+constexpr double longest_run_s = 86400;  // of arena.duration_s too
 
 void check_receiver(const Scenario& s, const Places& places) {
   if (!channel::is_matched(s.module)) return;
@@ -46,9 +49,19 @@ void check_temperatures(const std::vector<Sender>& senders, double celsius, cons
   for (const Sender& sender : senders) check_led_temperature(sender.emitter, celsius, places);
 }
 
+void check_duration(const Scenario& s, const Way& way, const Places& places) {
+  const double seconds = duration_of(s, way).value;
+  if (seconds <= longest_run_s) return;
+  throw bad_input(fmt::format("path.speed_m_per_s = {} {}", s.path.speed_m_per_s,
+                              place_of(places, "path.speed_m_per_s")),
+                  fmt::format("the way takes {:.6g} s, a run {} at most", seconds, longest_run_s),
+                  "raise it, or set arena.duration_s");
+}
+
 void check_point(const Scenario& s, const Places& places) {
   check_receiver(s, places);
   const Way way(s.path);
+  check_duration(s, way, places);
   const std::vector<Sender> senders = make_senders(s);
   check_names(senders);
   check_currents(senders, places);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/arena/arena_report.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
@@ -15,7 +16,7 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
       device_table(point) + "\n" + waterfall(all.messages(), loss_stages(all), "delivered");
   if (point.tally.n_false > 0)
     text += fmt::format("{:>10}  accepted though nobody sent them\n", point.tally.n_false);
-  return text + "\n" + way_table(scenario.base, point);
+  return text + "\n" + way_table(point_scenario(scenario, point.coordinates), point);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ const CountColumn counts[] = {
     {"n_captured", "of those, delivered all the same",
      [](const SenderTally& t) { return t.n_captured; }},
     {"n_runs_heard", "runs with a message delivered",
-     [](const SenderTally& t) { return t.n_runs_heard; }},
+     [](const SenderTally& t) { return t.latency.n_runs_heard; }},
 };
 
 struct RealColumn {
@@ -60,11 +60,9 @@ const RealColumn reals[] = {
     {"offered_load", "1", "share of time in which messages in reach are in the air", offered_load},
     {"throughput", "1", "share of time of messages delivered", throughput},
     {"latency_mean_s", "s", "mean time to the end of the first message delivered",
-     [](const ArenaPoint&, const SenderTally& t) { return mean_latency_s(t); }},
+     [](const ArenaPoint&, const SenderTally& t) { return t.latency.mean_s(); }},
     {"latency_max_s", "s", "longest of those times",
-     [](const ArenaPoint&, const SenderTally& t) {
-       return t.n_runs_heard > 0 ? static_cast<double>(t.worst_latency_us) * 1e-6 : unset;
-     }},
+     [](const ArenaPoint&, const SenderTally& t) { return t.latency.worst_s(); }},
 };
 
 void add_device_variables(Dataset& data, const std::vector<ArenaPoint>& points) {
@@ -115,6 +113,13 @@ void add_sums(Dataset& data, const std::vector<ArenaPoint>& points) {
   add_point_variable<double>(
       data, points, {"pure_aloha_throughput", "1", "throughput of pure ALOHA at that load"},
       [&](const ArenaPoint& p) { return known(p, pure_aloha(offered_load(p, together(p)))); });
+  add_point_variable<Count>(data, points, {"total_runs_heard", "1", "runs with any delivered"},
+                            [](const ArenaPoint& p) { return p.tally.any.n_runs_heard; });
+  add_point_variable<double>(
+      data, points, {"total_latency_mean_s", "s", "mean time to the end of the first of all"},
+      [](const ArenaPoint& p) { return p.tally.any.mean_s(); });
+  add_point_variable<double>(data, points, {"total_latency_max_s", "s", "longest of those times"},
+                             [](const ArenaPoint& p) { return p.tally.any.worst_s(); });
   std::vector<std::int64_t> outside;
   for (const ArenaPoint& p : points) outside.push_back(static_cast<std::int64_t>(p.outside));
   data.variables.push_back(outside_variable(std::move(outside)));

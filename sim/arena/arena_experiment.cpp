@@ -30,7 +30,8 @@ std::vector<SenderFacts> facts_of(const Arena& arena) {
 
 ArenaPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
                      const ArenaOptions& options) {
-  const Arena arena = make_arena(scenario);
+  const Arena arena = make_arena(scenario, options.threads, options.interrupt);
+  if (is_stopped(options.interrupt)) return {.coordinates = coordinates};
   ArenaPoint point = arena_point(arena, coordinates);
   RunSharing<ArenaRuns> sharing(
       {.runs = static_cast<std::uint32_t>(scenario.arena.runs),
@@ -85,15 +86,11 @@ double throughput(const ArenaPoint& point, const SenderTally& tally) {
 
 double pure_aloha(double load) { return load * std::exp(-2 * load); }
 
-double mean_latency_s(const SenderTally& tally) {
-  return static_cast<double>(tally.latency_us) * 1e-6 / static_cast<double>(tally.n_runs_heard);
-}
-
 std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options) {
   std::vector<ArenaPoint> points(count_points(scenario.sweep));
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].coordinates = point_coordinates(scenario.sweep, i);
-    if (options.interrupt != nullptr && *options.interrupt) continue;
+    if (is_stopped(options.interrupt)) continue;
     points[i] =
         run_point(point_scenario(scenario, points[i].coordinates), points[i].coordinates, options);
     if (options.on_point && points[i].tally.n_runs > 0) options.on_point(points[i]);

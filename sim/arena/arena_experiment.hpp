@@ -20,7 +20,7 @@ struct SenderFacts {
 
 struct ArenaPoint {
   std::vector<double> coordinates;  // one value an axis
-  std::vector<SenderFacts> senders;
+  std::vector<SenderFacts> senders{};
   ArenaTally tally{};  // no runs: never reached
   std::vector<HeardFrame> heard{};
   double duration_s = 0;
@@ -46,8 +46,6 @@ double throughput(const ArenaPoint& point, const SenderTally& tally);
 /// S of pure ALOHA at a load: G exp(-2 G) (Abramson 1970), for many senders of equal messages at
 /// random, each of which is lost to any other that overlaps it.
 double pure_aloha(double load);
-/// Mean time to the end of a device's first good message, s; NaN if it was never heard.
-double mean_latency_s(const SenderTally& tally);
 
 struct ArenaOptions {
   int threads = 1;

@@ -40,6 +40,7 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   columns.push_back({{"", "", "captured"}, 9});
   columns.push_back({{"", "", "delivered"}, 9});
   columns.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
+  columns.push_back({{"", "first after", "[s]"}, 11});
   columns.push_back({{"offered", "load", "G"}, 7});
   columns.push_back({{"through-", "put", "S"}, 8});
   columns.push_back({{"pure", "ALOHA", "S"}, 7});
@@ -93,8 +94,8 @@ std::string device_row(const std::vector<TextColumn>& columns, const std::string
                        const KindRow& row, std::uint64_t runs) {
   std::vector<std::string> texts{name, fmt::format("{:.4g}", row.highest_irradiance)};
   for (std::string& text : counts_of(row.tally)) texts.push_back(std::move(text));
-  texts.push_back(fmt::format("{}/{}", row.tally.n_runs_heard, runs * row.devices));
-  texts.push_back(seconds(mean_latency_s(row.tally)));
+  texts.push_back(fmt::format("{}/{}", row.tally.latency.n_runs_heard, runs * row.devices));
+  texts.push_back(seconds(row.tally.latency.mean_s()));
   return table_line(columns, texts);
 }
 
@@ -155,6 +156,7 @@ std::string arena_row(const std::vector<Axis>& axes, const ArenaPoint& point) {
   std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
   texts.push_back(fmt::format("{}", point.senders.size()));
   for (std::string& text : counts_of(all)) texts.push_back(std::move(text));
+  texts.push_back(seconds(point.tally.any.mean_s()));
   const double load = offered_load(point, all);
   for (const double value : {load, throughput(point, all), pure_aloha(load)})
     texts.push_back(share(value));

@@ -147,12 +147,6 @@ void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame,
   tally.n_captured += overlapped && delivered;
 }
 
-void count_first(SenderTally& tally, Seconds end) {
-  const std::uint64_t latency = microseconds(end);
-  tally.n_runs_heard = 1;
-  tally.latency_us = tally.worst_latency_us = latency;
-}
-
 /// Frames that start within the run.
 void count_sender(const Witness& w, std::size_t sender, const std::vector<SentFrame>& frames,
                   std::uint32_t run, ArenaRuns& into) {
@@ -164,7 +158,7 @@ void count_sender(const Witness& w, std::size_t sender, const std::vector<SentFr
     if (fate == FrameFate::silent) continue;
     count_airtime(w, sender, frame, fate, tally);
     if (fate != FrameFate::delivered) continue;
-    if (tally.n_runs_heard == 0) count_first(tally, frame.end);
+    if (tally.latency.n_runs_heard == 0) tally.latency.add(frame.end);
     const Place place = w.arena.way.at(frame.end);
     into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,
                           frame.end.value, place.x, place.y, frame.message});
@@ -187,8 +181,12 @@ void count_run(const Arena& arena, std::uint32_t run, const std::vector<SentFram
                const Heard& heard, const Heard& without_slow_agc, ArenaRuns& into) {
   const Air air(arena, sent);
   const Witness witness{arena, air, heard, without_slow_agc};
+  const auto before = static_cast<std::ptrdiff_t>(into.heard.size());
   for (std::size_t i = 0; i < arena.senders.size(); ++i)
     count_sender(witness, i, sent[i].frames, run, into);
+  const auto first = std::ranges::min_element(into.heard.begin() + before, into.heard.end(), {},
+                                              &HeardFrame::end_s);
+  if (first != into.heard.end()) into.tally.any.add(Seconds(first->end_s));
   for (const protocol::CosysFrame& frame : heard.frames)
     into.tally.n_false += !is_true(arena, sent, frame);
   ++into.tally.n_runs;

@@ -1,9 +1,34 @@
 #include "sim/arena/arena_tally.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sim {
+
+void Latency::add(dsp::Seconds first_end) {
+  const auto us = static_cast<std::uint64_t>(std::llround(first_end.value * 1e6));
+  ++n_runs_heard;
+  sum_us += us;
+  worst_us = std::max(worst_us, us);
+}
+
+double Latency::mean_s() const {
+  return static_cast<double>(sum_us) * 1e-6 / static_cast<double>(n_runs_heard);
+}
+
+double Latency::worst_s() const {
+  if (n_runs_heard == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(worst_us) * 1e-6;
+}
+
+Latency& Latency::operator+=(const Latency& other) {
+  n_runs_heard += other.n_runs_heard;
+  sum_us += other.sum_us;
+  worst_us = std::max(worst_us, other.worst_us);
+  return *this;
+}
 
 std::uint64_t SenderTally::messages() const {
   return std::accumulate(fate.begin(), fate.end(), std::uint64_t{0});
@@ -17,9 +42,7 @@ SenderTally& SenderTally::operator+=(const SenderTally& other) {
   airtime_us += other.airtime_us;
   airtime_in_reach_us += other.airtime_in_reach_us;
   airtime_delivered_us += other.airtime_delivered_us;
-  n_runs_heard += other.n_runs_heard;
-  latency_us += other.latency_us;
-  worst_latency_us = std::max(worst_latency_us, other.worst_latency_us);
+  latency += other.latency;
   return *this;
 }
 
@@ -27,6 +50,7 @@ ArenaTally& ArenaTally::operator+=(const ArenaTally& other) {
   if (senders.empty()) senders.resize(other.senders.size());
   for (std::size_t i = 0; i < other.senders.size(); ++i) senders[i] += other.senders[i];
   n_runs += other.n_runs;
+  any += other.any;
   n_false += other.n_false;
   return *this;
 }

@@ -6,9 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "dsp/units.hpp"
 #include "sim/arena/frame_fate.hpp"
 
 namespace sim {
+
+/// How long it took until something was heard.
+struct Latency {
+  std::uint64_t n_runs_heard = 0;  // with a message delivered at least
+  std::uint64_t sum_us = 0;        // over those, from time 0 to the first one's end
+  std::uint64_t worst_us = 0;      // of them
+
+  void add(dsp::Seconds first_end);
+  double mean_s() const;   // NaN if nothing was ever heard
+  double worst_s() const;  // NaN too
+  Latency& operator+=(const Latency& other);
+};
 
 /// Messages of one device that start within a run.
 struct SenderTally {
@@ -17,9 +30,7 @@ struct SenderTally {
   std::uint64_t n_overlapped = 0;  // of those, with light of another device in reach
   std::uint64_t n_captured = 0;    // of those, delivered all the same
   std::uint64_t airtime_us = 0, airtime_in_reach_us = 0, airtime_delivered_us = 0;
-  std::uint64_t n_runs_heard = 0;      // with one delivered at least
-  std::uint64_t latency_us = 0;        // sum over those, from time 0 to the first one's end
-  std::uint64_t worst_latency_us = 0;  // of them
+  Latency latency;
 
   std::uint64_t operator[](FrameFate f) const { return fate[static_cast<std::size_t>(f)]; }
   /// Those that the device had to send.
@@ -41,6 +52,7 @@ struct HeardFrame {
 struct ArenaTally {
   std::vector<SenderTally> senders;
   std::uint64_t n_runs = 0;
+  Latency any;                // until the first message of any of them
   std::uint64_t n_false = 0;  // frames accepted that nobody sent
 
   ArenaTally& operator+=(const ArenaTally& other);

@@ -7,6 +7,7 @@
 
 #include "channel/geometry.hpp"
 #include "sim/link.hpp"
+#include "sim/run_sharing.hpp"
 
 namespace sim {
 namespace {
@@ -87,8 +88,9 @@ class LightField {
 /// Adds scattered light to a track of mirrored light.
 class ScatterFill {
  public:
-  ScatterFill(const LightField& field, const Way& way, LightTrack& track)
-      : field_(field), way_(way), track_(track) {}
+  ScatterFill(const LightField& field, const Way& way, LightTrack& track,
+              const std::atomic<bool>* stop)
+      : field_(field), way_(way), track_(track), stop_(stop) {}
 
   void fill() {
     const std::size_t last = track_.irradiance.size() - 1;
@@ -108,7 +110,7 @@ class ScatterFill {
 
   /// Fills (from, to], both ends of which are known.
   void fill_between(std::size_t from, double light_from, std::size_t to, double light_to) {
-    if (to - from > 1) {
+    if (to - from > 1 && !is_stopped(stop_)) {
       const std::size_t middle = (from + to) / 2;
       const double light = at(middle);
       const double share = static_cast<double>(middle - from) / static_cast<double>(to - from);
@@ -128,6 +130,7 @@ class ScatterFill {
   const LightField& field_;
   const Way& way_;
   LightTrack& track_;
+  const std::atomic<bool>* stop_;
 };
 
 }  // namespace
@@ -147,7 +150,7 @@ double LightTrack::mean() const {
 }
 
 LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way& way, Seconds end,
-                       Seconds step) {
+                       Seconds step, const std::atomic<bool>* stop) {
   const LightField field(scenario, sender);
   LightTrack track{step, {}};
   if (way.duration() == Seconds(0)) {
@@ -156,10 +159,10 @@ LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way
     return track;
   }
   const auto steps = static_cast<std::size_t>(std::ceil(end / step)) + 2;
-  for (std::size_t i = 0; i < steps; ++i)
+  for (std::size_t i = 0; i < steps && !is_stopped(stop); ++i)
     track.irradiance.push_back(
         static_cast<float>(field.mirrored(way.at(static_cast<double>(i) * step))));
-  ScatterFill(field, way, track).fill();
+  if (!is_stopped(stop)) ScatterFill(field, way, track, stop).fill();
   return track;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // What light of each sender gets to the receiver along its way.
+#include <atomic>
 #include <vector>
 
 #include "dsp/units.hpp"
@@ -24,8 +25,10 @@ struct LightTrack {
 /// come no nearer than 30 mm: they have bodies. `step`: that of the track, which covers [0, end]
 /// and a step more. The direct light and the floor's image are worked out at each step; what the
 /// floor scatters, at most some per cent of it (1 % from 1 m on at 10 mm height), only as often as
-/// keeps a straight line within 0.5 % of all.
+/// keeps a straight line within 0.5 % of all. Worth nothing once `*stop` is true: it then gives up
+/// soon.
 LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way& way,
-                       dsp::Seconds end, dsp::Seconds step);
+                       dsp::Seconds end, dsp::Seconds step,
+                       const std::atomic<bool>* stop = nullptr);
 
 }  // namespace sim

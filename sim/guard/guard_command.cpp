@@ -2,6 +2,7 @@
 
 #include "sim/arena/arena_report.hpp"
 #include "sim/guard/guard_report.hpp"
+#include "sim/point_scenario.hpp"
 #include "sim/standard_output.hpp"
 
 namespace sim {
@@ -10,7 +11,7 @@ namespace {
 /// What there is to say of one point more than its row.
 std::string details(const LoadedScenario& scenario, const GuardPoint& point) {
   return mirror_table(point) + "\n" + guard_waterfall(point) + "\n" +
-         way_table(scenario.base, point.arena);
+         way_table(point_scenario(scenario, point.arena.coordinates), point.arena);
 }
 
 }  // namespace

@@ -37,14 +37,16 @@ GuardRuns run_lot(const Arena& arena, const MirrorDesign& design, std::uint32_t 
                          {.seed = arena.seed,
                           .point = arena.point,
                           .trial = run,
-                          .purpose = static_cast<std::uint32_t>(Purpose::serial_line)});
+                          .purpose = static_cast<std::uint32_t>(Purpose::serial_line)},
+                         stop);
   }
   return runs;
 }
 
 GuardPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
                      const GuardOptions& options) {
-  const Arena arena = make_arena(scenario);
+  const Arena arena = make_arena(scenario, options.threads, options.interrupt);
+  if (is_stopped(options.interrupt)) return {.arena = {.coordinates = coordinates}};
   const MirrorDesign design = mirror_design(scenario, arena);
   GuardPoint point{arena_point(arena, coordinates), design.variables, {}};
   RunSharing<GuardRuns> sharing({.runs = static_cast<std::uint32_t>(scenario.arena.runs),
@@ -73,7 +75,7 @@ std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const GuardOp
   std::vector<GuardPoint> points(count_points(scenario.sweep));
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].arena.coordinates = point_coordinates(scenario.sweep, i);
-    if (options.interrupt != nullptr && *options.interrupt) continue;
+    if (is_stopped(options.interrupt)) continue;
     const auto& coordinates = points[i].arena.coordinates;
     points[i] = run_point(point_scenario(scenario, coordinates), coordinates, options);
     if (options.on_point && points[i].arena.tally.n_runs > 0) options.on_point(points[i]);

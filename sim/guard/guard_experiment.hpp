@@ -9,9 +9,9 @@
 namespace sim {
 
 struct GuardPoint {
-  ArenaPoint arena;                    // with its tally
-  std::vector<std::string> variables;  // of each device
-  GuardTally tally;                    // but for the arena's
+  ArenaPoint arena;                      // with its tally
+  std::vector<std::string> variables{};  // of each device
+  GuardTally tally{};                    // but for the arena's
 };
 
 /// Sum over the devices of a point.

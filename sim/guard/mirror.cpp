@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "protocol/shared_node.hpp"
+#include "sim/run_sharing.hpp"
 
 namespace sim {
 namespace {
@@ -53,7 +54,7 @@ struct Load {
 class MirrorRun {
  public:
   MirrorRun(const MirrorDesign& design, std::span<const HeardFrame> heard,
-            const dsp::RandomAddress& draws)
+            const dsp::RandomAddress& draws, const std::atomic<bool>* stop)
       : design_(design),
         heard_(heard),
         robot_(robot_node(design)),
@@ -64,30 +65,38 @@ class MirrorRun {
         passages_(heard.size()),
         latest_(design.variables.size()),
         known_(design.variables.size()),
-        asked_at_(design.variables.size()) {
+        asked_at_(design.variables.size()),
+        stop_(stop) {
     tally_.mirrors.resize(design.variables.size());
   }
 
   GuardTally run() {
     const Seconds turn(design_.settings.transmit_every_ms * 1e-3);
-    for (int i = 0; i * turn < end(); ++i) {
+    double i = 0;
+    for (; i * turn < design_.duration && !is_stopped(stop_); ++i) {
       meet(i * turn);
       look(i * turn);
       robot_turn(i * turn);
       meet((i + 0.5) * turn);
       base_turn((i + 0.5) * turn);
     }
-    count();
+    count_talk();
+    for (; !is_settled() && !is_stopped(stop_); ++i) {
+      meet(i * turn);
+      if (!had_last_set_) robot_turn(i * turn);
+    }
+    count_messages();
     return std::move(tally_);
   }
 
  private:
-  /// What was heard last has two full sets' time to get there.
-  Seconds end() const {
-    const Seconds turn(design_.settings.transmit_every_ms * 1e-3);
-    const Seconds last = heard_.empty() ? Seconds(0) : Seconds(heard_.back().end_s);
-    return std::max(design_.duration, last) + 2 * Seconds(design_.settings.full_set_every_s) +
-           2 * turn + Seconds(1);
+  /// Every message heard has gone over the line or has been replaced: a full set has.
+  bool is_settled() const { return had_last_set_ && loads_.empty(); }
+
+  /// From then on the robot's next turn is behind a full set of all that it has heard, or one.
+  Seconds last_set() const {
+    const Seconds last = heard_.empty() ? Seconds(0) : Seconds(heard_.back().end_s) + design_.delay;
+    return std::max(design_.duration, last) + Seconds(design_.settings.full_set_every_s);
   }
 
   /// All that happens until then.
@@ -107,6 +116,7 @@ class MirrorRun {
 
   void robot_turn(Seconds now) {
     if (!down_.is_free(now)) return;
+    had_last_set_ = now >= last_set();
     const protocol::Bytes bytes = robot_.transmit(now);
     if (bytes.empty()) return;
     loads_.push_back({bytes.size(), latest_});
@@ -159,21 +169,24 @@ class MirrorRun {
     known_[variable] = message;
   }
 
-  /// At what the base station knows, while the run lasts.
+  /// At what the base station knows.
   void look(Seconds now) {
-    if (now >= design_.duration) return;
     for (std::size_t i = 0; i < known_.size(); ++i)
       known_[i] ? tally_.mirrors[i].age.add(now.value - heard_[*known_[i]].start_s)
                 : tally_.mirrors[i].age.add_unknown();
   }
 
-  void count() {
+  void count_messages() {
     for (std::size_t i = 0; i < heard_.size(); ++i) {
       MirrorTally& mirror = tally_.mirrors[heard_[i].sender];
       ++(passages_[i].known     ? mirror.n_known
          : passages_[i].carried ? mirror.n_lost
                                 : mirror.n_replaced);
     }
+  }
+
+  /// While the run lasts.
+  void count_talk() {
     tally_.n_sent = robot_.counts().sent + base_.counts().sent;
     tally_.n_accepted = robot_.counts().accepted + base_.counts().accepted;
     tally_.n_asked = base_.counts().asked;
@@ -191,14 +204,16 @@ class MirrorRun {
   std::size_t next_ = 0;                                    // to be heard
   std::vector<std::optional<std::size_t>> latest_, known_;  // of each variable: which message
   std::vector<std::optional<Seconds>> asked_at_;
+  bool had_last_set_ = false;
+  const std::atomic<bool>* stop_;
   GuardTally tally_;
 };
 
 }  // namespace
 
 GuardTally mirror(const MirrorDesign& design, std::span<const HeardFrame> heard,
-                  const dsp::RandomAddress& draws) {
-  return MirrorRun(design, heard, draws).run();
+                  const dsp::RandomAddress& draws, const std::atomic<bool>* stop) {
+  return MirrorRun(design, heard, draws, stop).run();
 }
 
 }  // namespace sim

@@ -2,6 +2,7 @@
 // Mirror: how what a robot has heard of devices gets to its base station. The robot keeps a table
 // of what each device said last, which is its outbound SharedLink list; the base station asks by Q
 // for what it lacks.
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,8 +25,10 @@ struct MirrorDesign {
 };
 
 /// Counts of one run but for its arena. `heard`: of this run, by time; its senders are the places
-/// of their variables. `draws` and a next purpose are its own.
+/// of their variables. `draws` and a next purpose are its own. Behind the run the robot goes on
+/// until the last message heard has gone over the line; questions and messages of SharedLink are
+/// counted while it lasts. Worth nothing once `*stop` is true: it then gives up soon.
 GuardTally mirror(const MirrorDesign& design, std::span<const HeardFrame> heard,
-                  const dsp::RandomAddress& draws);
+                  const dsp::RandomAddress& draws, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace sim

@@ -69,6 +69,14 @@ TEST(ArenaRefusals, NumbersOutOfRange) {
             "most 997");
 }
 
+TEST(ArenaRefusals, AWayThatTakesLongerThanARunMay) {
+  EXPECT_EQ(with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01"),
+            "path.speed_m_per_s = 0.01 in x.toml:6 (the way takes 90000 s, a run 86400 at most) "
+            "raise it, or set arena.duration_s");
+  EXPECT_EQ(with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01\n[arena]\nduration_s = 10"),
+            "accepted");
+}
+
 TEST(ArenaRefusals, ATemperatureOfWhichADevicesOwnLedIsNotKnown) {
   EXPECT_EQ(with("led = \"IR333-A\"\n[led]\ntemperature_c = 40"),
             "led.temperature_c = 40 in x.toml:6 (the data of IR333-A hold for one temperature) use "
