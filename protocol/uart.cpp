@@ -45,12 +45,9 @@ std::uint8_t read_data(const ReadSlot& read_slot) {
   return static_cast<std::uint8_t>(value);
 }
 
-}  // namespace
-
-std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
-                                      std::vector<Seconds>* false_starts) {
+UartReading read_mid_bit(const LogicTrace& line, Hertz baud, std::vector<Seconds>* false_starts) {
   const Seconds bit = dsp::period(baud);
-  std::vector<UartByte> bytes;
+  UartReading reading;
   dsp::TraceReader reader(line);
   std::optional<Seconds> start = reader.next_fall(Seconds(-infinity));
   while (start) {
@@ -61,16 +58,15 @@ std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
     if (middle(last) > line.end()) break;
     if (!false_start) {
       const std::uint8_t value = read_data(level);
-      bytes.push_back({*start, value, !level(stop_slot)});
+      reading.bytes.push_back({*start, value, !level(stop_slot)});
     } else if (false_starts != nullptr) {
       false_starts->push_back(*start);
     }
-    start = reader.next_fall(just_after(middle(last)));
+    reading.settled = middle(last);
+    start = reader.next_fall(just_after(reading.settled));
   }
-  return bytes;
+  return reading;
 }
-
-namespace {
 
 /// Data sheet ATmega328P, "Asynchronous data recovery": 16 samples a bit, numbered from 1; 8, 9 and
 /// 10 vote. Ticks are counted in double, which is exact for any trace shorter than 2^53 ticks.
@@ -86,18 +82,19 @@ class AtmegaReceiver {
     assert(line.end().value * tick_rate_ < 0x1p53);
   }
 
-  std::vector<UartByte> receive() {
-    std::vector<UartByte> bytes;
+  UartReading read() {
+    UartReading reading;
     auto start = next_start(-1);  // before the first tick the wire has its initial level
     while (start && time(sample(*start, stop_slot, 10)) <= line_.end()) {
       int last = 0;
       if (!vote(*start, 0)) {
-        bytes.push_back(read_byte(*start));
+        reading.bytes.push_back(read_byte(*start));
         last = stop_slot;
       }
+      reading.settled = time(sample(*start, last, 9));  // the tenth may see a fall from there
       start = start_from_last_vote(*start, last);
     }
-    return bytes;
+    return reading;
   }
 
  private:
@@ -147,16 +144,25 @@ class AtmegaReceiver {
   double phase_;
 };
 
+UartReading read_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {
+  return AtmegaReceiver(line, baud, clock_phase).read();
+}
+
 constexpr std::array receivers = {
-    UartReceiver{"atmega", receive_atmega},
+    UartReceiver{"atmega", read_atmega},
     UartReceiver{"mid-bit", [](const LogicTrace& line, Hertz baud,
-                               double) { return receive_mid_bit(line, baud); }},
+                               double) { return read_mid_bit(line, baud, nullptr); }},
 };
 
 }  // namespace
 
+std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
+                                      std::vector<Seconds>* false_starts) {
+  return read_mid_bit(line, baud, false_starts).bytes;
+}
+
 std::vector<UartByte> receive_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {
-  return AtmegaReceiver(line, baud, clock_phase).receive();
+  return read_atmega(line, baud, clock_phase).bytes;
 }
 
 std::span<const UartReceiver> uart_receivers() { return receivers; }

@@ -5,6 +5,7 @@
 // nothing.
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -58,11 +59,22 @@ std::vector<UartByte> receive_mid_bit(const dsp::LogicTrace& line, dsp::Hertz ba
 std::vector<UartByte> receive_atmega(const dsp::LogicTrace& line, dsp::Hertz baud,
                                      double clock_phase = 0);
 
+/// What a receiver makes of a wire so far.
+struct UartReading {
+  std::vector<UartByte> bytes;
+  /// The rest of a wire from here on, and the level here, tell all that is not in `bytes` yet.
+  dsp::Seconds settled{-std::numeric_limits<double>::infinity()};
+};
+
 /// One row per receiver that a scenario can name; those without a sampling clock ignore the phase.
 struct UartReceiver {
   std::string_view name;
-  std::vector<UartByte> (*receive)(const dsp::LogicTrace& line, dsp::Hertz baud,
-                                   double clock_phase);
+  UartReading (*read)(const dsp::LogicTrace& line, dsp::Hertz baud, double clock_phase);
+
+  std::vector<UartByte> receive(const dsp::LogicTrace& line, dsp::Hertz baud,
+                                double clock_phase) const {
+    return read(line, baud, clock_phase).bytes;
+  }
 };
 
 std::span<const UartReceiver> uart_receivers();

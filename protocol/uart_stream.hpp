@@ -20,15 +20,13 @@ class UartStream {
   std::vector<UartByte> take(const dsp::LogicTrace& wire);
 
  private:
-  bool idle_before(dsp::Seconds flip) const;
-  void give(std::vector<UartByte>& bytes);
+  void forget_before(dsp::Seconds settled);
 
   const UartReceiver* receiver_;
   dsp::Hertz baud_;
   double clock_phase_;
   std::size_t next_flip_ = 0;   // of the wire, not in the part yet
-  dsp::LogicTrace part_{true};  // the wire since it was idle for long
-  std::size_t given_ = 0;       // bytes of that part
+  dsp::LogicTrace part_{true};  // the wire since what was settled
 };
 
 }  // namespace protocol

@@ -19,14 +19,22 @@ double student_quantile(double degrees_of_freedom, double level) {
   return quantile(complement(t, (1 - level) / 2));
 }
 
-// Linearised variance of the ratio estimator errors / bits, frames being the sampled units
+// Linearised variance of the ratio estimator part / whole, clusters being the sampled units
 // (Cochran, Sampling Techniques, 3rd ed. 1977, chapter 6).
-double variance_between_frames(const Tally& t, double r) {
-  const double squares = as_real(t.sum_bit_errors_squared) -
-                         2 * r * as_real(t.sum_bit_errors_times_bits) +
-                         r * r * as_real(t.sum_bits_squared);
-  const double frames = as_real(t.n_frames), bits = as_real(t.n_bits);
-  return std::max(0.0, squares) * frames / (frames - 1) / (bits * bits);
+double variance_between(const ClusterSums& sums, double r) {
+  const double squares = as_real(sums.part_squared) - 2 * r * as_real(sums.part_times_whole) +
+                         r * r * as_real(sums.whole_squared);
+  const double n = as_real(sums.n), whole = as_real(sums.whole);
+  return std::max(0.0, squares) * n / (n - 1) / (whole * whole);
+}
+
+ClusterSums frames_as_clusters(const Tally& t) {
+  return {.n = t.n_frames,
+          .part = t.n_bit_errors,
+          .whole = t.n_bits,
+          .part_squared = t.sum_bit_errors_squared,
+          .part_times_whole = t.sum_bit_errors_times_bits,
+          .whole_squared = t.sum_bits_squared};
 }
 
 /// The share of the variance between frames that is how many bits of a bad frame are wrong. The
@@ -46,7 +54,7 @@ double share_of_bursts(const Tally& t) {
 // from the bad ones. A frame is worth a bit at least.
 double effective_bits(const Tally& t, double r, double level) {
   const double bits = as_real(t.n_bits);
-  const double variance = variance_between_frames(t, r);
+  const double variance = variance_between(frames_as_clusters(t), r);
   const double independent = r * (1 - r);
   const double effective = variance * bits > independent ? independent / variance : bits;
   const double widening =
@@ -54,6 +62,17 @@ double effective_bits(const Tally& t, double r, double level) {
       student_quantile(std::max(1.0, bits - 1), level);
   const double widened = 1 + share_of_bursts(t) * (std::max(1.0, widening * widening) - 1);
   return std::max(effective / widened, as_real(t.n_frames));
+}
+
+/// Korn & Graubard's effective number for so many clusters. Limited only behind their correction:
+/// where the spread is seen small by chance, the whole is a limit that holds.
+double effective_whole(const ClusterSums& sums, double r, double level) {
+  const double whole = as_real(sums.whole);
+  const double narrowing = student_quantile(std::max(1.0, whole - 1), level) /
+                           student_quantile(as_real(sums.n) - 1, level);
+  const double effective = r * (1 - r) / variance_between(sums, r) * narrowing * narrowing;
+  const double all_or_nothing = whole * whole / as_real(sums.whole_squared);
+  return std::clamp(effective, all_or_nothing, whole);
 }
 
 /// A bad frame has one wrong bit at least, whatever is known of bursts.
@@ -86,9 +105,9 @@ Estimate weighted_loss(const Weighted& weighted, std::uint64_t frames, double le
 
 Estimate estimate(double value, Interval ci) { return {value, ci.low, ci.high}; }
 
-Estimate frame_ratio(std::uint64_t part, std::uint64_t frames, double level) {
-  if (frames == 0) return {nothing, nothing, nothing};
-  return estimate(ratio(part, frames), clopper_pearson(as_real(part), as_real(frames), level));
+Estimate independent_ratio(std::uint64_t part, std::uint64_t whole, double level) {
+  if (whole == 0) return {nothing, nothing, nothing};
+  return estimate(ratio(part, whole), clopper_pearson(as_real(part), as_real(whole), level));
 }
 
 }  // namespace
@@ -116,6 +135,34 @@ Interval bit_error_interval(const Tally& tally, double level) {
   return ci;
 }
 
+void ClusterSums::add(std::uint64_t part_of_one, std::uint64_t whole_of_one) {
+  assert(part_of_one <= whole_of_one);
+  *this += {.n = whole_of_one > 0,
+            .part = part_of_one,
+            .whole = whole_of_one,
+            .part_squared = part_of_one * part_of_one,
+            .part_times_whole = part_of_one * whole_of_one,
+            .whole_squared = whole_of_one * whole_of_one};
+}
+
+ClusterSums& ClusterSums::operator+=(const ClusterSums& other) {
+  n += other.n;
+  part += other.part;
+  whole += other.whole;
+  part_squared += other.part_squared;
+  part_times_whole += other.part_times_whole;
+  whole_squared += other.whole_squared;
+  return *this;
+}
+
+Estimate clustered_ratio(const ClusterSums& sums, double level) {
+  const double r = ratio(sums.part, sums.whole);
+  const bool spread = sums.n > 1 && variance_between(sums, r) > 0;
+  if (!spread) return independent_ratio(sums.part, sums.whole, level);
+  const double trials = effective_whole(sums, r, level);
+  return estimate(r, clopper_pearson(r * trials, trials, level));
+}
+
 double ratio(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? nothing : as_real(part) / as_real(whole);
 }
@@ -130,12 +177,12 @@ Estimate bit_error_ratio(const Tally& tally, double level) {
 
 Estimate frame_loss_ratio(const Tally& tally, double level) {
   if (tally.is_weighted()) return weighted_loss(tally.weighted, tally.n_frames, level);
-  return frame_ratio(tally.n_frames_lost, tally.n_frames, level);
+  return independent_ratio(tally.n_frames_lost, tally.n_frames, level);
 }
 
 Estimate undetected_error_ratio(const Tally& tally, double level) {
   if (tally.is_weighted()) return {nothing, nothing, nothing};
-  return frame_ratio(tally.n_frames_undetected, tally.n_frames, level);
+  return independent_ratio(tally.n_frames_undetected, tally.n_frames, level);
 }
 
 }  // namespace sim

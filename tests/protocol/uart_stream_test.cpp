@@ -30,6 +30,30 @@ dsp::LogicTrace random_wire(Random& random) {
   return line;
 }
 
+/// A wire that is never idle: characters, some of them with a wrong stop bit, breaks, which are low
+/// for longer than a character, and noise too short to start one.
+dsp::LogicTrace busy_wire(Random& random) {
+  const dsp::Seconds bit = dsp::period(baud);
+  dsp::LogicTrace line;
+  dsp::Seconds at(0.002);
+  for (int i = 0; i < 60; ++i) {
+    const auto kind = random() % 8;
+    const dsp::Seconds pulse = kind == 0   ? uniform(random, 10, 25) * bit  // a break
+                               : kind == 1 ? uniform(random, 9.2, 9.9) * bit
+                                           : uniform(random, 0.01, 0.6) * bit;
+    if (kind > 4) {
+      at = send_byte(line, test::random_bytes(random, 1)[0], at, baud);
+    } else {
+      line.set_at(at, false);
+      at += pulse;
+      line.set_at(at, true);
+    }
+    at += (random() % 2 == 0 ? 0 : uniform(random, 0, 1)) * bit;
+  }
+  line.observe_until(at + dsp::Seconds(0.05));
+  return line;
+}
+
 /// The wire as it is known at `t`.
 dsp::LogicTrace until(const dsp::LogicTrace& wire, dsp::Seconds t) {
   dsp::LogicTrace part(wire.initial());
@@ -39,22 +63,63 @@ dsp::LogicTrace until(const dsp::LogicTrace& wire, dsp::Seconds t) {
   return part;
 }
 
+/// All that a stream gives of a wire that is read at random times, 0 to `longest_step` apart.
+std::vector<UartByte> read_often(const UartReceiver& receiver, const dsp::LogicTrace& wire,
+                                 double phase, double longest_step, Random& random) {
+  UartStream stream(receiver, baud, phase);
+  std::vector<UartByte> bytes;
+  for (dsp::Seconds t(0); t < wire.end(); t += dsp::Seconds(uniform(random, 0, longest_step)))
+    for (const UartByte& byte : stream.take(until(wire, t))) bytes.push_back(byte);
+  for (const UartByte& byte : stream.take(wire)) bytes.push_back(byte);
+  EXPECT_TRUE(stream.take(wire).empty());
+  return bytes;
+}
+
 TEST(UartStream, GivesTheBytesOfTheWholeWireWheneverItIsRead) {
   Random random(11);
-  for (int trial = 0; trial < 200; ++trial) {
-    const dsp::LogicTrace wire = random_wire(random);
+  std::size_t framing_errors = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const dsp::LogicTrace wire = trial % 4 < 2 ? random_wire(random) : busy_wire(random);
     for (const UartReceiver& receiver : uart_receivers()) {
       const double phase = uniform(random, 0, 1);
       const auto whole = receiver.receive(wire, baud, phase);
-      UartStream stream(receiver, baud, phase);
-      std::vector<UartByte> bytes;
-      const double longest_step = trial % 2 == 0 ? 0.02 : 0.5;
-      for (dsp::Seconds t(0); t < wire.end(); t += dsp::Seconds(uniform(random, 0, longest_step)))
-        for (const UartByte& byte : stream.take(until(wire, t))) bytes.push_back(byte);
-      for (const UartByte& byte : stream.take(wire)) bytes.push_back(byte);
-      ASSERT_EQ(bytes, whole) << receiver.name << " " << trial;
-      EXPECT_TRUE(stream.take(wire).empty());
+      framing_errors += test::framing_errors(whole);
+      ASSERT_EQ(read_often(receiver, wire, phase, trial % 2 == 0 ? 0.02 : 0.5, random), whole)
+          << receiver.name << " " << trial;
     }
+  }
+  EXPECT_GT(framing_errors, 1000U);
+}
+
+const UartReceiver* counted = nullptr;
+std::size_t flips_read = 0;
+
+UartReading read_counted(const dsp::LogicTrace& line, dsp::Hertz rate, double phase) {
+  flips_read += line.flips().size();
+  return counted->read(line, rate, phase);
+}
+
+/// A pulse, then a pause, each of a random length of bits up to these.
+std::size_t times_read(double longest_pulse, double longest_pause) {
+  Random random(12);
+  const UartReceiver counting{"counting", read_counted};
+  UartStream stream(counting, baud, 0);
+  dsp::LogicTrace wire;
+  flips_read = 0;
+  for (dsp::Seconds at(0.002); wire.flips().size() < 20000; stream.take(wire))
+    for (const double longest : {longest_pulse, longest_pause}) {
+      wire.flip_at(at);
+      at += uniform(random, 0.01, longest) * dsp::period(baud);
+    }
+  return flips_read / wire.flips().size();
+}
+
+// What begins with all of the wire each time would read each flip thousands of times.
+TEST(UartStream, ReadsAWireThatIsNeverIdleAFewTimesOnly) {
+  for (const UartReceiver& receiver : uart_receivers()) {
+    counted = &receiver;
+    EXPECT_LT(times_read(3, 3), 12U) << "bytes, " << receiver.name;
+    EXPECT_LT(times_read(0.4, 3), 12U) << "false starts alone, " << receiver.name;
   }
 }
 

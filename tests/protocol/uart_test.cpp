@@ -68,11 +68,11 @@ TEST(UartReceivers, TableNamesBothAndNothingElse) {
 
 TEST(UartReceivers, RowsAreTheFunctionsOfTheirNames) {
   const LogicTrace line = pulses({{10, 0.52}}, 40);  // in the middle low; votes high at phase .9
-  const auto mid_bit = find_uart_receiver("mid-bit")->receive;
-  const auto atmega = find_uart_receiver("atmega")->receive;
-  EXPECT_EQ(mid_bit(line, baud, 0), receive_mid_bit(line, baud));
-  EXPECT_EQ(atmega(line, baud, 0.9), receive_atmega(line, baud, 0.9));
-  EXPECT_NE(mid_bit(line, baud, 0.9), atmega(line, baud, 0.9));
+  const UartReceiver& mid_bit = *find_uart_receiver("mid-bit");
+  const UartReceiver& atmega = *find_uart_receiver("atmega");
+  EXPECT_EQ(mid_bit.receive(line, baud, 0), receive_mid_bit(line, baud));
+  EXPECT_EQ(atmega.receive(line, baud, 0.9), receive_atmega(line, baud, 0.9));
+  EXPECT_NE(mid_bit.receive(line, baud, 0.9), atmega.receive(line, baud, 0.9));
 }
 
 TEST(UartReceivers, RoundTripOfRandomBytesWithRandomGaps) {
