@@ -57,6 +57,12 @@ struct RealColumn {
 };
 
 const RealColumn reals[] = {
+    {"frame_loss", "1", "messages sent and not delivered over those sent",
+     [](const ArenaPoint&, const SenderTally& t) { return frame_loss(t).value; }},
+    {"frame_loss_ci_low", "1", "lower end of its 95 % interval",
+     [](const ArenaPoint&, const SenderTally& t) { return frame_loss(t).low; }},
+    {"frame_loss_ci_high", "1", "upper end of its 95 % interval",
+     [](const ArenaPoint&, const SenderTally& t) { return frame_loss(t).high; }},
     {"offered_load", "1", "share of time in which messages in reach are in the air", offered_load},
     {"throughput", "1", "share of time of messages delivered", throughput},
     {"latency_mean_s", "s", "mean time to the end of the first message delivered",
@@ -104,6 +110,14 @@ void add_sums(Dataset& data, const std::vector<ArenaPoint>& points) {
                             [](const ArenaPoint& p) { return p.senders.size(); });
   add_point_variable<Count>(data, points, {"n_frames_false", "1", "frames accepted, none sent"},
                             [](const ArenaPoint& p) { return p.tally.n_false; });
+  add_point_variable<double>(data, points, {"total_frame_loss", "1", "of all devices together"},
+                             [](const ArenaPoint& p) { return frame_loss(together(p)).value; });
+  add_point_variable<double>(data, points,
+                             {"total_frame_loss_ci_low", "1", "lower end of its 95 % interval"},
+                             [](const ArenaPoint& p) { return frame_loss(together(p)).low; });
+  add_point_variable<double>(data, points,
+                             {"total_frame_loss_ci_high", "1", "upper end of its 95 % interval"},
+                             [](const ArenaPoint& p) { return frame_loss(together(p)).high; });
   add_point_variable<double>(
       data, points, {"total_offered_load", "1", "offered load of all devices together"},
       [&](const ArenaPoint& p) { return known(p, offered_load(p, together(p))); });

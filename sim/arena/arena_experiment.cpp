@@ -70,9 +70,15 @@ void add_runs(ArenaPoint& point, ArenaRuns runs) {
   std::ranges::move(runs.heard, std::back_inserter(point.heard));
 }
 
+Estimate frame_loss(const SenderTally& tally) {
+  constexpr double level = 0.95;
+  return clustered_ratio(tally.losses, level);
+}
+
 SenderTally together(const ArenaPoint& point) {
   SenderTally sum;
   for (const SenderTally& sender : point.tally.senders) sum += sender;
+  sum.losses = point.tally.losses;
   return sum;
 }
 

@@ -36,6 +36,9 @@ std::uint32_t runs_that_fit(const Arena& arena, int threads);
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates);
 void add_runs(ArenaPoint& point, ArenaRuns runs);
 
+/// Lost of sent, with the interval of runs as clusters.
+Estimate frame_loss(const SenderTally& tally);
+
 /// Sum over the devices of a point.
 SenderTally together(const ArenaPoint& point);
 

@@ -16,15 +16,6 @@
 namespace sim {
 namespace {
 
-constexpr double ci_level = 0.95;
-
-Estimate loss_ratio(const SenderTally& tally) {
-  const auto lost = static_cast<double>(tally.lost()), sent = static_cast<double>(tally.sent());
-  if (sent == 0) return {unset, unset, unset};
-  const Interval interval = clopper_pearson(lost, sent, ci_level);
-  return {lost / sent, interval.low, interval.high};
-}
-
 std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4f}", value); }
 
 std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
@@ -87,7 +78,7 @@ std::vector<std::string> counts_of(const SenderTally& tally) {
           fmt::format("{}", tally.n_overlapped),
           fmt::format("{}", tally.n_captured),
           fmt::format("{}", tally[FrameFate::delivered]),
-          estimate_text(loss_ratio(tally))};
+          estimate_text(frame_loss(tally))};
 }
 
 std::string device_row(const std::vector<TextColumn>& columns, const std::string& name,

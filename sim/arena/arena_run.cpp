@@ -148,8 +148,8 @@ void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame,
 }
 
 /// Frames that start within the run.
-void count_sender(const Witness& w, std::size_t sender, const std::vector<SentFrame>& frames,
-                  std::uint32_t run, ArenaRuns& into) {
+SenderTally count_sender(const Witness& w, std::size_t sender, const std::vector<SentFrame>& frames,
+                         std::uint32_t run, ArenaRuns& into) {
   SenderTally tally;
   for (const SentFrame& frame : frames) {
     if (frame.start < Seconds(0) || frame.start >= w.arena.duration) continue;
@@ -163,7 +163,8 @@ void count_sender(const Witness& w, std::size_t sender, const std::vector<SentFr
     into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,
                           frame.end.value, place.x, place.y, frame.message});
   }
-  into.tally.senders[sender] += tally;
+  tally.losses.add(tally.lost(), tally.sent());
+  return tally;
 }
 
 /// Whether somebody sent what was accepted.
@@ -182,8 +183,14 @@ void count_run(const Arena& arena, std::uint32_t run, const std::vector<SentFram
   const Air air(arena, sent);
   const Witness witness{arena, air, heard, without_slow_agc};
   const auto before = static_cast<std::ptrdiff_t>(into.heard.size());
-  for (std::size_t i = 0; i < arena.senders.size(); ++i)
-    count_sender(witness, i, sent[i].frames, run, into);
+  std::uint64_t lost = 0, all = 0;
+  for (std::size_t i = 0; i < arena.senders.size(); ++i) {
+    const SenderTally tally = count_sender(witness, i, sent[i].frames, run, into);
+    into.tally.senders[i] += tally;
+    lost += tally.lost();
+    all += tally.sent();
+  }
+  into.tally.losses.add(lost, all);
   const auto first = std::ranges::min_element(into.heard.begin() + before, into.heard.end(), {},
                                               &HeardFrame::end_s);
   if (first != into.heard.end()) into.tally.any.add(Seconds(first->end_s));

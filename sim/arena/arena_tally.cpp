@@ -43,6 +43,7 @@ SenderTally& SenderTally::operator+=(const SenderTally& other) {
   airtime_in_reach_us += other.airtime_in_reach_us;
   airtime_delivered_us += other.airtime_delivered_us;
   latency += other.latency;
+  losses += other.losses;
   return *this;
 }
 
@@ -51,6 +52,7 @@ ArenaTally& ArenaTally::operator+=(const ArenaTally& other) {
   for (std::size_t i = 0; i < other.senders.size(); ++i) senders[i] += other.senders[i];
   n_runs += other.n_runs;
   any += other.any;
+  losses += other.losses;
   n_false += other.n_false;
   return *this;
 }

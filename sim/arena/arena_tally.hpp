@@ -8,6 +8,7 @@
 
 #include "dsp/units.hpp"
 #include "sim/arena/frame_fate.hpp"
+#include "sim/statistics.hpp"
 
 namespace sim {
 
@@ -31,6 +32,7 @@ struct SenderTally {
   std::uint64_t n_captured = 0;    // of those, delivered all the same
   std::uint64_t airtime_us = 0, airtime_in_reach_us = 0, airtime_delivered_us = 0;
   Latency latency;
+  ClusterSums losses;  // lost of sent; its runs
 
   std::uint64_t operator[](FrameFate f) const { return fate[static_cast<std::size_t>(f)]; }
   /// Those that the device had to send.
@@ -52,6 +54,7 @@ struct HeardFrame {
 struct ArenaTally {
   std::vector<SenderTally> senders;
   std::uint64_t n_runs = 0;
+  ClusterSums losses;         // of all devices together, by runs
   Latency any;                // until the first message of any of them
   std::uint64_t n_false = 0;  // frames accepted that nobody sent
 

@@ -92,6 +92,23 @@ TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
     EXPECT_EQ(first_us[i], point.tally.senders[i].latency.sum_us) << i;
 }
 
+// Two devices of equal pauses meet in a whole run or never: the interval must say how few runs say
+// anything.
+TEST(ArenaLaws, RunsNotMessagesAreWhatAnIntervalCountsOn) {
+  std::vector<Estimate> seeds;
+  for (const char* seed : {"1", "2", "3"}) {
+    const std::string fixed = "interval_min_ms = 500\ninterval_max_ms = 500";
+    const ArenaPoint point =
+        arena_point("[arena]\nruns = 8\nduration_s = 20\n" + device("a", "2", fixed) +
+                        "[devices.b]\nx_m = 2\ny_m = 0.3\nyaw_deg = 180\n" + fixed + "\n",
+                    {std::string("simulation.seed=") + seed});
+    seeds.push_back(frame_loss(together(point)));
+    EXPECT_GT(seeds.back().high - seeds.back().low, 0.3) << seed;
+  }
+  for (const Estimate& one : seeds)
+    for (const Estimate& other : seeds) EXPECT_LT(one.low, other.high);
+}
+
 // A receiver that backs away at 3 m/s loses a lone device where a link does, from 12.2 m on.
 TEST(ArenaLaws, ADeviceIsHeardAsFarAsItsLightGoes) {
   const ArenaPoint point = arena_point(
