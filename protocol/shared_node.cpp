@@ -78,13 +78,19 @@ SharedNode::SharedNode(SharedNodeSettings settings)
   assert(!problem_in_node(settings_));
 }
 
-std::optional<std::string> SharedNode::set(std::size_t variable, const std::string& value) {
+std::optional<std::string> SharedNode::problem_in_value(std::size_t variable,
+                                                        const std::string& value) const {
   if (value.empty()) return "an empty value cannot be sent: it says that nothing has changed";
   SharedLinkMessage alone = to_peer(), reply = to_peer();
   alone.fields = {{Type::index, last_index(outbound_.size())}, {Type::data, value}};
   reply.fields = {{Type::reply, outbound_[variable].name}, {Type::data, value}};
   for (const SharedLinkMessage& message : {alone, reply})
     if (auto problem = problem_in_message(message, settings_.max_size)) return problem;
+  return std::nullopt;
+}
+
+std::optional<std::string> SharedNode::set(std::size_t variable, const std::string& value) {
+  if (auto problem = problem_in_value(variable, value)) return problem;
   changed_[variable] = changed_[variable] || outbound_[variable].value != value;
   outbound_[variable].value = value;
   return std::nullopt;

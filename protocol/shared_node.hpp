@@ -64,6 +64,8 @@ class SharedNode {
   /// The settings must have no problem.
   explicit SharedNode(SharedNodeSettings settings);
 
+  /// Why this cannot be sent as a value of an outbound variable, if it cannot.
+  std::optional<std::string> problem_in_value(std::size_t variable, const std::string& value) const;
   /// A new value of an outbound variable; why it cannot be sent, if it cannot.
   [[nodiscard]] std::optional<std::string> set(std::size_t variable, const std::string& value);
   /// Asks the peer for an inbound variable, with what is sent next.
