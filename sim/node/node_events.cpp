@@ -27,11 +27,12 @@ constexpr std::array<NamedCount, 7> misfit_counts{{{"for_others", &Counts::for_o
                                                    {"unknown_asked", &Counts::unknown_asked},
                                                    {"unknown_replies", &Counts::unknown_replies}}};
 
-constexpr std::array<NamedCount, 5> other_counts{{{"sent", &Counts::sent},
+constexpr std::array<NamedCount, 6> other_counts{{{"sent", &Counts::sent},
                                                   {"accepted", &Counts::accepted},
                                                   {"asked", &Counts::asked},
                                                   {"answered", &Counts::answered},
-                                                  {"timed_out", &Counts::timed_out}}};
+                                                  {"timed_out", &Counts::timed_out},
+                                                  {"answered_late", &Counts::answered_late}}};
 
 std::string_view outcome_name(std::size_t outcome) {
   return name(static_cast<protocol::SharedLinkOutcome>(outcome));

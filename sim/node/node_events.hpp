@@ -29,7 +29,7 @@ class NodeEvents {
   void check() const { output_.check(); }
 
   void ready(dsp::Seconds now, const std::string& port, const NodeFile& file);
-  /// A variable with its value: "changed" or "answered".
+  /// A variable with its value: "changed", "answered" or "answered_late".
   void value(dsp::Seconds now, std::string_view event, const protocol::SharedVariable& variable);
   /// A query that nobody answered in time.
   void timed_out(dsp::Seconds now, const std::string& name);

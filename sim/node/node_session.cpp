@@ -89,6 +89,8 @@ void NodeSession::take(std::uint8_t byte, dsp::Seconds at) {
     events_.value(at, "changed", node_.inbound()[variable]);
   for (const std::size_t variable : news.answered)
     events_.value(at, "answered", node_.inbound()[variable]);
+  for (const std::size_t variable : news.late)
+    events_.value(at, "answered_late", node_.inbound()[variable]);
   events_.misfits(at, before, node_.counts(), news.text);
   if (node_.counts().from_self != before.from_self) warn_of_own_address(at, news.text);
 }
