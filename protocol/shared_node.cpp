@@ -10,6 +10,9 @@ namespace {
 
 using Type = SharedLinkFieldType;
 
+/// Queries of one transmission; values, which are as young as their transmission, wait no longer.
+constexpr dsp::Seconds longest_asking(1);
+
 std::vector<SharedVariable> variables(const std::vector<std::string>& names) {
   std::vector<SharedVariable> all;
   for (const std::string& name : names) all.push_back({name});
@@ -74,17 +77,24 @@ SharedNode::SharedNode(SharedNodeSettings settings)
       decoder_(settings_.max_size),
       outbound_(variables(settings_.outbound)),
       inbound_(variables(settings_.inbound)),
-      changed_(outbound_.size(), false) {
+      changed_(outbound_.size(), false),
+      given_up_(inbound_.size(), false) {
   assert(!problem_in_node(settings_));
 }
 
-std::optional<std::string> SharedNode::set(std::size_t variable, const std::string& value) {
+std::optional<std::string> SharedNode::problem_in_value(std::size_t variable,
+                                                        const std::string& value) const {
   if (value.empty()) return "an empty value cannot be sent: it says that nothing has changed";
   SharedLinkMessage alone = to_peer(), reply = to_peer();
   alone.fields = {{Type::index, last_index(outbound_.size())}, {Type::data, value}};
   reply.fields = {{Type::reply, outbound_[variable].name}, {Type::data, value}};
   for (const SharedLinkMessage& message : {alone, reply})
     if (auto problem = problem_in_message(message, settings_.max_size)) return problem;
+  return std::nullopt;
+}
+
+std::optional<std::string> SharedNode::set(std::size_t variable, const std::string& value) {
+  if (auto problem = problem_in_value(variable, value)) return problem;
   changed_[variable] = changed_[variable] || outbound_[variable].value != value;
   outbound_[variable].value = value;
   return std::nullopt;
@@ -122,13 +132,19 @@ void SharedNode::append_answers(Bytes& bytes) {
 }
 
 void SharedNode::append_queries(Bytes& bytes, dsp::Seconds now) {
-  for (const std::size_t variable : std::exchange(to_ask_, {})) {
+  const auto time_of = [&](std::size_t n) { return static_cast<double>(n) * settings_.byte_time; };
+  const std::size_t from = bytes.size();
+  auto next = to_ask_.begin();
+  for (; next != to_ask_.end() && time_of(bytes.size() - from) < longest_asking; ++next) {
     SharedLinkMessage message = to_peer();
-    message.fields = {{Type::query, inbound_[variable].name}};
+    message.fields = {{Type::query, inbound_[*next].name}};
     append(bytes, message);
-    asked_.insert_or_assign(variable, now);
+    std::erase_if(asked_, [&](const Query& query) { return query.variable == *next; });
+    asked_.push_back({*next, now + time_of(bytes.size())});
+    given_up_[*next] = false;
     ++counts_.asked;
   }
+  to_ask_.erase(to_ask_.begin(), next);
 }
 
 /// As many values to a message as fit, from one that is to be sent to another.
@@ -155,10 +171,12 @@ void SharedNode::append_values(Bytes& bytes, bool full) {
 }
 
 std::vector<std::size_t> SharedNode::give_up(dsp::Seconds now) {
+  const auto is_late = [&](const Query& q) { return now - q.since >= settings_.query_timeout; };
   std::vector<std::size_t> late;
-  for (const auto& [variable, at] : asked_)
-    if (now - at >= settings_.query_timeout) late.push_back(variable);
-  for (const std::size_t variable : late) asked_.erase(variable);
+  for (const Query& query : asked_)
+    if (is_late(query)) late.push_back(query.variable);
+  std::erase_if(asked_, is_late);
+  for (const std::size_t variable : late) given_up_[variable] = true;
   counts_.timed_out += late.size();
   return late;
 }
@@ -260,10 +278,22 @@ void SharedNode::take(const Content& content, dsp::Seconds now, SharedNodeNews& 
     mine.at = now;
     if (std::exchange(mine.value, value) != value) news.changed.push_back(variable);
   }
-  for (const std::size_t variable : content.replies)
-    if (asked_.erase(variable) != 0) news.answered.push_back(variable);
+  for (const std::size_t variable : content.replies) take_reply(variable, now, news);
   counts_.answered += news.answered.size();
+  counts_.answered_late += news.late.size();
   answer(content.queries);
+}
+
+/// The peer goes on to the queries behind this one only now.
+void SharedNode::take_reply(std::size_t variable, dsp::Seconds now, SharedNodeNews& news) {
+  if (given_up_[variable]) news.late.push_back(variable);
+  given_up_[variable] = false;
+  const auto query = std::ranges::find(asked_, variable, &Query::variable);
+  if (query == asked_.end()) return;
+  news.answered.push_back(variable);
+  auto behind = asked_.erase(query);
+  if (settings_.byte_time == dsp::Seconds(0)) return;
+  for (; behind != asked_.end(); ++behind) behind->since = std::max(behind->since, now);
 }
 
 /// Each once with what is sent next, however often it was asked for.

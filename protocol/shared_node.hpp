@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +24,8 @@ struct SharedNodeSettings {
   bool compressed = true;  // leave out what has not changed, but for full sets
   dsp::Seconds full_set_every{1};
   dsp::Seconds query_timeout{1};
+  /// On the line. 0: what is transmitted has left at once, and no answer waits for another.
+  dsp::Seconds byte_time{0};
   std::size_t max_size = default_max_shared_link;  // of a message, bytes
 };
 
@@ -50,12 +51,14 @@ struct SharedNodeCounts {
   std::uint64_t unknown_asked = 0;    // queries that were not answered: no such value here
   std::uint64_t unknown_replies = 0;  // values of a name that is not in the list
   std::uint64_t asked = 0, answered = 0, timed_out = 0;  // queries of this node's own
+  std::uint64_t answered_late = 0;                       // of those that timed out
 };
 
 /// What a byte brings.
 struct SharedNodeNews {
   std::vector<std::size_t> changed;   // inbound variables with another value
   std::vector<std::size_t> answered;  // those that were asked for, changed or not
+  std::vector<std::size_t> late;      // ... but given up before
   std::string text;                   // of the message that ends here, between its brackets
 };
 
@@ -64,19 +67,22 @@ class SharedNode {
   /// The settings must have no problem.
   explicit SharedNode(SharedNodeSettings settings);
 
+  /// Why this cannot be sent as a value of an outbound variable, if it cannot.
+  std::optional<std::string> problem_in_value(std::size_t variable, const std::string& value) const;
   /// A new value of an outbound variable; why it cannot be sent, if it cannot.
   [[nodiscard]] std::optional<std::string> set(std::size_t variable, const std::string& value);
-  /// Asks the peer for an inbound variable, with what is sent next.
+  /// Asks the peer for an inbound variable, as soon as those asked for before leave time for it.
   void ask(std::size_t variable);
 
-  /// What is to be sent now: answers, queries, and values: all where a full set is due, else those
-  /// that have changed.
+  /// What is to be sent now: answers, queries for about a second, and values: all where a full set
+  /// is due, else those that have changed.
   Bytes transmit(dsp::Seconds now);
   /// What was transmitted last was not heard, for a reason known here: a full set is due at once.
   void resend() { full_set_at_.reset(); }
   SharedNodeNews receive(const UartByte& byte);
-  /// The inbound variables whose query has waited too long: the node waits for them no longer, and
-  /// has counted them. Both of the above do so too.
+  /// The inbound variables whose query has waited too long since it has left, or since one that was
+  /// asked for before was answered: a peer answers in order. The node waits for them no longer, and
+  /// has counted them. transmit() and receive() do so too.
   std::vector<std::size_t> give_up(dsp::Seconds now);
 
   const std::vector<SharedVariable>& outbound() const { return outbound_; }
@@ -84,11 +90,16 @@ class SharedNode {
   const SharedNodeCounts& counts() const { return counts_; }
 
  private:
+  struct Query {
+    std::size_t variable;
+    dsp::Seconds since;  // when its time began
+  };
   struct Content;
   class ContentReader;
 
   std::optional<Content> content_of(const SharedLinkMessage& message);
   void take(const Content& content, dsp::Seconds now, SharedNodeNews& news);
+  void take_reply(std::size_t variable, dsp::Seconds now, SharedNodeNews& news);
   void answer(const std::vector<std::string>& names);
   SharedLinkMessage to_peer() const { return {settings_.peer, settings_.address, {}}; }
   void append(Bytes& bytes, const SharedLinkMessage& message);
@@ -99,10 +110,11 @@ class SharedNode {
   SharedNodeSettings settings_;
   SharedLinkDecoder decoder_;
   std::vector<SharedVariable> outbound_, inbound_;
-  std::vector<bool> changed_;                  // of the outbound ones, since they were sent
-  std::vector<std::size_t> to_answer_;         // outbound variables
-  std::vector<std::size_t> to_ask_;            // inbound ones
-  std::map<std::size_t, dsp::Seconds> asked_;  // inbound variables, when they were asked for
+  std::vector<bool> changed_;           // of the outbound ones, since they were sent
+  std::vector<std::size_t> to_answer_;  // outbound variables
+  std::vector<std::size_t> to_ask_;     // inbound ones
+  std::vector<Query> asked_;            // in the order of asking
+  std::vector<bool> given_up_;          // inbound ones, since they were asked for
   std::optional<dsp::Seconds> full_set_at_;
   SharedNodeCounts counts_;
 };

@@ -8,10 +8,14 @@
 
 namespace sim {
 
+inline Failure unwritable_output() {
+  return {ExitCode::environment,
+          "cannot write to standard output (it is closed or full) redirect it elsewhere"};
+}
+
 inline void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw Failure(ExitCode::environment,
-                  "cannot write to standard output (it is closed or full) redirect it elsewhere");
+    throw unwritable_output();
 }
 
 /// Nothing is lost if this cannot be written, so nobody is told.

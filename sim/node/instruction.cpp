@@ -1,8 +1,10 @@
 #include "sim/node/instruction.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/failure.hpp"
@@ -28,7 +30,9 @@ std::string suggestion(const Variables& list, const std::string& name) {
   return "did you mean " + nearest(name, names) + "?";
 }
 
-void set(protocol::SharedNode& node, const std::string& name, const std::string& value) {
+/// The place of an outbound variable that can have this value.
+std::size_t find_settable(const protocol::SharedNode& node, const std::string& name,
+                          const std::string& value) {
   const auto variable = find_variable(node.outbound(), name);
   if (!variable && find_variable(node.inbound(), name))
     throw bad_input("cannot set " + name, "it is inbound, the peer's to set",
@@ -36,8 +40,18 @@ void set(protocol::SharedNode& node, const std::string& name, const std::string&
   if (!variable)
     throw bad_input("cannot set " + name, "no such outbound variable",
                     suggestion(node.outbound(), name));
-  if (const auto problem = node.set(*variable, value))
+  if (const auto problem = node.problem_in_value(*variable, value))
     throw bad_input("cannot set " + name, *problem, "it stays as it is");
+  return *variable;
+}
+
+/// All of them or, if one cannot be, none.
+void set(protocol::SharedNode& node, const std::map<std::string, std::string>& values) {
+  std::vector<std::pair<std::size_t, std::string>> settable;
+  for (const auto& [name, value] : values)
+    settable.emplace_back(find_settable(node, name, value), value);
+  for (const auto& [variable, value] : settable)
+    [[maybe_unused]] const auto no_problem = node.set(variable, value);
 }
 
 void ask(protocol::SharedNode& node, const std::string& name) {
@@ -61,7 +75,7 @@ void obey_text(protocol::SharedNode& node, const std::string& line) {
   const std::size_t equals = end_of_name(node.outbound(), line);
   if (equals == std::string::npos)
     throw bad_input("cannot read a line of stdin", "neither a value nor a question", how_to_write);
-  set(node, line.substr(0, equals), line.substr(equals + 1));
+  set(node, {{line.substr(0, equals), line.substr(equals + 1)}});
 }
 
 bool is_object_of_texts(const json& object) {
@@ -73,7 +87,7 @@ void obey_json(protocol::SharedNode& node, const json& object) {
   const bool sets = object.size() == 1 && object.contains("set");
   const bool asks = object.size() == 1 && object.contains("ask");
   if (sets && is_object_of_texts(object["set"])) {
-    for (const auto& [name, value] : object["set"].items()) set(node, name, value);
+    set(node, object["set"].get<std::map<std::string, std::string>>());
   } else if (asks && object["ask"].is_string()) {
     ask(node, object["ask"]);
   } else {

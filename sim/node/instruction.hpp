@@ -12,7 +12,8 @@ namespace sim {
 
 inline constexpr std::size_t longest_instruction = std::size_t{1} << 16U;
 
-/// Throws bad_input, one line, for what the node cannot do; an empty line is nothing to do.
+/// Throws bad_input, one line, for what the node cannot do, and then does nothing of it; an empty
+/// line is nothing to do.
 void obey(protocol::SharedNode& node, const std::string& line);
 
 }  // namespace sim

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <memory>
 
 #include "sim/commands.hpp"
@@ -27,13 +29,21 @@ std::unique_ptr<Port> open_port(const NodeRequest& request, double baud) {
                   "add --device /dev/ttyUSB0, or --pty LINK for one that other programs open");
 }
 
-}  // namespace
-
-ExitCode node_command(const NodeRequest& request) {
+/// The port is as it was before when this returns or throws, whatever becomes of the events.
+ExitCode run_session(const NodeRequest& request, LineOutput& events) {
   const NodeFile file = read_node_file(request);
   const std::atomic<bool>& stopping = heed_stop_signals();
   const std::unique_ptr<Port> port = open_port(request, file.baud.value);
-  return NodeSession(file, *port).run(dsp::Seconds(request.duration_s), stopping);
+  return NodeSession(file, *port, events).run(dsp::Seconds(request.duration_s), stopping);
+}
+
+}  // namespace
+
+ExitCode node_command(const NodeRequest& request) {
+  LineOutput events(STDOUT_FILENO);
+  const ExitCode code = run_session(request, events);
+  events.finish();
+  return code;
 }
 
 }  // namespace sim

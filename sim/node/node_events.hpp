@@ -1,6 +1,7 @@
 #pragma once
-// Events of a node as JSON lines on stdout, each as soon as it happens: "time_s" since the start,
-// "event", and what belongs to it.
+// NodeEvents: what happens to a node as JSON lines, each as soon as it happens: "time_s" since the
+// start, "event", and what belongs to it. Of a reader that stalls nothing here takes notice: what
+// finds no room is lost, and "lost" stands in its place.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "dsp/units.hpp"
 #include "protocol/shared_node.hpp"
+#include "sim/node/line_output.hpp"
 #include "sim/node/node_file.hpp"
 
 namespace sim {
@@ -18,28 +20,40 @@ struct PortCounts {
   std::uint64_t dropped = 0;  // messages that the port did not take in time
 };
 
-void print_ready(dsp::Seconds now, const std::string& port, const NodeFile& file);
+class NodeEvents {
+ public:
+  /// The reader's end is watched by who made the output.
+  explicit NodeEvents(LineOutput& output) : output_(output) {}
 
-/// A variable with its value: "changed" or "answered".
-void print_value(dsp::Seconds now, std::string_view event,
-                 const protocol::SharedVariable& variable);
+  /// Throws Failure(environment) if nothing can be written any more.
+  void check() const { output_.check(); }
 
-/// A query that nobody answered in time.
-void print_timed_out(dsp::Seconds now, const std::string& name);
+  void ready(dsp::Seconds now, const std::string& port, const NodeFile& file);
+  /// A variable with its value: "changed", "answered" or "answered_late".
+  void value(dsp::Seconds now, std::string_view event, const protocol::SharedVariable& variable);
+  /// A query that nobody answered in time.
+  void timed_out(dsp::Seconds now, const std::string& name);
+  /// What happens to the port: "connected" and "disconnected", as far as it can tell, and
+  /// "blocked": it takes no more bytes, so messages are dropped.
+  void port(dsp::Seconds now, std::string_view event);
+  /// A message with this node's own address as its source.
+  void own_address(dsp::Seconds now, const std::string& message);
+  /// What a message was counted as, beside "accepted", between two looks at the counts.
+  void misfits(dsp::Seconds now, const protocol::SharedNodeCounts& before,
+               const protocol::SharedNodeCounts& after, const std::string& message);
+  /// Why it ended, and all counts. It is said in any case.
+  void end(dsp::Seconds now, std::string_view reason, const protocol::SharedNodeCounts& node,
+           const PortCounts& port);
 
-/// What happens to the port: "connected" and "disconnected", as far as it can tell, and "blocked":
-/// it takes no more bytes, so messages are dropped.
-void print_port_event(dsp::Seconds now, std::string_view event);
+ private:
+  /// Lost if the output has no room.
+  void say(dsp::Seconds now, const std::string& line);
+  /// Behind how many were lost before it.
+  void say_in_any_case(dsp::Seconds now, const std::string& line);
+  void refuse(dsp::Seconds now, std::string_view reason, const std::string& message);
 
-/// A message with this node's own address as its source.
-void print_own_address(dsp::Seconds now, const std::string& message);
-
-/// What a message was counted as, beside "accepted", between two looks at the counts.
-void print_misfits(dsp::Seconds now, const protocol::SharedNodeCounts& before,
-                   const protocol::SharedNodeCounts& after, const std::string& message);
-
-/// Why it ended, and all counts.
-void print_end(dsp::Seconds now, std::string_view reason, const protocol::SharedNodeCounts& node,
-               const PortCounts& port);
+  LineOutput& output_;
+  std::uint64_t lost_ = 0, all_lost_ = 0;  // since the last event, and since the start
+};
 
 }  // namespace sim

@@ -186,7 +186,9 @@ NodeFile parse_node_file(const std::string& text, const std::filesystem::path& p
 }
 
 protocol::SharedNode make_node(const NodeFile& file) {
-  protocol::SharedNode node(file.settings);
+  protocol::SharedNodeSettings settings = file.settings;
+  settings.byte_time = protocol::bits_per_byte * dsp::period(file.baud);
+  protocol::SharedNode node(settings);
   for (const auto& [variable, value] : file.values) (void)node.set(variable, value);
   return node;
 }

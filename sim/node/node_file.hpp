@@ -23,7 +23,7 @@ struct NodeFile {
 /// Throws bad_input, naming place and remedy, of the first thing that cannot be.
 NodeFile parse_node_file(const std::string& text, const std::filesystem::path& path);
 
-/// The node of a file that was read, with its values.
+/// The node of a file that was read, with its values and its line's pace.
 protocol::SharedNode make_node(const NodeFile& file);
 
 }  // namespace sim

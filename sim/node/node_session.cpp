@@ -19,12 +19,13 @@ constexpr dsp::Seconds longest_wait(0.05);
 
 }  // namespace
 
-NodeSession::NodeSession(const NodeFile& file, Port& port)
+NodeSession::NodeSession(const NodeFile& file, Port& port, LineOutput& events)
     : file_(file),
       port_(port),
       node_(make_node(file)),
       input_(STDIN_FILENO, longest_instruction),
       output_(file.baud),
+      events_(events),
       connected_(port.descriptor() >= 0) {}
 
 dsp::Seconds NodeSession::now() const {
@@ -33,14 +34,14 @@ dsp::Seconds NodeSession::now() const {
 }
 
 ExitCode NodeSession::run(dsp::Seconds duration, const std::atomic<bool>& stopping) {
-  print_ready(now(), port_.name(), file_);
+  events_.ready(now(), port_.name(), file_);
   try {
     while (!stopping && now() < duration) step(duration);
   } catch (const Failure&) {
-    print_end(now(), "failure", node_.counts(), counts_);
+    events_.end(now(), "failure", node_.counts(), counts_);
     throw;
   }
-  print_end(now(), stopping ? "signal" : "duration", node_.counts(), counts_);
+  events_.end(now(), stopping ? "signal" : "duration", node_.counts(), counts_);
   return stopping ? ExitCode::interrupted : ExitCode::done;
 }
 
@@ -52,13 +53,14 @@ void NodeSession::step(dsp::Seconds end) {
   if (can_read_) heed_instructions();
   transmit(at);
   send(at);
+  events_.check();
 }
 
 int NodeSession::watched_port() {
   const int descriptor = port_.descriptor();
   const bool connected = descriptor >= 0;
   if (std::exchange(connected_, connected) == connected) return descriptor;
-  print_port_event(now(), connected ? "connected" : "disconnected");
+  events_.port(now(), connected ? "connected" : "disconnected");
   if (connected) node_.resend();
   return descriptor;
 }
@@ -84,17 +86,19 @@ void NodeSession::take(std::uint8_t byte, dsp::Seconds at) {
   const protocol::SharedNodeCounts before = node_.counts();
   const protocol::SharedNodeNews news = node_.receive({at, byte, false});
   for (const std::size_t variable : news.changed)
-    print_value(at, "changed", node_.inbound()[variable]);
+    events_.value(at, "changed", node_.inbound()[variable]);
   for (const std::size_t variable : news.answered)
-    print_value(at, "answered", node_.inbound()[variable]);
-  print_misfits(at, before, node_.counts(), news.text);
+    events_.value(at, "answered", node_.inbound()[variable]);
+  for (const std::size_t variable : news.late)
+    events_.value(at, "answered_late", node_.inbound()[variable]);
+  events_.misfits(at, before, node_.counts(), news.text);
   if (node_.counts().from_self != before.from_self) warn_of_own_address(at, news.text);
 }
 
 void NodeSession::warn_of_own_address(dsp::Seconds at, const std::string& message) {
   if (warned_) return;
   warned_ = true;
-  print_own_address(at, message);
+  events_.own_address(at, message);
   say("cosys-sim: a message from this node's own address came in (another node has it too, or the "
       "line echoes) give each end an address of its own\n");
 }
@@ -111,7 +115,7 @@ void NodeSession::heed_instructions() {
 
 void NodeSession::give_up(dsp::Seconds at) {
   for (const std::size_t variable : node_.give_up(at))
-    print_timed_out(at, node_.inbound()[variable].name);
+    events_.timed_out(at, node_.inbound()[variable].name);
 }
 
 /// Only what the line has room for is made: while one transmission is on its way, values may change
@@ -125,7 +129,7 @@ void NodeSession::transmit(dsp::Seconds at) {
 }
 
 void NodeSession::drop(dsp::Seconds at) {
-  if (!std::exchange(blocked_, true)) print_port_event(at, "blocked");
+  if (!std::exchange(blocked_, true)) events_.port(at, "blocked");
   counts_.dropped += output_.drop_unbegun();
   node_.resend();
 }

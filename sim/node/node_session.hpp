@@ -10,6 +10,7 @@
 #include "protocol/shared_node.hpp"
 #include "sim/failure.hpp"
 #include "sim/node/line_input.hpp"
+#include "sim/node/line_output.hpp"
 #include "sim/node/node_events.hpp"
 #include "sim/node/node_file.hpp"
 #include "sim/node/paced_output.hpp"
@@ -20,9 +21,9 @@ namespace sim {
 class NodeSession {
  public:
   /// Instructions come from stdin; when that ends, the node goes on.
-  NodeSession(const NodeFile& file, Port& port);
+  NodeSession(const NodeFile& file, Port& port, LineOutput& events);
 
-  /// Done after so long, or interrupted by the flag. Prints how it ended in any case, and what the
+  /// Done after so long, or interrupted by the flag. Says how it ended in any case, and what the
   /// node counted; what the port throws goes on from here.
   ExitCode run(dsp::Seconds duration, const std::atomic<bool>& stopping);
 
@@ -49,6 +50,7 @@ class NodeSession {
   protocol::SharedNode node_;
   LineInput input_;
   PacedOutput output_;
+  NodeEvents events_;
   PortCounts counts_;
   dsp::Seconds next_transmission_{};
   bool can_hear_ = false, can_read_ = false;  // by the last poll

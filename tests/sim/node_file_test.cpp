@@ -41,6 +41,18 @@ TEST(NodeFile, SaysAllThatANodeNeeds) {
   EXPECT_EQ(node.outbound()[1].value, "1");
 }
 
+TEST(NodeFile, ItsBaudSaysHowManyQueriesATransmissionHas) {
+  // At 600 baud a query of 14 bytes takes 0.23 s, so a fifth one begins within a second.
+  for (const auto& [baud, asked] : {std::pair{"600", 5U}, std::pair{"9600", 8U}}) {
+    const std::string names = R"(["a", "b", "c", "d", "e", "f", "g", "h"])";
+    protocol::SharedNode node = make_node(
+        parse_node_file(ends + "inbound = " + names + "\nbaud = " + baud + "\n", "x.toml"));
+    for (std::size_t i = 0; i < node.inbound().size(); ++i) node.ask(i);
+    node.transmit(dsp::Seconds(0));
+    EXPECT_EQ(node.counts().asked, asked) << baud;
+  }
+}
+
 TEST(NodeFile, RefusesAddresses) {
   EXPECT_EQ(refusal("address = \"Q\"\n"),
             "address = \"Q\" in x.toml:1 (no address) use one capital letter, \"A\" to \"P\"");

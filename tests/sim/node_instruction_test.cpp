@@ -44,6 +44,15 @@ TEST(Instruction, SetsValues) {
   EXPECT_EQ(refusal(""), "obeyed");
 }
 
+TEST(Instruction, SetsAllOrNothing) {
+  for (const char* wrong : {R"("nope": "1")", R"("a": "x|y")", R"("Lat": "1")"}) {
+    protocol::SharedNode node = some_node();
+    EXPECT_THROW(obey(node, std::string(R"({"set": {"?x": "7", "Goal": "9", )") + wrong + "}}"),
+                 Failure);
+    for (const auto& variable : node.outbound()) EXPECT_EQ(variable.value, "") << wrong;
+  }
+}
+
 TEST(Instruction, AsksForVariables) {
   EXPECT_TRUE(sent_after("?Lon").starts_with("[:BA|QLon|C"));
   EXPECT_TRUE(sent_after("{\"ask\": \"Lat\"}").starts_with("[:BA|QLat|C"));

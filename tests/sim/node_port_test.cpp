@@ -85,6 +85,14 @@ TEST_F(Nodes, ReplaceOnlyLinksOfTheirOwn) {
   EXPECT_EQ(content(path("line")), "of another");
 }
 
+TEST_F(Nodes, NameLinksThatAreNoUtf8) {
+  const auto base = start_node({"base.toml", "--pty", "li\xffne"});
+  EXPECT_EQ(base->wait_for("ready")["device"], "li\xef\xbf\xbdne");
+  const auto guard = ready_node({"guard.toml", "--device", "li\xffne"});
+  guard->wait_for_value("Speed", "1.5");
+  EXPECT_EQ(base->finish(SIGTERM).code, 130);
+}
+
 TEST_F(Nodes, RefuseWhatIsNoPort) {
   write("file", "");
   const auto at = [](const std::string& device) {

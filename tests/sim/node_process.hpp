@@ -3,6 +3,7 @@
 // pseudo-terminal whose other end is the test's own.
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/syscall.h>
 #include <termios.h>
 
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "program.hpp"
 
@@ -19,14 +21,23 @@ class Patience {
  public:
   /// Waits until there is something to read; throws if there is nothing, or the time is over.
   void await_input(int descriptor, const std::string& what) const {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
-    pollfd one{.fd = descriptor, .events = POLLIN, .revents = 0};
-    if (left <= 0 || ::poll(&one, 1, static_cast<int>(left)) != 1)
-      throw std::runtime_error("waited in vain for " + what);
+    await(POLLIN, descriptor, what);
+  }
+  /// ... until something can be written.
+  void await_room(int descriptor, const std::string& what) const {
+    await(POLLOUT, descriptor, what);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void await(short event, int descriptor, const std::string& what) const {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
+    pollfd one{.fd = descriptor, .events = event, .revents = 0};
+    if (left <= 0 || ::poll(&one, 1, static_cast<int>(left)) != 1)
+      throw std::runtime_error("waited in vain for " + what);
+  }
+
   Clock::time_point end_ = Clock::now() + std::chrono::seconds(60);
 };
 
@@ -39,6 +50,16 @@ inline std::string read_until(int descriptor, const std::string& end) {
     if (::read(descriptor, &c, 1) != 1) throw std::runtime_error("the end, behind " + text);
   }
   return text;
+}
+
+/// To a descriptor that is non-blocking.
+inline void write_all(int descriptor, std::string_view text) {
+  const Patience patience;
+  while (!text.empty()) {
+    patience.await_room(descriptor, "being read");
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+  }
 }
 
 class NodeProcess {
@@ -82,6 +103,14 @@ class NodeProcess {
   }
   nlohmann::json wait_for_value(const std::string& name, const std::string& value) {
     return wait_for("changed", {{"name", name}, {"value", value}});
+  }
+
+  /// Until then nobody reads its events.
+  void await_exit(int signal = 0) const {
+    if (signal != 0) ::kill(pid_, signal);
+    const auto process = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));
+    Patience().await_input(process, "its exit");
+    ::close(process);
   }
 
   /// All events of its life are in `out`.
@@ -136,7 +165,7 @@ inline nlohmann::json end_of(const Outcome& o) {
 /// A pseudo-terminal that stands for a device: the node has its end, the test the other.
 class TestDevice {
  public:
-  TestDevice() : ours_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+  TestDevice() : ours_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     if (::grantpt(ours_) != 0 || ::unlockpt(ours_) != 0) throw std::runtime_error("no pty");
     name_ = ::ptsname(ours_);
     kept_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -161,9 +190,7 @@ class TestDevice {
     ::tcgetattr(kept_, &now);
     return now;
   }
-  void write(const std::string& text) const {
-    ASSERT_EQ(::write(ours_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
+  void write(const std::string& text) const { write_all(ours_, text); }
   /// What the node sends, up to and with this.
   std::string read_until(const std::string& end) const { return ::read_until(ours_, end); }
 
