@@ -139,7 +139,7 @@ void SharedNode::append_queries(Bytes& bytes, dsp::Seconds now) {
     SharedLinkMessage message = to_peer();
     message.fields = {{Type::query, inbound_[*next].name}};
     append(bytes, message);
-    std::erase_if(asked_, [&](const Query& query) { return query.variable == *next; });
+    if (std::ranges::find(asked_, *next, &Query::variable) != asked_.end()) continue;
     asked_.push_back({*next, now + time_of(bytes.size())});
     given_up_[*next] = false;
     ++counts_.asked;

@@ -72,6 +72,7 @@ class SharedNode {
   /// A new value of an outbound variable; why it cannot be sent, if it cannot.
   [[nodiscard]] std::optional<std::string> set(std::size_t variable, const std::string& value);
   /// Asks the peer for an inbound variable, as soon as those asked for before leave time for it.
+  /// Asked again before an answer, it is said again and stays the one question that it was.
   void ask(std::size_t variable);
 
   /// What is to be sent now: answers, queries for about a second, and values: all where a full set

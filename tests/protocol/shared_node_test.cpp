@@ -128,6 +128,20 @@ TEST(SharedNode, QueriesAreAnsweredOrTimeOut) {
   EXPECT_EQ(pair.a.counts().timed_out, 1u);
 }
 
+TEST(SharedNode, AQuestionAskedAgainStaysTheOneThatItWas) {
+  Pair pair;  // of which nobody answers
+  for (int i = 0; i < 4; ++i) {
+    pair.a.ask(1);
+    EXPECT_TRUE(text_of(pair.a.transmit(Seconds(0.3 * i))).starts_with("[:BA|QVariable1|C"));
+  }
+  EXPECT_EQ(pair.a.counts().asked, 1u);
+  pair.a.give_up(Seconds(1));
+  EXPECT_EQ(pair.a.counts().timed_out, 1u);
+  pair.a.ask(1);
+  pair.a.transmit(Seconds(1.1));
+  EXPECT_EQ(pair.a.counts().asked, 2u);
+}
+
 TEST(SharedNode, SaysWhichQueriesWereAnsweredAndWhichWillNotBe) {
   Pair pair;
   expect_set(pair.b, 2, "85.6");
