@@ -70,24 +70,4 @@ Exchange make_exchange(const Scenario& scenario) {
   return e;
 }
 
-DirectionTally& DirectionTally::operator+=(const DirectionTally& other) {
-  n_sent += other.n_sent;
-  n_accepted += other.n_accepted;
-  n_bits += other.n_bits;
-  n_bit_errors += other.n_bit_errors;
-  n_asked += other.n_asked;
-  n_answered += other.n_answered;
-  n_timed_out += other.n_timed_out;
-  n_own += other.n_own;
-  for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += other.rejected[i];
-  age += other.age;
-  return *this;
-}
-
-ExchangeTally& ExchangeTally::operator+=(const ExchangeTally& other) {
-  for (std::size_t i = 0; i < direction.size(); ++i) direction[i] += other.direction[i];
-  n_runs += other.n_runs;
-  return *this;
-}
-
 }  // namespace sim

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
 #include "sim/link.hpp"
 #include "tests/sim/scenarios.hpp"

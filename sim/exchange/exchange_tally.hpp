@@ -1,0 +1,41 @@
+#pragma once
+// What two nodes told each other in runs of an exchange: in integers, so that the order of adding
+// changes nothing.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "protocol/shared_link.hpp"
+#include "sim/age_counts.hpp"
+#include "sim/statistics.hpp"
+
+namespace sim {
+
+/// One direction, named by its sender; of a run or more.
+struct DirectionTally {
+  std::uint64_t n_sent = 0, n_accepted = 0;  // messages
+  std::uint64_t n_bits = 0, n_bit_errors = 0;
+  std::uint64_t n_asked = 0, n_answered = 0, n_timed_out = 0;  // questions of the sender
+  std::uint64_t n_own = 0;  // messages of its own that the sender heard
+  std::array<std::uint64_t, protocol::shared_link_outcomes> rejected{};  // by the receiver
+  AgeCounts age;  // of its variables at the receiver, since the turn that brought their value
+
+  DirectionTally& operator+=(const DirectionTally& other);
+};
+
+struct ExchangeTally {
+  std::array<DirectionTally, 2> direction;  // A to B, B to A
+  std::uint64_t n_runs = 0;
+
+  ExchangeTally& operator+=(const ExchangeTally& other);
+};
+
+/// Both directions together.
+DirectionTally together(const ExchangeTally& tally);
+
+/// Messages not accepted over messages sent, with its interval (95 %).
+Estimate message_loss(const DirectionTally& tally);
+/// NaN where nothing was sent.
+double bit_error_ratio(const DirectionTally& tally);
+
+}  // namespace sim
