@@ -64,20 +64,25 @@ std::vector<Column> columns() {
   };
 }
 
+void add_reasons(Dataset& data, const std::vector<ExchangePoint>& points, VariableFacts facts,
+                 SharedLinkReasons DirectionTally::*reasons) {
+  std::vector<std::int64_t> values;
+  for (const ExchangePoint& point : points)
+    for (const DirectionTally& tally : point.tally.direction)
+      for (std::size_t i = 1; i < (tally.*reasons).size(); ++i)
+        values.push_back(static_cast<std::int64_t>((tally.*reasons)[i]));
+  data.variables.push_back({std::move(facts), true, {"sender", "reason"}, std::move(values)});
+}
+
 void add_rejections(Dataset& data, const std::vector<ExchangePoint>& points) {
   std::vector<std::string> reasons;
   for (std::size_t i = 1; i < protocol::shared_link_outcomes; ++i)
     reasons.emplace_back(protocol::name(static_cast<protocol::SharedLinkOutcome>(i)));
   data.dimensions.push_back({{"reason", "", "why a message was refused"}, reasons});
-  std::vector<std::int64_t> values;
-  for (const ExchangePoint& point : points)
-    for (const DirectionTally& tally : point.tally.direction)
-      for (std::size_t i = 1; i < tally.rejected.size(); ++i)
-        values.push_back(static_cast<std::int64_t>(tally.rejected[i]));
-  data.variables.push_back({{"n_rejected", "1", "messages refused by the other node"},
-                            true,
-                            {"sender", "reason"},
-                            std::move(values)});
+  add_reasons(data, points, {"n_rejected", "1", "messages refused by the other node"},
+              &DirectionTally::rejected);
+  add_reasons(data, points, {"n_own_damaged", "1", "messages of its own that the sender refused"},
+              &DirectionTally::own_damaged);
 }
 
 template <class T>

@@ -56,13 +56,12 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   return columns;
 }
 
-std::string rejections(const DirectionTally& tally) {
+std::string reason_texts(const SharedLinkReasons& reasons) {
   std::string text;
-  for (std::size_t i = 1; i < tally.rejected.size(); ++i)
-    if (tally.rejected[i] > 0)
+  for (std::size_t i = 1; i < reasons.size(); ++i)
+    if (reasons[i] > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                          protocol::name(static_cast<protocol::SharedLinkOutcome>(i)),
-                          tally.rejected[i]);
+                          protocol::name(static_cast<protocol::SharedLinkOutcome>(i)), reasons[i]);
   return text.empty() ? "none" : text;
 }
 
@@ -91,7 +90,9 @@ std::string direction_table(const ExchangePoint& point) {
       texts.push_back(std::move(text));
     table += table_line(columns, texts);
   }
-  return table + "refused: " + rejections(together(point.tally)) + "\n";
+  const DirectionTally all = together(point.tally);
+  return table + "refused of the other: " + reason_texts(all.rejected) +
+         "\nown messages damaged: " + reason_texts(all.own_damaged) + "\n";
 }
 
 }  // namespace sim

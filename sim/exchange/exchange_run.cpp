@@ -53,7 +53,8 @@ DirectionTally direction(const Exchange& exchange, const Station& from, const St
                        .n_answered = mine.answered,
                        .n_timed_out = mine.timed_out,
                        .n_own = mine.from_self,
-                       .rejected = to.node().counts().rejected,
+                       .own_damaged = from.own_damaged(),
+                       .rejected = to.rejected(),
                        .age = to.age()};
   count_bits(exchange, from, to, tally);
   return tally;

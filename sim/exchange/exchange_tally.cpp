@@ -19,7 +19,10 @@ DirectionTally& DirectionTally::operator+=(const DirectionTally& other) {
   n_answered += other.n_answered;
   n_timed_out += other.n_timed_out;
   n_own += other.n_own;
-  for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += other.rejected[i];
+  for (std::size_t i = 0; i < rejected.size(); ++i) {
+    own_damaged[i] += other.own_damaged[i];
+    rejected[i] += other.rejected[i];
+  }
   age += other.age;
   return *this;
 }

@@ -11,13 +11,17 @@
 
 namespace sim {
 
+/// How many, by SharedLinkOutcome.
+using SharedLinkReasons = std::array<std::uint64_t, protocol::shared_link_outcomes>;
+
 /// One direction, named by its sender; of a run or more.
 struct DirectionTally {
   std::uint64_t n_sent = 0, n_accepted = 0;  // messages
   std::uint64_t n_bits = 0, n_bit_errors = 0;
   std::uint64_t n_asked = 0, n_answered = 0, n_timed_out = 0;  // questions of the sender
-  std::uint64_t n_own = 0;  // messages of its own that the sender heard
-  std::array<std::uint64_t, protocol::shared_link_outcomes> rejected{};  // by the receiver
+  std::uint64_t n_own = 0;          // messages of its own that the sender heard
+  SharedLinkReasons own_damaged{};  // those of its own that its decoder refused
+  SharedLinkReasons rejected{};     // lines that the receiver refused and were not its own
   AgeCounts age;  // of its variables at the receiver, since the turn that brought their value
 
   DirectionTally& operator+=(const DirectionTally& other);

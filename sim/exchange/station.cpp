@@ -46,10 +46,24 @@ Station::Station(const Exchange& exchange, std::uint32_t run, std::size_t which,
 void Station::hear(const std::optional<Seconds>& others_turn) {
   for (const protocol::UartByte& byte : uart_.take(pin())) {
     if (byte.start >= busy_until_) last_heard_ = byte.start;
-    const std::uint64_t accepted = node_.counts().accepted;
-    node_.receive(byte);
-    if (node_.counts().accepted > accepted) note(byte.start, others_turn);
+    receive(byte, others_turn);
   }
+}
+
+/// A line begins with a bracket, be it its own, the other's or noise.
+void Station::receive(const protocol::UartByte& byte, const std::optional<Seconds>& others_turn) {
+  const protocol::SharedNodeCounts before = node_.counts();
+  node_.receive(byte);
+  const protocol::SharedNodeCounts& now = node_.counts();
+  if (now.accepted > before.accepted) note(byte.start, others_turn);
+  SharedLinkReasons& refused = line_is_own_ ? own_damaged_ : rejected_;
+  for (std::size_t i = 0; i < refused.size(); ++i)
+    refused[i] += now.rejected[i] - before.rejected[i];
+  if (byte.value == '[') line_is_own_ = is_own(byte.start);
+}
+
+bool Station::is_own(Seconds start) const {
+  return last_turn_ && *last_turn_ <= start && start < busy_until_;
 }
 
 void Station::live(Seconds now) {

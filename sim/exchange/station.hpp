@@ -49,6 +49,9 @@ class Station {
   void see(const dsp::LogicTrace& light) { chains_.key(chain_, light); }
 
   const protocol::SharedNode& node() const { return node_; }
+  /// Lines refused that began while this node was sending, and the others.
+  const SharedLinkReasons& own_damaged() const { return own_damaged_; }
+  const SharedLinkReasons& rejected() const { return rejected_; }
   const std::optional<dsp::Seconds>& last_turn() const { return last_turn_; }
   const std::vector<SentByte>& sent() const { return sent_; }
   const dsp::LogicTrace& pin() const { return chains_.pin(chain_); }
@@ -57,6 +60,8 @@ class Station {
  private:
   dsp::Seconds pause();
   std::string new_value();
+  bool is_own(dsp::Seconds start) const;
+  void receive(const protocol::UartByte& byte, const std::optional<dsp::Seconds>& others_turn);
   void note(dsp::Seconds at, const std::optional<dsp::Seconds>& others_turn);
 
   const Exchange& exchange_;
@@ -70,6 +75,8 @@ class Station {
   dsp::Seconds next_turn_, next_query_, busy_until_;
   std::optional<dsp::Seconds> last_heard_, last_turn_;
   std::vector<SentByte> sent_;
+  bool line_is_own_ = false;  // began while this node sent
+  SharedLinkReasons own_damaged_{}, rejected_{};
   AgeCounts age_;
 };
 

@@ -1,5 +1,6 @@
 // SharedLink by light: what two nodes tell each other, and that each hears itself.
 #include <atomic>
+#include <numeric>
 #include <string>
 
 #include "gtest/gtest.h"
@@ -89,6 +90,26 @@ TEST(Exchange, EachHearsItselfOffTheFloor) {
   const DirectionTally black =
       together(only_point(with(patient, {"floor.diffuse_reflectance=0"})).tally);
   EXPECT_EQ(black.n_own, 0U) << "a floor that scatters nothing gives nothing back";
+}
+
+std::uint64_t sum(const SharedLinkReasons& reasons) {
+  return std::accumulate(reasons.begin(), reasons.end(), std::uint64_t{0});
+}
+
+// The AGC of a TSOP4856 cuts long messages, the own ones too, and at 60 m nothing else is heard.
+TEST(Exchange, OwnMessagesThatAreDamagedAreNotTheOthers) {
+  const std::vector<std::string> deaf{"receiver.module=TSOP4856", "receiver.range_m=60"};
+  const DirectionTally all = together(only_point(deaf).tally);
+  EXPECT_EQ(all.n_accepted, 0U);
+  EXPECT_GT(sum(all.own_damaged), all.n_sent / 4);
+  EXPECT_EQ(sum(all.rejected), 0U);
+}
+
+// At 12.5 m two of a hundred bits are wrong, and the own reflection is clear.
+TEST(Exchange, MessagesOfTheOtherThatAreDamagedAreNotItsOwn) {
+  const DirectionTally all = together(only_point({"receiver.range_m=12.5"}).tally);
+  EXPECT_GT(sum(all.rejected), all.n_sent / 4);
+  EXPECT_LT(sum(all.own_damaged), all.n_sent / 10);
 }
 
 TEST(Exchange, LightIsThatOfALink) {
