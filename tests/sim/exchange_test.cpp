@@ -6,6 +6,8 @@
 #include "gtest/gtest.h"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
+#include "sim/experiment_kind.hpp"
+#include "sim/failure.hpp"
 #include "sim/link.hpp"
 #include "tests/sim/scenarios.hpp"
 
@@ -164,6 +166,22 @@ TEST(Exchange, RefusesWhatCannotBe) {
   EXPECT_NE(refusal(nodes, {"exchange.interval_min_ms=500", "exchange.interval_max_ms=400"})
                 .find("the shortest pause cannot exceed the longest"),
             std::string::npos);
+}
+
+void expect_module_asked_for(const LoadedScenario& scenario) {
+  try {
+    check_experiment(scenario);
+    ADD_FAILURE() << "accepted";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::bad_input);
+    EXPECT_NE(std::string(failure.what()).find("use a module"), std::string::npos);
+  }
+}
+
+TEST(Exchange, RefusesAnIdealReceiverAtAnyPoint) {
+  EXPECT_NO_THROW(check_experiment(loaded(nodes)));
+  expect_module_asked_for(loaded(nodes, {"receiver.module=ideal-coherent"}));
+  expect_module_asked_for(loaded(nodes, {"receiver.module=TSSP4056,ideal-coherent"}));
 }
 
 }  // namespace
