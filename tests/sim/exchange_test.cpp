@@ -184,5 +184,22 @@ TEST(Exchange, RefusesAnIdealReceiverAtAnyPoint) {
   expect_module_asked_for(loaded(nodes, {"receiver.module=TSSP4056,ideal-coherent"}));
 }
 
+double reflection(const std::vector<std::string>& set) {
+  return make_exchange(point_scenario(loaded(nodes, set), {})).reflected_mw_per_m2;
+}
+
+TEST(Exchange, ReflectionTurnsWithLedAndModule) {
+  const double straight = reflection({});
+  EXPECT_LT(reflection({"led.yaw_deg=180"}), 0.1 * straight) << "the module looks the other way";
+  EXPECT_LT(reflection({"receiver.yaw_deg=180"}), 0.1 * straight);
+  EXPECT_NEAR(reflection({"led.yaw_deg=180", "receiver.yaw_deg=180"}), straight, 1e-6 * straight)
+      << "the same, turned round";
+  EXPECT_NEAR(reflection({"led.yaw_deg=30", "receiver.bearing_deg=30"}), straight, 1e-9 * straight)
+      << "the LED looks at the other";
+  EXPECT_NEAR(reflection({"receiver.bearing_deg=40"}), reflection({"led.yaw_deg=-40"}),
+              1e-9 * straight)
+      << "40 degrees beside the other";
+}
+
 }  // namespace
 }  // namespace sim
