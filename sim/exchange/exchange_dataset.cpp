@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +10,8 @@
 
 namespace sim {
 namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 using Read = std::function<double(const DirectionTally&)>;
 
@@ -54,13 +58,13 @@ std::vector<Column> columns() {
       {{"ber", "1", "bit error ratio"}, false, [](const T& t) { return bit_error_ratio(t); }},
       {{"age_mean_s", "s", "mean age of its values at the other node"},
        false,
-       [](const T& t) { return t.age.mean_s(); }},
+       [](const T& t) { return t.age().mean_s(); }},
       {{"age_p95_s", "s", "age that 95 % of the time is not exceeded"},
        false,
-       [](const T& t) { return t.age.quantile_s(high_share); }},
+       [](const T& t) { return t.age().quantile_s(high_share); }},
       {{"unknown_share", "1", "share of time in which nothing is known"},
        false,
-       [](const T& t) { return t.age.unknown_share(); }},
+       [](const T& t) { return t.age().unknown_share(); }},
   };
 }
 
@@ -83,6 +87,43 @@ void add_rejections(Dataset& data, const std::vector<ExchangePoint>& points) {
               &DirectionTally::rejected);
   add_reasons(data, points, {"n_own_damaged", "1", "messages of its own that the sender refused"},
               &DirectionTally::own_damaged);
+}
+
+std::size_t most_variables(const std::vector<ExchangePoint>& points) {
+  std::size_t most = 0;
+  for (const ExchangePoint& point : points)
+    for (const DirectionTally& tally : point.tally.direction)
+      most = std::max(most, tally.variable_ages.size());
+  return most;
+}
+
+/// NaN where a point has fewer variables than others.
+void add_age_variable(Dataset& data, const std::vector<ExchangePoint>& points, VariableFacts facts,
+                      double (*read)(const AgeCounts&)) {
+  const std::size_t n = most_variables(points);
+  std::vector<double> values;
+  for (const ExchangePoint& point : points)
+    for (const DirectionTally& tally : point.tally.direction) {
+      for (const AgeCounts& age : tally.variable_ages) values.push_back(read(age));
+      values.resize(values.size() + n - tally.variable_ages.size(), nothing);
+    }
+  data.variables.push_back({std::move(facts), true, {"sender", "variable"}, std::move(values)});
+}
+
+void add_ages(Dataset& data, const std::vector<ExchangePoint>& points) {
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i <= most_variables(points); ++i)
+    numbers.push_back(static_cast<double>(i));
+  if (numbers.empty()) return;  // nothing was run
+  data.dimensions.push_back({{"variable", "1", "place in the sender's list"}, numbers});
+  add_age_variable(data, points, {"variable_age_mean_s", "s", "mean age at the other node"},
+                   [](const AgeCounts& age) { return age.mean_s(); });
+  add_age_variable(data, points,
+                   {"variable_age_p95_s", "s", "age that 95 % of the time is not exceeded"},
+                   [](const AgeCounts& age) { return age.quantile_s(high_share); });
+  add_age_variable(data, points,
+                   {"variable_unknown_share", "1", "share of time in which nothing is known"},
+                   [](const AgeCounts& age) { return age.unknown_share(); });
 }
 
 template <class T>
@@ -127,6 +168,7 @@ Dataset exchange_dataset(const LoadedScenario& scenario, const std::string& comm
           {column.facts, true, {"sender"}, by_direction<double>(points, column.read)});
   }
   add_rejections(data, points);
+  add_ages(data, points);
   return data;
 }
 

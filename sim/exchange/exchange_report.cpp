@@ -34,12 +34,13 @@ std::vector<TextColumn> tally_columns() {
 }
 
 std::vector<std::string> tally_texts(const DirectionTally& tally) {
-  const double unknown = tally.age.unknown_share();
+  const AgeCounts age = tally.age();
+  const double unknown = age.unknown_share();
   return {fmt::format("{}", tally.n_sent),
           estimate_text(message_loss(tally)),
           plain_ratio(bit_error_ratio(tally)),
-          seconds(tally.age.mean_s()),
-          seconds(tally.age.quantile_s(high_share)),
+          seconds(age.mean_s()),
+          seconds(age.quantile_s(high_share)),
           std::isnan(unknown) ? "-" : fmt::format("{:.1f} %", 100 * unknown),
           fmt::format("{}", tally.n_asked),
           fmt::format("{}", tally.n_answered),

@@ -15,9 +15,9 @@ namespace {
 
 using dsp::Seconds;
 
-/// What a chain starts from: nothing keyed yet, other lights whole.
-channel::ChainInput chain_start(const Exchange& exchange, std::uint32_t run, std::size_t node) {
-  const Seconds end(2 * exchange.settings.duration_s);  // and longer than what goes on behind it
+/// What a chain starts from: nothing keyed yet, other lights whole, until `end`.
+channel::ChainInput chain_start(const Exchange& exchange, std::uint32_t run, std::size_t node,
+                                Seconds end) {
   const auto phases = draws_of(exchange, run, node, NodeDraws::phases).block(0);
   channel::ChainInput input{.drive = nullptr,
                             .carrier_phase = phases[0],
@@ -55,7 +55,8 @@ DirectionTally direction(const Exchange& exchange, const Station& from, const St
                        .n_own = mine.from_self,
                        .own_damaged = from.own_damaged(),
                        .rejected = to.rejected(),
-                       .age = to.age()};
+                       .variable_ages = to.ages()};
+  tally.losses.add(tally.n_sent - std::min(tally.n_accepted, tally.n_sent), tally.n_sent);
   count_bits(exchange, from, to, tally);
   return tally;
 }
@@ -93,7 +94,10 @@ class Pair {
   }
 
   ExchangeTally tally() const {
-    return {.direction = {direction(exchange_, a_, b_), direction(exchange_, b_, a_)}, .n_runs = 1};
+    const auto ab = direction(exchange_, a_, b_), ba = direction(exchange_, b_, a_);
+    ClusterSums losses;
+    losses.add(ab.losses.part + ba.losses.part, ab.losses.whole + ba.losses.whole);
+    return {.direction = {ab, ba}, .losses = losses, .n_runs = 1};
   }
 
  private:
@@ -104,9 +108,11 @@ class Pair {
 
 std::vector<channel::ChainInput> chain_starts(const Exchange& exchange, std::uint32_t first,
                                               std::uint32_t n) {
+  // What was sent when time is up arrives.
+  const Seconds end = Seconds(exchange.settings.duration_s) + longest_turn(exchange) + 2 * settling;
   std::vector<channel::ChainInput> starts;
   for (std::uint32_t run = first; run < first + n; ++run)
-    for (const std::size_t node : {0U, 1U}) starts.push_back(chain_start(exchange, run, node));
+    for (const std::size_t node : {0U, 1U}) starts.push_back(chain_start(exchange, run, node, end));
   return starts;
 }
 

@@ -1,14 +1,19 @@
 #include "sim/exchange/exchange_tally.hpp"
 
-#include <limits>
+#include <algorithm>
 
 namespace sim {
 namespace {
 
 constexpr double ci_level = 0.95;
-constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+AgeCounts DirectionTally::age() const {
+  AgeCounts sum;
+  for (const AgeCounts& age : variable_ages) sum += age;
+  return sum;
+}
 
 DirectionTally& DirectionTally::operator+=(const DirectionTally& other) {
   n_sent += other.n_sent;
@@ -23,27 +28,29 @@ DirectionTally& DirectionTally::operator+=(const DirectionTally& other) {
     own_damaged[i] += other.own_damaged[i];
     rejected[i] += other.rejected[i];
   }
-  age += other.age;
+  losses += other.losses;
+  variable_ages.resize(std::max(variable_ages.size(), other.variable_ages.size()));
+  for (std::size_t i = 0; i < other.variable_ages.size(); ++i)
+    variable_ages[i] += other.variable_ages[i];
   return *this;
 }
 
 ExchangeTally& ExchangeTally::operator+=(const ExchangeTally& other) {
   for (std::size_t i = 0; i < direction.size(); ++i) direction[i] += other.direction[i];
+  losses += other.losses;
   n_runs += other.n_runs;
   return *this;
 }
 
 DirectionTally together(const ExchangeTally& tally) {
   DirectionTally sum = tally.direction[0];
-  return sum += tally.direction[1];
+  sum += tally.direction[1];
+  sum.losses = tally.losses;
+  return sum;
 }
 
 Estimate message_loss(const DirectionTally& tally) {
-  if (tally.n_sent == 0) return {unset, unset, unset};
-  const auto sent = static_cast<double>(tally.n_sent);
-  const double lost = sent - static_cast<double>(tally.n_accepted);
-  const Interval interval = clopper_pearson(lost, sent, ci_level);
-  return {lost / sent, interval.low, interval.high};
+  return clustered_ratio(tally.losses, ci_level);
 }
 
 double bit_error_ratio(const DirectionTally& tally) {

@@ -22,13 +22,18 @@ struct DirectionTally {
   std::uint64_t n_own = 0;          // messages of its own that the sender heard
   SharedLinkReasons own_damaged{};  // those of its own that its decoder refused
   SharedLinkReasons rejected{};     // lines that the receiver refused and were not its own
-  AgeCounts age;  // of its variables at the receiver, since the turn that brought their value
+  ClusterSums losses{};             // of messages, runs as clusters
+  // Of each of its variables at the receiver, since the turn that brought the value.
+  std::vector<AgeCounts> variable_ages{};
 
+  /// Of all variables.
+  AgeCounts age() const;
   DirectionTally& operator+=(const DirectionTally& other);
 };
 
 struct ExchangeTally {
   std::array<DirectionTally, 2> direction;  // A to B, B to A
+  ClusterSums losses{};                     // of both: what collides is lost together
   std::uint64_t n_runs = 0;
 
   ExchangeTally& operator+=(const ExchangeTally& other);
@@ -37,7 +42,7 @@ struct ExchangeTally {
 /// Both directions together.
 DirectionTally together(const ExchangeTally& tally);
 
-/// Messages not accepted over messages sent, with its interval (95 %).
+/// Messages not accepted over messages sent, with its interval (95 %), runs being clusters.
 Estimate message_loss(const DirectionTally& tally);
 /// NaN where nothing was sent.
 double bit_error_ratio(const DirectionTally& tally);

@@ -24,7 +24,25 @@ protocol::SharedNodeSettings node_settings(const Exchange& exchange, std::size_t
           .query_timeout = Seconds(s.query_timeout_s)};
 }
 
+/// Has a value for each variable, and a question.
+protocol::SharedNode full_node(const Exchange& exchange, std::size_t which) {
+  protocol::SharedNode node(node_settings(exchange, which));
+  const std::string longest(static_cast<std::size_t>(exchange.settings.value_characters), '0');
+  for (std::size_t i = 0; i < node.outbound().size(); ++i) {
+    [[maybe_unused]] const auto problem = node.set(i, longest);
+    node.ask(i);
+  }
+  return node;
+}
+
 }  // namespace
+
+Seconds longest_turn(const Exchange& exchange) {
+  protocol::SharedNode a = full_node(exchange, 0), b = full_node(exchange, 1);
+  for (const std::uint8_t byte : b.transmit(Seconds(0))) a.receive({Seconds(0), byte, false});
+  return static_cast<double>(a.transmit(Seconds(0)).size()) *
+         (protocol::bits_per_byte * dsp::period(exchange.baud));
+}
 
 Station::Station(const Exchange& exchange, std::uint32_t run, std::size_t which,
                  channel::LiveChains& chains, std::size_t chain)
@@ -38,7 +56,8 @@ Station::Station(const Exchange& exchange, std::uint32_t run, std::size_t which,
       changes_(draws_of(exchange, run, which, NodeDraws::changes)),
       queries_(draws_of(exchange, run, which, NodeDraws::queries)),
       change_at_(node_.outbound().size()),
-      told_at_(node_.inbound().size()) {
+      told_at_(node_.inbound().size()),
+      ages_(node_.inbound().size()) {
   next_turn_ = pause();
   next_query_ = queries_.exponential(exchange.settings.query_every_s);
 }
@@ -79,7 +98,8 @@ void Station::live(Seconds now) {
 }
 
 void Station::look(Seconds now) {
-  for (const auto& at : told_at_) at ? age_.add((now - *at).value) : age_.add_unknown();
+  for (std::size_t i = 0; i < told_at_.size(); ++i)
+    told_at_[i] ? ages_[i].add((now - *told_at_[i]).value) : ages_[i].add_unknown();
 }
 
 bool Station::has_turn(Seconds now) const {

@@ -19,6 +19,11 @@
 namespace sim {
 
 inline constexpr dsp::Seconds processor_tick(10e-3);
+inline constexpr dsp::Seconds settling = 5 * processor_tick;  // from a turn's end to its last byte
+
+/// Of the longest turn that a node can have: a question and an answer for each variable, and all
+/// values.
+dsp::Seconds longest_turn(const Exchange& exchange);
 
 /// A character on the air, for who counts bit errors.
 struct SentByte {
@@ -36,13 +41,13 @@ class Station {
   void hear(const std::optional<dsp::Seconds>& others_turn);
   /// The world changes what it has to tell; it wonders what the other has.
   void live(dsp::Seconds now);
-  /// At how old what it holds is.
+  /// At how old each value is that it holds.
   void look(dsp::Seconds now);
 
   /// Whether it may send now.
   bool has_turn(dsp::Seconds now) const;
   /// Whether it sends, or has just sent.
-  bool is_busy(dsp::Seconds now) const { return now < busy_until_ + 5 * processor_tick; }
+  bool is_busy(dsp::Seconds now) const { return now < busy_until_ + settling; }
   /// The wire of its LED from now on, if there is something to say.
   std::optional<dsp::LogicTrace> turn(dsp::Seconds now);
   /// Light of the other from now on.
@@ -55,7 +60,7 @@ class Station {
   const std::optional<dsp::Seconds>& last_turn() const { return last_turn_; }
   const std::vector<SentByte>& sent() const { return sent_; }
   const dsp::LogicTrace& pin() const { return chains_.pin(chain_); }
-  const AgeCounts& age() const { return age_; }
+  const std::vector<AgeCounts>& ages() const { return ages_; }
 
  private:
   dsp::Seconds pause();
@@ -77,7 +82,7 @@ class Station {
   std::vector<SentByte> sent_;
   bool line_is_own_ = false;  // began while this node sent
   SharedLinkReasons own_damaged_{}, rejected_{};
-  AgeCounts age_;
+  std::vector<AgeCounts> ages_;  // the same
 };
 
 }  // namespace sim
