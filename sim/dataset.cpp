@@ -87,6 +87,15 @@ Json json_variable(const Dataset& data, const Dataset::Variable& variable) {
 
 }  // namespace
 
+Dataset dataset_of(const LoadedScenario& scenario, const std::string& command) {
+  return {.title = scenario.base.title,
+          .scenario_toml = scenario.text,
+          .command = command,
+          .experiment = scenario.base.experiment,
+          .seed = static_cast<std::uint64_t>(scenario.base.simulation.seed),
+          .axes = scenario.sweep};
+}
+
 std::string dataset_digest(const Dataset& data) {
   std::string bytes;
   for (const Dataset::Variable& variable : data.variables) {

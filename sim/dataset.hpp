@@ -10,6 +10,7 @@
 #include "sim/axis.hpp"
 #include "sim/netcdf.hpp"
 #include "sim/program_info.hpp"
+#include "sim/scenario.hpp"
 
 namespace sim {
 
@@ -39,6 +40,9 @@ struct Dataset {
   std::vector<Variable> variables{};
   std::uint64_t n_runs = 0;  // or trials, of all points together; 0: nothing was measured
 };
+
+/// With the scenario's facts and nothing measured yet.
+Dataset dataset_of(const LoadedScenario& scenario, const std::string& command);
 
 /// Hash (32 hex digits) of all counts: equal digests, equal results.
 std::string dataset_digest(const Dataset& data);

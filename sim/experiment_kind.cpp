@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/arena/arena_check.hpp"
+#include "sim/exchange/exchange_check.hpp"
 #include "sim/failure.hpp"
 #include "sim/guard/guard_check.hpp"
 
@@ -19,7 +20,9 @@ constexpr std::array kinds{
     ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, true, check_guard},
     ExperimentKind{"sharedlink",
                    {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                    "device.clock_error_ppm", "device.carrier_error_ppm"}},
+                    "device.clock_error_ppm", "device.carrier_error_ppm"},
+                   true,
+                   check_exchange},
     ExperimentKind{"presence",
                    {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
                     "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",

@@ -174,6 +174,14 @@ void check_led_temperature(const channel::EmitterData& emitter, double celsius,
                   "use a temperature between them");
 }
 
+void check_receiver_module(const Scenario& s, const Places& places) {
+  if (!channel::is_matched(s.module)) return;
+  throw bad_input(fmt::format("receiver.module = \"{}\" {}", s.receiver.module,
+                              place_of(places, "receiver.module")),
+                  "an ideal receiver is told when bits are sent, and by one sender only",
+                  "use a module");
+}
+
 std::string place_of(const Places& places, const std::string& key) {
   const auto at = places.find(key);
   if (at != places.end()) return at->second;

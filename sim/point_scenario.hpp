@@ -23,6 +23,9 @@ void check_all_points(const LoadedScenario& loaded);
 void check_led_temperature(const channel::EmitterData& emitter, double celsius,
                            const Places& places);
 
+/// Throws where the receiver is an ideal one, for experiments that are not of one sender's bits.
+void check_receiver_module(const Scenario& scenario, const Places& places);
+
 /// Where a key has its value from, for messages: "in x.toml:14", "from the part", "by default".
 std::string place_of(const Places& places, const std::string& key);
 

@@ -17,14 +17,6 @@ namespace {
 
 constexpr double longest_run_s = 86400;  // of arena.duration_s too
 
-void check_receiver(const Scenario& s, const Places& places) {
-  if (!channel::is_matched(s.module)) return;
-  throw bad_input(fmt::format("receiver.module = \"{}\" {}", s.receiver.module,
-                              place_of(places, "receiver.module")),
-                  "an ideal receiver is told when bits are sent, which many devices have no one of",
-                  "use a module");
-}
-
 void check_names(const std::vector<Sender>& senders) {
   std::set<std::string> names;
   for (const Sender& sender : senders)
@@ -59,7 +51,7 @@ void check_duration(const Scenario& s, const Way& way, const Places& places) {
 }
 
 void check_point(const Scenario& s, const Places& places) {
-  check_receiver(s, places);
+  check_receiver_module(s, places);
   const Way way(s.path);
   check_duration(s, way, places);
   const std::vector<Sender> senders = make_senders(s);

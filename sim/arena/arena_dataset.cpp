@@ -214,12 +214,7 @@ void add_device_reals(Dataset& data, const std::vector<ArenaPoint>& points,
 
 Dataset arena_dataset(const LoadedScenario& scenario, const std::string& command,
                       const std::vector<ArenaPoint>& points) {
-  Dataset data{.title = scenario.base.title,
-               .scenario_toml = scenario.text,
-               .command = command,
-               .experiment = "arena",
-               .seed = static_cast<std::uint64_t>(scenario.base.simulation.seed),
-               .axes = scenario.sweep};
+  Dataset data = dataset_of(scenario, command);
   const std::vector<std::string> names = sender_names(points);
   if (!names.empty()) data.dimensions.push_back({{"device", "", "devices"}, names});
   for (const ArenaPoint& point : points) data.n_runs += point.tally.n_runs;

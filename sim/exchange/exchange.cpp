@@ -8,15 +8,16 @@
 namespace sim {
 namespace {
 
-/// What the floor gives back of an LED to the module beside it, both looking the same way. What
-/// goes from one to the other directly is kept away by their bodies.
+/// What the floor gives back of an LED to the module beside it. What goes from one to the other
+/// directly is kept away by their bodies. Along x is the line to the other node, from which both
+/// are turned as those of a link are: the LED is at the link's one end, the module at the other.
 dsp::WattsPerSquareMetre reflected_light(const Scenario& s) {
   const channel::Pose led{.z = s.led.height_mm * 1e-3,
-                          .yaw = dsp::Radians(0),
+                          .yaw = dsp::degrees(s.led.yaw_deg - s.receiver.bearing_deg),
                           .elevation = dsp::degrees(s.led.elevation_deg)};
   const channel::Pose module{.y = s.exchange.led_offset_mm * 1e-3,
                              .z = s.receiver.height_mm * 1e-3,
-                             .yaw = dsp::Radians(0),
+                             .yaw = dsp::degrees(s.receiver.yaw_deg),
                              .elevation = dsp::degrees(s.receiver.tilt_deg)};
   const auto axial = channel::axial_intensity(s.emitter, dsp::Amperes(s.led.current_ma * 1e-3),
                                               s.led.temperature_c);
@@ -68,26 +69,6 @@ Exchange make_exchange(const Scenario& scenario) {
     e.chain.disturbances.push_back(design_disturbance(disturbance, rate));
   }
   return e;
-}
-
-DirectionTally& DirectionTally::operator+=(const DirectionTally& other) {
-  n_sent += other.n_sent;
-  n_accepted += other.n_accepted;
-  n_bits += other.n_bits;
-  n_bit_errors += other.n_bit_errors;
-  n_asked += other.n_asked;
-  n_answered += other.n_answered;
-  n_timed_out += other.n_timed_out;
-  n_own += other.n_own;
-  for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += other.rejected[i];
-  age += other.age;
-  return *this;
-}
-
-ExchangeTally& ExchangeTally::operator+=(const ExchangeTally& other) {
-  for (std::size_t i = 0; i < direction.size(); ++i) direction[i] += other.direction[i];
-  n_runs += other.n_runs;
-  return *this;
 }
 
 }  // namespace sim

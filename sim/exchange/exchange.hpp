@@ -5,22 +5,23 @@
 //
 // A node takes its turn when its pause is over and nothing was heard of the other for a while; what
 // both send at once collides. Time goes on in ticks, in which a node's processor looks at its UART.
-#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "channel/chain.hpp"
 #include "dsp/units.hpp"
-#include "protocol/shared_link.hpp"
 #include "protocol/uart.hpp"
-#include "sim/age_counts.hpp"
+#include "sim/exchange/exchange_tally.hpp"
 #include "sim/exchange/settings.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
 
-/// Reflected light is the first of the chain's disturbances.
+/// Which of the chain's disturbances is the reflected light.
+inline constexpr std::size_t own_reflection = 0;
+
 struct Exchange {
   ExchangeSettings settings;
   channel::ChainDesign chain;
@@ -36,25 +37,6 @@ struct Exchange {
 };
 
 Exchange make_exchange(const Scenario& scenario);
-
-/// One direction, named by its sender; of a run or more.
-struct DirectionTally {
-  std::uint64_t n_sent = 0, n_accepted = 0;  // messages
-  std::uint64_t n_bits = 0, n_bit_errors = 0;
-  std::uint64_t n_asked = 0, n_answered = 0, n_timed_out = 0;  // questions of the sender
-  std::uint64_t n_own = 0;  // messages of its own that the sender heard
-  std::array<std::uint64_t, protocol::shared_link_outcomes> rejected{};  // by the receiver
-  AgeCounts age;  // of its variables at the receiver, since the turn that brought their value
-
-  DirectionTally& operator+=(const DirectionTally& other);
-};
-
-struct ExchangeTally {
-  std::array<DirectionTally, 2> direction;  // A to B, B to A
-  std::uint64_t n_runs = 0;
-
-  ExchangeTally& operator+=(const ExchangeTally& other);
-};
 
 /// Runs first ... first + n - 1. Worth nothing once `*stop` is true: it then gives up soon.
 ExchangeTally run_exchange(const Exchange& exchange, std::uint32_t first, int n,

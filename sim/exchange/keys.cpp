@@ -25,7 +25,7 @@ std::vector<Key> exchange_keys() {
              "longest pause of a node between two turns",
              "pauses are uniform between the two, and longer while the other is heard"),
       number("exchange.quiet_ms", "ms", from(0, 1e4), at, &E::quiet_ms,
-             "time without a character from the other after which a node may send",
+             "time without a character, whoever sent it, after which a node may send",
              "a character takes 17 ms at 600 Bd"),
       number("exchange.full_set_every_s", "s", from(0, 1e6), at, &E::full_set_every_s,
              "time from one full set of values to the next"),

@@ -105,7 +105,6 @@ Dataset guard_dataset(const LoadedScenario& scenario, const std::string& command
   std::vector<ArenaPoint> arenas;
   for (const GuardPoint& point : points) arenas.push_back(point.arena);
   Dataset data = arena_dataset(scenario, command, arenas);
-  data.experiment = "guard";
   const auto mirror_of = [&](std::size_t point, std::size_t device) -> const MirrorTally& {
     return points[point].tally.mirrors[device];
   };

@@ -116,7 +116,7 @@ std::string accuracy_row(const LoadedScenario& scenario, const Point& point) {
 
 Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& command,
                          const std::vector<Point>& points) {
-  Dataset data = trial_dataset(scenario, command);
+  Dataset data = dataset_of(scenario, command);
   data.dimensions.push_back({{"outcome", "", "what locating came to"}, locate_outcome_names()});
   std::vector<double> numbers(points.front().settings.readings.size());
   std::iota(numbers.begin(), numbers.end(), 1);

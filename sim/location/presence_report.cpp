@@ -143,7 +143,7 @@ std::string roc_table(const Point& point) {
 
 Dataset presence_dataset(const LoadedScenario& scenario, const std::string& command,
                          const std::vector<Point>& points) {
-  Dataset data = trial_dataset(scenario, command);
+  Dataset data = dataset_of(scenario, command);
   data.dimensions.push_back(
       {{"false_alarm", "1", "probability of false alarm, as set"}, points.front().settings.pfa});
   for (const Point& point : points) data.n_runs += point.result ? point.result->trials : 0;

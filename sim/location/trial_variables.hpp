@@ -8,19 +8,8 @@
 #include <vector>
 
 #include "sim/dataset.hpp"
-#include "sim/scenario.hpp"
 
 namespace sim {
-
-/// With the scenario's facts and no variables yet.
-inline Dataset trial_dataset(const LoadedScenario& scenario, const std::string& command) {
-  return {.title = scenario.base.title,
-          .scenario_toml = scenario.text,
-          .command = command,
-          .experiment = scenario.base.experiment,
-          .seed = static_cast<std::uint64_t>(scenario.base.simulation.seed),
-          .axes = scenario.sweep};
-}
 
 /// Point: a TrialPoint. Dimensions are those of the dataset, by their names.
 template <class Point>

@@ -168,7 +168,7 @@ TEST(ArenaRefusals, KeysOfAnotherExperiment) {
   EXPECT_EQ(
       line_of(one, {"receiver.module=ideal-coherent"}),
       "receiver.module = \"ideal-coherent\" in --set (an ideal receiver is told when bits are "
-      "sent, which many devices have no one of) use a module");
+      "sent, and by one sender only) use a module");
 }
 
 }  // namespace

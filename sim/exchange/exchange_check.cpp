@@ -1,0 +1,14 @@
+#include "sim/exchange/exchange_check.hpp"
+
+#include "sim/point_scenario.hpp"
+#include "sim/sweep.hpp"
+
+namespace sim {
+
+void check_exchange(const LoadedScenario& scenario) {
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i)
+    check_receiver_module(point_scenario(scenario, point_coordinates(scenario.sweep, i)),
+                          scenario.places);
+}
+
+}  // namespace sim
