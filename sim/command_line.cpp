@@ -85,7 +85,8 @@ void add_encode(CLI::App& app, EncodeRequest& request) {
       "encode", "Print a message as the line carries it: with its checksum and line end");
   encode
       .add_option("MESSAGE", request.message,
-                  "the message, without checksum; of sharedlink from its addresses on: "
+                  "the message, without checksum; of sharedlink from its addresses on, the "
+                  "receiver's first: "
                   "'AB|N0|D40.1'")
       ->required()
       ->type_name("");

@@ -13,7 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* filetype = "cosys-sim experiment";
 constexpr const char* root = NetcdfFile::root;
 
 // ---- HDF5 ----
@@ -49,7 +48,7 @@ void add_variable(NetcdfFile& file, const Dataset& data, const Dataset::Variable
 }
 
 std::string image_of(const Dataset& data, const ProgramInfo& program) {
-  NetcdfFile file(filetype, program);
+  NetcdfFile file(experiment_result_type, program);
   for (const Axis& axis : data.axes) add_axis(file, axis);
   for (const Dataset::Dimension& d : data.dimensions)
     std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);
@@ -62,8 +61,6 @@ std::string image_of(const Dataset& data, const ProgramInfo& program) {
   file.set_text(root, "result_digest", dataset_digest(data));
   return file.image();
 }
-
-bool is_dataset(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
 
 // ---- JSON ----
 
@@ -117,7 +114,7 @@ void write_dataset(const std::filesystem::path& path, const Dataset& data,
 }
 
 void check_output(const std::filesystem::path& path) {
-  refuse_to_lose(path, is_dataset, "a result of cosys-sim");
+  refuse_to_lose(path, is_result_of_run, "a result of cosys-sim");
   const NewFile file(path);
 }
 

@@ -7,9 +7,24 @@
 
 namespace sim {
 
-void conclude(const ExperimentRun& run, const Dataset& data, const std::string& details) {
+void Rows::print(const std::string& text) {
+  if (silent_ || failure_) return;
+  try {
+    sim::print(text);
+  } catch (const Failure&) {
+    failure_ = std::current_exception();
+  }
+}
+
+void Rows::check() const {
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
+              const std::string& details) {
   if (data.n_runs == 0 && run.interrupted()) return conclude_without_points(run);
   write_dataset(run.output, data, run.program);
+  rows.check();
   if (run.json) return print(dataset_json(data) + "\n");
   print(outside_notes(data));
   if (!details.empty()) print("\n" + details);

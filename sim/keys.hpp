@@ -52,8 +52,8 @@ struct Key {
   /// tells points apart has it only where it is not at that.
   bool younger = false;
   bool swept = true;  // false of a choice that a whole run makes
-  /// Part of the text that tells points apart. Not of titles, seeds and how long to count; nor of
-  /// parts' names, whose numbers count.
+  /// Part of the text that tells points apart. Not of titles, seeds and how long to count, of what
+  /// is behind the light alone, nor of parts' names, whose numbers count.
   bool physics = true;
 
   const std::string& name() const { return facts.name; }

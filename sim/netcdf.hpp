@@ -23,6 +23,10 @@ using Values = std::variant<std::span<const double>, std::span<const float>,
                             std::span<const std::int64_t>, std::span<const std::uint64_t>,
                             std::span<const std::int16_t>, std::span<const std::uint8_t>>;
 
+/// What files say they are that run writes: of a link, and of other experiments.
+constexpr const char* link_result_type = "cosys-sim result";
+constexpr const char* experiment_result_type = "cosys-sim experiment";
+
 /// netCDF's own default fill value (netcdf.h).
 constexpr std::int16_t missing_int16 = -32767;
 

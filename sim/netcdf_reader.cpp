@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/hdf5_handle.hpp"
+#include "sim/netcdf.hpp"
 
 namespace sim {
 namespace {
@@ -67,6 +68,11 @@ struct NetcdfReader::State {
     }
   }
 };
+
+bool is_result_of_run(const std::filesystem::path& path) {
+  const std::string type = filetype_of(path);
+  return type == link_result_type || type == experiment_result_type;
+}
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& path) try
     : state_(new State{path.string(), SilentErrors(), open_file(path)}) {

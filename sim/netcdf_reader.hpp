@@ -11,6 +11,9 @@ namespace sim {
 /// What a file of this kind says it is ("cosys-sim result"); empty for any other.
 std::string filetype_of(const std::filesystem::path& path);
 
+/// Whether run wrote it, of whatever experiment.
+bool is_result_of_run(const std::filesystem::path& path);
+
 /// Throws Failure(bad_input), naming the file, of what is not there or cannot be read.
 class NetcdfReader {
  public:

@@ -200,8 +200,9 @@ std::string farewell(const RunRequest& request, const std::vector<Run>& runs) {
   const bool links =
       std::ranges::none_of(runs, [](const Run& run) { return runner_of(run.scenario) != nullptr; });
   if (!links)
-    return "cosys-sim: interrupted (by a signal) what was finished is in the result file; only "
-           "experiments of a link can be resumed\n";
+    return "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
+           "experiments "
+           "of a link can be resumed\n";
   return fmt::format(
       "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
       "the same command with {}--resume goes on\n",

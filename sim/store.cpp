@@ -16,7 +16,6 @@ namespace sim {
 namespace {
 
 constexpr const char* root = NetcdfFile::root;
-constexpr const char* filetype = "cosys-sim result";
 
 struct Target {
   const ExperimentResult& result;
@@ -111,7 +110,7 @@ void write_root(Target& to) {
 }
 
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
-  Target to{result, NetcdfFile(filetype, program), {}};
+  Target to{result, NetcdfFile(link_result_type, program), {}};
   for (const Axis& axis : result.axes) write_axis(to, axis);
   for (const Column* column : columns_of(result))
     std::visit(ColumnWriter{to, *column}, column->value);
@@ -126,7 +125,7 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
 
 }  // namespace
 
-bool is_result(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
+bool is_result(const std::filesystem::path& path) { return filetype_of(path) == link_result_type; }
 
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program) {
@@ -137,7 +136,7 @@ void write_result(const std::filesystem::path& path, const ExperimentResult& res
 }
 
 void check_writable(const std::filesystem::path& path) {
-  refuse_to_lose(path, is_result, "a result of cosys-sim");
+  refuse_to_lose(path, is_result_of_run, "a result of cosys-sim");
   const NewFile file(path);
 }
 

@@ -106,6 +106,9 @@ StoredResult read_result(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw bad_input(path.string(), "no such file", "check the path");
+  if (filetype_of(path) == experiment_result_type)
+    throw bad_input(path.string(), "a result of another experiment than a link",
+                    "give results of links");
   if (!is_result(path))
     throw bad_input(path.string(), "not a result of cosys-sim, or damaged",
                     "give a file that run wrote");

@@ -101,8 +101,10 @@ ExitCode decode_command(const DecodeRequest& request) {
   const dsp::LogicTrace& wire = wire_of(wires, request);
   const auto* uart = protocol::find_uart_receiver(request.uart);
   const auto bytes = uart->receive(wire, dsp::Hertz(request.baud), 0);
-  for (const WireFrame& frame : wire_protocol(request.protocol).decode(bytes))
-    print_frame(frame, request.json);
+  const std::vector<WireFrame> frames = wire_protocol(request.protocol).decode(bytes);
+  for (const WireFrame& frame : frames) print_frame(frame, request.json);
+  if (frames.empty())
+    say(fmt::format("cosys-sim: no {} message in {} characters\n", request.protocol, bytes.size()));
   return ExitCode::done;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "sim/arena/sender.hpp"
 #include "sim/arena/way.hpp"
 #include "sim/failure.hpp"
+#include "sim/list_text.hpp"
 #include "sim/point_scenario.hpp"
 #include "sim/sweep.hpp"
 
@@ -16,6 +18,30 @@ namespace sim {
 namespace {
 
 constexpr double longest_run_s = 86400;  // of arena.duration_s too
+
+/// Names of all devices of which some key speaks.
+std::set<std::string> named_devices(const LoadedScenario& scenario) {
+  std::set<std::string> names;
+  for (const auto& [key, place] : scenario.places)
+    if (const auto words = split(key, '.'); words.front() == "devices" && words.size() > 2)
+      names.emplace(words[1]);
+  return names;
+}
+
+/// A name with a typo would be one device more.
+void check_places(const LoadedScenario& scenario) {
+  std::vector<std::string> known, unknown;
+  for (const std::string& name : named_devices(scenario)) {
+    const std::string key = "devices." + name;
+    const bool placed =
+        scenario.places.contains(key + ".x_m") || scenario.places.contains(key + ".y_m");
+    (placed ? known : unknown).push_back(key);
+  }
+  if (unknown.empty()) return;
+  throw bad_input(unknown.front(), "this device has no place",
+                  known.empty() ? fmt::format("give {}.x_m and y_m", unknown.front())
+                                : fmt::format("did you mean {}?", nearest(unknown.front(), known)));
+}
 
 void check_names(const std::vector<Sender>& senders) {
   std::set<std::string> names;
@@ -63,6 +89,7 @@ void check_point(const Scenario& s, const Places& places) {
 }  // namespace
 
 void check_arena(const LoadedScenario& scenario) {
+  check_places(scenario);
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
     const Scenario s = point_scenario(scenario, point_coordinates(scenario.sweep, i));
     if (s.devices.empty())

@@ -4,7 +4,6 @@
 
 #include "sim/arena/arena_report.hpp"
 #include "sim/point_scenario.hpp"
-#include "sim/standard_output.hpp"
 
 namespace sim {
 namespace {
@@ -24,14 +23,13 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
 void run_arena_scenario(const ExperimentRun& run) {
   const LoadedScenario& scenario = run.scenario;
   ArenaOptions options{.threads = run.threads, .interrupt = run.interrupt};
-  if (!run.json) {
-    print(arena_header(scenario.sweep));
-    options.on_point = [&](const ArenaPoint& point) { print(arena_row(scenario.sweep, point)); };
-  }
+  Rows rows(run);
+  rows.print(arena_header(scenario.sweep));
+  options.on_point = [&](const ArenaPoint& point) { rows.print(arena_row(scenario.sweep, point)); };
   const std::vector<ArenaPoint> points = run_arenas(scenario, options);
   const Dataset data = arena_dataset(scenario, run.command, points);
   const bool single = points.size() == 1 && points[0].tally.n_runs > 0;
-  conclude(run, data, single ? details(scenario, points[0]) : "");
+  conclude(run, rows, data, single ? details(scenario, points[0]) : "");
 }
 
 }  // namespace sim

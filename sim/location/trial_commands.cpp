@@ -4,7 +4,6 @@
 #include "sim/location/location_settings.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
-#include "sim/standard_output.hpp"
 
 namespace sim {
 namespace {
@@ -23,17 +22,17 @@ void run_points(const ExperimentRun& run, const Measurement<Settings, Result>& m
                 const Report<TrialPoint<Settings, Result>>& report) {
   using Point = TrialPoint<Settings, Result>;
   const LoadedScenario& scenario = run.scenario;
+  Rows rows(run);
   bool headed = false;
   const std::function<void(const Point&)> show = [&](const Point& point) {
-    if (run.json) return;
-    if (!std::exchange(headed, true)) print(report.header(scenario));
-    print(report.row(scenario, point));
+    if (!std::exchange(headed, true)) rows.print(report.header(scenario));
+    rows.print(report.row(scenario, point));
   };
   const TrialSharing sharing{.threads = run.threads, .interrupt = run.interrupt};
   const auto points = measure_points(scenario, measurement, sharing, show);
   if (points.empty()) return conclude_without_points(run);
   const bool single = report.details != nullptr && points.size() == 1 && points[0].result;
-  conclude(run, report.dataset(scenario, run.command, points),
+  conclude(run, rows, report.dataset(scenario, run.command, points),
            single ? report.details(points[0]) : "");
 }
 

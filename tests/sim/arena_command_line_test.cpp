@@ -116,7 +116,7 @@ TEST_F(ArenaProgram, AnInterruptBeforeAllLeavesTheResultThatIsThere) {
   EXPECT_EQ(o.err,
             "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n"
             "a.h5: nothing was finished, the file is left as it was\n"
-            "cosys-sim: interrupted (by a signal) what was finished is in the result file; only "
+            "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
             "experiments of a link can be resumed\n");
   EXPECT_EQ(content(path("a.h5")), before);
 }

@@ -29,7 +29,20 @@ TEST(ArenaRefusals, NoDeviceAtAll) {
             "x.toml (an arena without a device) add a table [devices.NAME] with its place");
   EXPECT_EQ(line_of("experiment = \"arena\"\n[devices]\n"),
             "x.toml (an arena without a device) add a table [devices.NAME] with its place");
-  EXPECT_EQ(line_of("experiment = \"arena\"\n[sweep]\ndevices.a.count = [1, 2]\n"), "accepted");
+}
+
+// A typo would be one device more.
+TEST(ArenaRefusals, DevicesOfWhichNobodySaysWhereTheyAre) {
+  const std::string charger = "experiment = \"arena\"\n[devices.charger]\nx_m = 1\n";
+  const std::string line =
+      "devices.chrger (this device has no place) did you mean devices.charger?";
+  EXPECT_EQ(line_of(charger, {"devices.chrger.count=2"}), line);
+  EXPECT_EQ(line_of(charger, {"devices.chrger.count=1,2"}), line);
+  EXPECT_EQ(line_of(charger + "[sweep]\ndevices.chrger.count = [1, 2]\n"), line);
+  EXPECT_EQ(line_of(charger, {"devices.charger.count=1,2"}), "accepted");
+  EXPECT_EQ(line_of(charger, {"devices.charger.x_m=1,2"}), "accepted");
+  EXPECT_EQ(line_of("experiment = \"arena\"\n[devices.a]\ncount = 2\n"),
+            "devices.a (this device has no place) give devices.a.x_m and y_m");
 }
 
 TEST(ArenaRefusals, ADeviceWithoutANameOrPlace) {

@@ -85,6 +85,12 @@ TEST(Guard, ItsArenaIsThatOfAnArena) {
     EXPECT_EQ(guards[0].arena.tally.senders[i].fate, arenas[0].tally.senders[i].fate);
 }
 
+TEST(Guard, WhateverTheLineDoesTheGuardHearsTheSame) {
+  const auto points = run_guards(loaded(room, {"guard.byte_error_ratio=0,0.1"}), {});
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(points[0].arena.tally.senders[i].fate, points[1].arena.tally.senders[i].fate);
+}
+
 TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
   const LoadedScenario scenario = loaded(room, {"guard.byte_error_ratio=0,0.3", "arena.runs=2"});
   const auto points = run_guards(scenario, {});

@@ -112,10 +112,14 @@ TEST(ScenarioLaw, WhatIsCountedHowOftenIsNoPhysics) {
   std::string names;
   for (const Key& key : scenario_keys())
     if (!key.physics) names += key.name() + " ";
-  EXPECT_EQ(names,
-            "title led.part receiver.module floor.part simulation.seed stop.max_frames "
-            "stop.max_frame_errors stop.rel_ci stop.target_flr arena.runs exchange.runs "
-            "presence.trials presence.photodiode location.photodiode location.trials ");
+  EXPECT_EQ(
+      names,
+      "title led.part receiver.module floor.part simulation.seed stop.max_frames "
+      "stop.max_frame_errors stop.rel_ci stop.target_flr arena.runs guard.line_baud "
+      "guard.byte_error_ratio guard.outage_every_s guard.outage_for_s guard.transmit_every_ms "
+      "guard.full_set_every_s guard.compressed guard.query_age_s guard.query_timeout_s "
+      "exchange.runs "
+      "presence.trials presence.photodiode location.photodiode location.trials ");
 }
 
 TEST(ScenarioLaw, CanonicalTextTellsTheCurvesOfTheParts) {
