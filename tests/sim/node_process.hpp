@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "program.hpp"
+#include "protocol/shared_link.hpp"
 
 /// How long a test waits for one thing, which takes no second on a machine that has time for it.
 class Patience {
@@ -198,6 +199,12 @@ class TestDevice {
   int ours_, kept_ = -1;  // kept, so that its settings outlive the node
   std::string name_;
 };
+
+/// A message from the guard, node B, to the base, node A.
+inline std::string from_guard(const std::vector<protocol::SharedLinkField>& fields) {
+  const auto bytes = protocol::shared_link_encode({'A', 'B', fields});
+  return {bytes.begin(), bytes.end()};
+}
 
 /// Two ends of one link, as files in the folder: base.toml has A, guard.toml has B.
 class Nodes : public CommandLine {
