@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channel/ambient.hpp"
+#include "dsp/random_stream.hpp"
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 
@@ -18,21 +19,6 @@ dsp::WattsPerSquareMetre irradiance(const DisturbanceSettings& d) {
   return dsp::WattsPerSquareMetre(d.irradiance_w_per_m2);
 }
 
-/// Draws of one disturbance in one trial, one after the other.
-class Draws {
- public:
-  explicit Draws(const dsp::RandomAddress& address) : address_(address) {}
-  double uniform() { return address_.uniform(next_++); }
-  channel::DisturbanceInput phases() {
-    const auto block = address_.block(next_++);
-    return {.phase = {block[0], block[1]}};
-  }
-
- private:
-  dsp::RandomAddress address_;
-  std::uint32_t next_ = 0;
-};
-
 void light_from(dsp::LogicTrace& drive, Seconds from, Seconds duration) {
   drive.set_at(from, false);
   drive.set_at(from + duration, true);
@@ -43,7 +29,7 @@ void light_from(dsp::LogicTrace& drive, Seconds from, Seconds duration) {
 Seconds mean_light(const DisturbanceSettings& d) { return ms(d.leader_ms + d.bursts * d.burst_ms); }
 
 void send_remote_frame(dsp::LogicTrace& drive, const DisturbanceSettings& d, Seconds at,
-                       Draws& draws) {
+                       dsp::RandomStream& draws) {
   if (d.leader_ms > 0) {
     light_from(drive, at, ms(d.leader_ms));
     at += ms(d.leader_ms + d.leader_gap_ms);
@@ -54,7 +40,7 @@ void send_remote_frame(dsp::LogicTrace& drive, const DisturbanceSettings& d, Sec
   }
 }
 
-dsp::LogicTrace remote_drive(const DisturbanceSettings& d, Draws& draws, Seconds end) {
+dsp::LogicTrace remote_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
   dsp::LogicTrace drive(true);
   Seconds at = -draws.uniform() * ms(d.repetition_ms);
   for (; at < end; at += ms(d.repetition_ms)) send_remote_frame(drive, d, at, draws);
@@ -72,7 +58,7 @@ Seconds mean_period(const DisturbanceSettings& d, const protocol::Bytes& bytes) 
 }
 
 /// It starts so early that time 0 falls anywhere into its rhythm.
-dsp::LogicTrace cosys_drive(const DisturbanceSettings& d, Draws& draws, Seconds end) {
+dsp::LogicTrace cosys_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
   constexpr double periods_before = 10;
   const protocol::Bytes bytes = protocol::cosys_encode(d.message);
   dsp::LogicTrace drive(true);
@@ -127,8 +113,9 @@ channel::Disturbance design_disturbance(const DisturbanceSettings& d, Hertz rate
 
 channel::DisturbanceInput draw_disturbance(const DisturbanceSettings& d,
                                            const dsp::RandomAddress& draws, Seconds end) {
-  Draws next(draws);
-  channel::DisturbanceInput input = next.phases();
+  dsp::RandomStream next(draws);
+  const auto phases = next.block();
+  channel::DisturbanceInput input{.phase = {phases[0], phases[1]}};
   if (d.kind == "remote") input.drive = remote_drive(d, next, end);
   if (d.kind == "cosys") input.drive = cosys_drive(d, next, end);
   if (d.kind == "carrier") input.drive = dsp::LogicTrace(false, end);

@@ -58,7 +58,7 @@ enum class Purpose : std::uint32_t {
   noise_around = 11,     // elsewhere
   // Of arenas.
   sender = 12,       // and the numbers that end in this byte: a few for each
-  serial_line = 13,  // and the numbers that end in this byte: one for each way
+  serial_line = 13,  // and the numbers that end in this byte: two for each way
   // Of exchanges.
   shared_node = 14,  // and the numbers that end in this byte: eight for each
   // Of light that is measured, not decoded (sim/location).

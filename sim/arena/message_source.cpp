@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace sim {
 namespace {
@@ -28,17 +27,15 @@ MessageQueue::MessageQueue(MessageSource source, std::span<const std::string> me
                            dsp::Seconds hold, const dsp::RandomAddress& draws)
     : source_(source), messages_(messages), hold_(hold), draws_(draws) {}
 
-dsp::Seconds MessageQueue::draw_hold() { return -std::log1p(-uniform()) * hold_; }
-
 /// Holds of a status have no memory, so the first may begin when it is first asked for.
 void MessageQueue::change_until(dsp::Seconds now) {
   const auto n = messages_.size();
   if (!status_until_) {
-    status_ = static_cast<std::size_t>(uniform() * static_cast<double>(n));
-    status_until_ = now + draw_hold();
+    status_ = draws_.index(n);
+    status_until_ = now + draws_.exponential(hold_);
   }
-  for (; n > 1 && *status_until_ <= now; *status_until_ += draw_hold())
-    status_ = (status_ + 1 + static_cast<std::size_t>(uniform() * static_cast<double>(n - 1))) % n;
+  for (; n > 1 && *status_until_ <= now; *status_until_ += draws_.exponential(hold_))
+    status_ = (status_ + 1 + draws_.index(n - 1)) % n;
 }
 
 std::string MessageQueue::next(dsp::Seconds now) {

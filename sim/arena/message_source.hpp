@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dsp/philox.hpp"
+#include "dsp/random_stream.hpp"
 #include "dsp/units.hpp"
 
 namespace sim {
@@ -37,14 +37,11 @@ class MessageQueue {
 
  private:
   void change_until(dsp::Seconds now);
-  double uniform() { return draws_.uniform(next_draw_++); }
-  dsp::Seconds draw_hold();
 
   MessageSource source_;
   std::span<const std::string> messages_;
   dsp::Seconds hold_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_draw_ = 0;
+  dsp::RandomStream draws_;
   std::uint64_t sent_ = 0;
   std::size_t status_ = 0;
   std::optional<dsp::Seconds> status_until_{};  // nothing: never asked

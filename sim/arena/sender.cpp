@@ -88,8 +88,7 @@ Sender make_sender(const Scenario& s, const std::string& name, const PlacedDevic
   sender.interval_min = Seconds(d.interval_min_ms * 1e-3);
   sender.interval_max = Seconds(d.interval_max_ms * 1e-3);
   sender.intervals = intervals_of(d);
-  sender.silent_every = Seconds(d.silent_every_s);
-  sender.silent_for = Seconds(d.silent_for_s);
+  sender.silence = {Seconds(d.silent_every_s), Seconds(d.silent_for_s)};
   return sender;
 }
 

@@ -7,6 +7,7 @@
 #include "channel/emitter.hpp"
 #include "dsp/units.hpp"
 #include "sim/arena/message_source.hpp"
+#include "sim/random_spells.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -31,7 +32,7 @@ struct Sender {
   dsp::Seconds status_hold;
   dsp::Seconds interval_min, interval_max;
   std::vector<dsp::Seconds> intervals;  // in turn, instead of those two
-  dsp::Seconds silent_every, silent_for;
+  SpellTimes silence;
 };
 
 /// All devices of a scenario; places, directions and clock errors of several of a kind are drawn

@@ -1,10 +1,11 @@
 #include "sim/arena/sending.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "dsp/random_stream.hpp"
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
+#include "sim/random_spells.hpp"
 
 namespace sim {
 namespace {
@@ -18,54 +19,20 @@ constexpr std::uint32_t pauses = 0, contents = 1, spells = 2;
 class Pauses {
  public:
   Pauses(const Sender& sender, const dsp::RandomAddress& draws) : sender_(sender), draws_(draws) {
-    if (!sender.intervals.empty())
-      at_ = static_cast<std::size_t>(uniform() * static_cast<double>(sender.intervals.size()));
+    if (!sender.intervals.empty()) at_ = draws_.index(sender.intervals.size());
   }
 
-  double uniform() { return draws_.uniform(next_++); }
+  double uniform() { return draws_.uniform(); }
 
   Seconds next() {
     if (!sender_.intervals.empty()) return sender_.intervals[at_++ % sender_.intervals.size()];
-    return sender_.interval_min + uniform() * (sender_.interval_max - sender_.interval_min);
+    return sender_.interval_min + draws_.uniform() * (sender_.interval_max - sender_.interval_min);
   }
 
  private:
   const Sender& sender_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_ = 0;
+  dsp::RandomStream draws_;
   std::size_t at_ = 0;
-};
-
-/// Spells in which a device has other things to do: exponential, so that they have no memory and
-/// the first may be looked for at any time.
-class SilentSpells {
- public:
-  SilentSpells(const Sender& sender, const dsp::RandomAddress& draws, Seconds from)
-      : sender_(sender), draws_(draws), until_(from) {
-    const Seconds cycle = sender.silent_every + sender.silent_for;
-    silent_ = uniform() * cycle.value >= sender.silent_for.value;  // flipped at once
-    flip();
-  }
-
-  /// Times asked must not decrease.
-  bool silent_at(Seconds t) {
-    if (sender_.silent_every.value <= 0) return false;
-    while (until_ <= t) flip();
-    return silent_;
-  }
-
- private:
-  double uniform() { return draws_.uniform(next_++); }
-  void flip() {
-    silent_ = !silent_;
-    until_ += -std::log1p(-uniform()) * (silent_ ? sender_.silent_for : sender_.silent_every);
-  }
-
-  const Sender& sender_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_ = 0;
-  bool silent_ = false;
-  Seconds until_;
 };
 
 /// Bytes on the line of each message that it may send.
@@ -103,11 +70,6 @@ double periods_in_turn(const Sender& sender) {
   return std::min(static_cast<double>(n * m), most);
 }
 
-double awake_share(const Sender& sender) {
-  if (sender.silent_every.value <= 0) return 1;
-  return sender.silent_every / (sender.silent_every + sender.silent_for);
-}
-
 dsp::RandomAddress purpose(dsp::RandomAddress draws, std::uint32_t which) {
   draws.purpose += which << 8U;
   return draws;
@@ -124,7 +86,7 @@ Seconds longest_frame(const Sender& sender) {
 }
 
 double mean_load(const Sender& sender) {
-  return awake_share(sender) * (mean_frame(sender) / mean_period(sender));
+  return time_between_spells(sender.silence) * (mean_frame(sender) / mean_period(sender));
 }
 
 /// Half the data bits of a message are taken as light.
@@ -138,10 +100,10 @@ SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds e
   Pauses pause(sender, purpose(draws, pauses));
   Seconds at = -(periods_before + pause.uniform() * periods_in_turn(sender)) * mean_period(sender);
   MessageQueue queue(sender.source, sender.messages, sender.status_hold, purpose(draws, contents));
-  SilentSpells silence(sender, purpose(draws, spells), at);
+  RandomSpells silence(sender.silence, purpose(draws, spells), at);
   SentFrames sent{dsp::LogicTrace(true), {}};
   while (at < end) {
-    SentFrame frame{at, at, queue.next(at), silence.silent_at(at)};
+    SentFrame frame{at, at, queue.next(at), silence.has(at)};
     const protocol::Bytes bytes = protocol::cosys_encode(frame.message);
     frame.end = at + frame_time(sender, bytes.size());
     if (frame.end > Seconds(0)) {

@@ -59,7 +59,7 @@ Station::Station(const Exchange& exchange, std::uint32_t run, std::size_t which,
       told_at_(node_.inbound().size()),
       ages_(node_.inbound().size()) {
   next_turn_ = pause();
-  next_query_ = queries_.exponential(exchange.settings.query_every_s);
+  next_query_ = queries_.exponential(Seconds(exchange.settings.query_every_s));
 }
 
 void Station::hear(const std::optional<Seconds>& others_turn) {
@@ -88,13 +88,12 @@ bool Station::is_own(Seconds start) const {
 void Station::live(Seconds now) {
   for (std::size_t i = 0; i < change_at_.size(); ++i) {
     if (now < change_at_[i]) continue;
-    change_at_[i] = now + changes_.exponential(exchange_.settings.change_every_s);
+    change_at_[i] = now + changes_.exponential(Seconds(exchange_.settings.change_every_s));
     [[maybe_unused]] const auto problem = node_.set(i, new_value());
   }
   if (exchange_.settings.query_every_s <= 0 || now < next_query_) return;
-  next_query_ = now + queries_.exponential(exchange_.settings.query_every_s);
-  node_.ask(
-      static_cast<std::size_t>(queries_.uniform() * static_cast<double>(node_.inbound().size())));
+  next_query_ = now + queries_.exponential(Seconds(exchange_.settings.query_every_s));
+  node_.ask(queries_.index(node_.inbound().size()));
 }
 
 void Station::look(Seconds now) {
@@ -134,7 +133,7 @@ Seconds Station::pause() {
 std::string Station::new_value() {
   std::string value;
   for (int i = 0; i < static_cast<int>(exchange_.settings.value_characters); ++i)
-    value += static_cast<char>('0' + static_cast<int>(changes_.uniform() * 10));
+    value += static_cast<char>('0' + changes_.index(10));
   return value;
 }
 

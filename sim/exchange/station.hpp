@@ -9,6 +9,7 @@
 
 #include "channel/live_chain.hpp"
 #include "dsp/logic_trace.hpp"
+#include "dsp/random_stream.hpp"
 #include "dsp/units.hpp"
 #include "protocol/shared_node.hpp"
 #include "protocol/uart_stream.hpp"
@@ -74,7 +75,7 @@ class Station {
   channel::LiveChains& chains_;
   std::size_t chain_;
   protocol::UartStream uart_;
-  NodeNumbers pauses_, changes_, queries_;
+  dsp::RandomStream pauses_, changes_, queries_;
   std::vector<dsp::Seconds> change_at_;
   std::vector<std::optional<dsp::Seconds>> told_at_;  // of each inbound variable
   dsp::Seconds next_turn_, next_query_, busy_until_;
@@ -82,7 +83,7 @@ class Station {
   std::vector<SentByte> sent_;
   bool line_is_own_ = false;  // began while this node sent
   SharedLinkReasons own_damaged_{}, rejected_{};
-  std::vector<AgeCounts> ages_;  // the same
+  std::vector<AgeCounts> ages_;  // of each inbound variable
 };
 
 }  // namespace sim

@@ -32,12 +32,15 @@ protocol::SharedNode base_node(const MirrorDesign& design) {
   return protocol::SharedNode(settings);
 }
 
-SerialLine line(const MirrorDesign& design, dsp::RandomAddress draws, std::uint32_t which) {
+SerialLine line(const MirrorDesign& design, const dsp::RandomAddress& draws, std::uint32_t which) {
   const GuardSettings& s = design.settings;
-  draws.purpose += which << 8U;
-  return SerialLine({dsp::Hertz(s.line_baud), s.byte_error_ratio, Seconds(s.outage_every_s),
-                     Seconds(s.outage_for_s)},
-                    draws);
+  dsp::RandomAddress damage = draws, outages = draws;
+  damage.purpose += (2 * which) << 8U;
+  outages.purpose += (2 * which + 1) << 8U;
+  return SerialLine({dsp::Hertz(s.line_baud),
+                     s.byte_error_ratio,
+                     {Seconds(s.outage_every_s), Seconds(s.outage_for_s)}},
+                    damage, outages);
 }
 
 /// One message on its way from the robot's table to the base station.

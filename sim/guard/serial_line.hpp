@@ -2,21 +2,27 @@
 // A serial line one way: bytes go over it one after the other, some are changed, some lost.
 #include <deque>
 
-#include "dsp/philox.hpp"
+#include "dsp/random_stream.hpp"
 #include "dsp/units.hpp"
 #include "protocol/uart.hpp"
+#include "sim/random_spells.hpp"
 
 namespace sim {
 
 struct LineSettings {
   dsp::Hertz baud;
   double byte_error_ratio;
-  dsp::Seconds outage_every, outage_for;  // means; 0: no outages
+  SpellTimes outages;
 };
 
 class SerialLine {
  public:
-  SerialLine(const LineSettings& settings, const dsp::RandomAddress& draws);
+  /// Bytes are changed by the draws of one address; outages have the other's.
+  SerialLine(const LineSettings& settings, const dsp::RandomAddress& damage,
+             const dsp::RandomAddress& outages)
+      : settings_(settings),
+        damage_(damage),
+        outages_(settings.outages, outages, dsp::Seconds(0)) {}
 
   /// Whether all that was sent has gone over it.
   bool is_free(dsp::Seconds now) const { return free_at_ <= now; }
@@ -36,16 +42,12 @@ class SerialLine {
     dsp::Seconds start, end;
     std::uint8_t value;
   };
-  bool out_at(dsp::Seconds t);
-  double uniform() { return draws_.uniform(next_++); }
 
   LineSettings settings_;
-  dsp::RandomAddress draws_;
-  std::uint32_t next_ = 0;
+  dsp::RandomStream damage_;
+  RandomSpells outages_;
   std::deque<Flight> flying_;
   dsp::Seconds free_at_;
-  bool out_ = false;
-  dsp::Seconds until_;
 };
 
 }  // namespace sim
