@@ -22,7 +22,7 @@ void Rows::check() const {
 
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
               const std::string& details) {
-  if (data.n_runs == 0 && run.interrupted()) return conclude_without_points(run);
+  if (data.n_runs == 0 && run.workers.interrupted()) return conclude_without_points(run);
   write_dataset(run.output, data, run.program);
   rows.check();
   if (run.json) return print(dataset_json(data) + "\n");

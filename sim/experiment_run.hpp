@@ -1,12 +1,12 @@
 #pragma once
 // A run of an experiment that is not a link: what it is given by the command.
-#include <atomic>
 #include <exception>
 #include <filesystem>
 #include <string>
 
 #include "sim/dataset.hpp"
 #include "sim/program_info.hpp"
+#include "sim/run_sharing.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -16,11 +16,8 @@ struct ExperimentRun {
   std::filesystem::path output;
   std::string command;  // as the user typed it
   ProgramInfo program;
-  int threads = 1;
+  Workers workers{};
   bool json = false;
-  const std::atomic<bool>* interrupt = nullptr;
-
-  bool interrupted() const { return interrupt != nullptr && *interrupt; }
 };
 
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any

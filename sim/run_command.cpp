@@ -162,9 +162,8 @@ void run_other(const RunRequest& request, const Run& run, RunExperiment runner) 
           .output = run.output,
           .command = request.command,
           .program = request.program,
-          .threads = threads_for(request.threads),
-          .json = request.json,
-          .interrupt = &heed_stop_signals()});
+          .workers = {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()},
+          .json = request.json});
 }
 
 /// Everything that can be refused before the first trial.

@@ -14,14 +14,21 @@
 
 namespace sim {
 
+inline bool is_stopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
+
+/// Who does the runs, and what ends them early.
+struct Workers {
+  int threads = 1;
+  const std::atomic<bool>* interrupt = nullptr;
+
+  bool interrupted() const { return is_stopped(interrupt); }
+};
+
 struct SharedRuns {
   std::uint32_t runs;
   std::uint32_t most_at_once;  // by a thread
-  int threads;
-  const std::atomic<bool>* stop = nullptr;
+  Workers workers;
 };
-
-inline bool is_stopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
 
 /// Result: what runs first ... first + n - 1 gave.
 template <class Result>
@@ -32,8 +39,8 @@ class RunSharing {
   /// A lot is as many runs as may be done at once, and not so many that threads have none.
   RunSharing(const SharedRuns& shared, Work work)
       : shared_(shared),
-        lot_(std::clamp((shared.runs + static_cast<std::uint32_t>(shared.threads) - 1) /
-                            static_cast<std::uint32_t>(shared.threads),
+        lot_(std::clamp((shared.runs + static_cast<std::uint32_t>(shared.workers.threads) - 1) /
+                            static_cast<std::uint32_t>(shared.workers.threads),
                         1U, shared.most_at_once)),
         work_(std::move(work)),
         lots_((shared.runs + lot_ - 1) / lot_) {}
@@ -42,7 +49,7 @@ class RunSharing {
   /// Throws what a thread threw.
   std::vector<Result> operator()() {
     start_threads(
-        shared_.threads, [&] { run_lots(); }, [&] { give_up(nullptr); })
+        shared_.workers.threads, [&] { run_lots(); }, [&] { give_up(nullptr); })
         .clear();  // waits for them
     if (error_) std::rethrow_exception(error_);
     std::vector<Result> finished;
@@ -54,14 +61,12 @@ class RunSharing {
   }
 
  private:
-  bool stopped() const { return is_stopped(shared_.stop); }
-
   void run_lots() {
     while (const auto lot = next()) {
       try {
         const std::uint32_t first = *lot * lot_;
         Result result = work_(first, static_cast<int>(std::min(lot_, shared_.runs - first)));
-        if (!stopped()) lots_[*lot] = std::move(result);
+        if (!shared_.workers.interrupted()) lots_[*lot] = std::move(result);
       } catch (...) {
         give_up(std::current_exception());
       }
@@ -70,7 +75,7 @@ class RunSharing {
 
   std::optional<std::uint32_t> next() {
     const std::scoped_lock lock(mutex_);
-    if (next_ >= lots_.size() || stopped()) return std::nullopt;
+    if (next_ >= lots_.size() || shared_.workers.interrupted()) return std::nullopt;
     return next_++;
   }
 

@@ -44,16 +44,15 @@ Seconds longest_frame_of(const std::vector<Sender>& senders) {
 }
 
 /// Fewer than senders after a stop.
-std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena, int threads,
-                                     const std::atomic<bool>* stop) {
+std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena,
+                                     const Workers& workers) {
   const Seconds step(channel::gain_step / s.simulation.sample_rate_hz);
   RunSharing<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
                                   .most_at_once = 1,
-                                  .threads = threads,
-                                  .stop = stop},
+                                  .workers = workers},
                                  [&](std::uint32_t sender, int) {
                                    return light_track(s, arena.senders[sender], arena.way,
-                                                      arena.end, step, stop);
+                                                      arena.end, step, workers.interrupt);
                                  });
   return sharing();
 }
@@ -94,13 +93,13 @@ Seconds duration_of(const Scenario& s, const Way& way) {
   return way.duration() > Seconds(0) ? way.duration() : default_duration;
 }
 
-Arena make_arena(const Scenario& scenario, int threads, const std::atomic<bool>* stop) {
+Arena make_arena(const Scenario& scenario, const Workers& workers) {
   Scenario s = scenario;
   s.module = module_of(scenario);
   Arena arena{.senders = make_senders(s), .way = Way(s.path)};
   arena.duration = duration_of(s, arena.way);
   arena.end = arena.duration + longest_frame_of(arena.senders) + lead_out;
-  arena.light = light_tracks(s, arena, threads, stop);
+  arena.light = light_tracks(s, arena, workers);
   if (arena.light.size() < arena.senders.size()) return arena;  // stopped
   set_module(arena, s);
   add_lights(arena, s);

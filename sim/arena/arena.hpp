@@ -1,7 +1,6 @@
 #pragma once
 // Arena: one point with everything worked out that its runs share: who sends, what light of each
 // gets to the receiver along its way, and the receiver.
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "sim/arena/light_track.hpp"
 #include "sim/arena/sending.hpp"
 #include "sim/arena/way.hpp"
+#include "sim/run_sharing.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -38,10 +38,9 @@ struct Arena {
 };
 
 /// Throws bad_input for what the keys alone do not show: ways whose lists do not fit together,
-/// messages too long for their source. Threads share the work; once `*stop` is true it gives up
-/// soon, and what it returns is worth nothing.
-Arena make_arena(const Scenario& scenario, int threads = 1,
-                 const std::atomic<bool>* stop = nullptr);
+/// messages too long for their source. After an interrupt it gives up soon, and what it returns is
+/// worth nothing.
+Arena make_arena(const Scenario& scenario, const Workers& workers = {});
 
 /// How long the runs of a scenario are.
 dsp::Seconds duration_of(const Scenario& scenario, const Way& way);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/arena/arena_report.hpp"
+#include "sim/point_report.hpp"
 #include "sim/point_scenario.hpp"
 
 namespace sim {
@@ -21,15 +22,10 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
 }  // namespace
 
 void run_arena_scenario(const ExperimentRun& run) {
-  const LoadedScenario& scenario = run.scenario;
-  ArenaOptions options{.threads = run.threads, .interrupt = run.interrupt};
-  Rows rows(run);
-  rows.print(arena_header(scenario.sweep));
-  options.on_point = [&](const ArenaPoint& point) { rows.print(arena_row(scenario.sweep, point)); };
-  const std::vector<ArenaPoint> points = run_arenas(scenario, options);
-  const Dataset data = arena_dataset(scenario, run.command, points);
-  const bool single = points.size() == 1 && points[0].tally.n_runs > 0;
-  conclude(run, rows, data, single ? details(scenario, points[0]) : "");
+  report_points<ArenaPoint>(run, {arena_header, arena_row, details, arena_dataset},
+                            [&](const OnPoint<ArenaPoint>& on_point) {
+                              return run_arenas(run.scenario, run.workers, on_point);
+                            });
 }
 
 }  // namespace sim

@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "channel/instruction_set.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/run_sharing.hpp"
-#include "sim/sweep.hpp"
 
 namespace sim {
 namespace {
@@ -29,18 +26,24 @@ std::vector<SenderFacts> facts_of(const Arena& arena) {
 }
 
 ArenaPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                     const ArenaOptions& options) {
-  const Arena arena = make_arena(scenario, options.threads, options.interrupt);
-  if (is_stopped(options.interrupt)) return {.coordinates = coordinates};
+                     const Workers& workers) {
+  const Arena arena = make_arena(scenario, workers);
+  if (workers.interrupted()) return {.coordinates = coordinates};
   ArenaPoint point = arena_point(arena, coordinates);
   RunSharing<ArenaRuns> sharing(
-      {.runs = static_cast<std::uint32_t>(scenario.arena.runs),
-       .most_at_once = runs_that_fit(arena, options.threads),
-       .threads = options.threads,
-       .stop = options.interrupt},
-      [&](std::uint32_t first, int n) { return run_arena(arena, first, n, options.interrupt); });
+      shared_arena_runs(scenario, arena, workers),
+      [&](std::uint32_t first, int n) { return run_arena(arena, first, n, workers.interrupt); });
   for (ArenaRuns& lot : sharing()) add_runs(point, std::move(lot));
   return point;
+}
+
+/// Runs that each thread may do at once: as many as there are lanes, but all of them, at some 140
+/// bytes a character that devices send, are to take no more than 350 MB.
+std::uint32_t runs_that_fit(const Arena& arena, int threads) {
+  constexpr double most_characters = 2.5e6;
+  return static_cast<std::uint32_t>(std::clamp(most_characters / (characters(arena) * threads + 1),
+                                               1.0,
+                                               static_cast<double>(channel::trials_at_once())));
 }
 
 double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
@@ -50,11 +53,10 @@ double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
 
 }  // namespace
 
-std::uint32_t runs_that_fit(const Arena& arena, int threads) {
-  constexpr double most_characters = 2.5e6;
-  return static_cast<std::uint32_t>(std::clamp(most_characters / (characters(arena) * threads + 1),
-                                               1.0,
-                                               static_cast<double>(channel::trials_at_once())));
+SharedRuns shared_arena_runs(const Scenario& scenario, const Arena& arena, const Workers& workers) {
+  return {.runs = static_cast<std::uint32_t>(scenario.arena.runs),
+          .most_at_once = runs_that_fit(arena, workers.threads),
+          .workers = workers};
 }
 
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates) {
@@ -92,16 +94,9 @@ double throughput(const ArenaPoint& point, const SenderTally& tally) {
 
 double pure_aloha(double load) { return load * std::exp(-2 * load); }
 
-std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options) {
-  std::vector<ArenaPoint> points(count_points(scenario.sweep));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].coordinates = point_coordinates(scenario.sweep, i);
-    if (is_stopped(options.interrupt)) continue;
-    points[i] =
-        run_point(point_scenario(scenario, points[i].coordinates), points[i].coordinates, options);
-    if (options.on_point && points[i].tally.n_runs > 0) options.on_point(points[i]);
-  }
-  return points;
+std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const Workers& workers,
+                                   const OnPoint<ArenaPoint>& on_point) {
+  return run_points<ArenaPoint>(scenario, workers, on_point, run_point);
 }
 
 }  // namespace sim

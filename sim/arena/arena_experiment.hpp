@@ -1,12 +1,10 @@
 #pragma once
 // An arena at all points of its scenario's sweep: the runs of each, and what is made of them.
-#include <atomic>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "sim/arena/arena_run.hpp"
-#include "sim/axis.hpp"
+#include "sim/point_runs.hpp"
 #include "sim/scenario.hpp"
 
 namespace sim {
@@ -26,11 +24,12 @@ struct ArenaPoint {
   double duration_s = 0;
   double reach_mw_per_m2 = 0;
   std::uint64_t outside = 0;  // of sim/validity
+
+  bool reached() const { return tally.n_runs > 0; }
 };
 
-/// Runs that each thread may do at once: as many as there are lanes, but all of them, at some 140
-/// bytes a character that devices send, are to take no more than 350 MB.
-std::uint32_t runs_that_fit(const Arena& arena, int threads);
+/// The runs of a point, so many at once as memory allows.
+SharedRuns shared_arena_runs(const Scenario& scenario, const Arena& arena, const Workers& workers);
 
 /// A point before its first run, and with runs added, which are to be in order.
 ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates);
@@ -50,14 +49,8 @@ double throughput(const ArenaPoint& point, const SenderTally& tally);
 /// random, each of which is lost to any other that overlaps it.
 double pure_aloha(double load);
 
-struct ArenaOptions {
-  int threads = 1;
-  const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const ArenaPoint&)> on_point{};  // after each
-};
-
-/// All points, in the order of the sweep. After an interrupt the one under way has the runs that
-/// were finished, those behind it none.
-std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const ArenaOptions& options);
+/// All points of a scenario.
+std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const Workers& workers = {},
+                                   const OnPoint<ArenaPoint>& on_point = {});
 
 }  // namespace sim

@@ -140,11 +140,13 @@ std::string way_row(const ArenaPoint& point, const Way& way, std::size_t stretch
 
 }  // namespace
 
-std::string arena_header(const std::vector<Axis>& axes) { return table_head(point_columns(axes)); }
+std::string arena_header(const LoadedScenario& scenario) {
+  return table_head(point_columns(scenario.sweep));
+}
 
-std::string arena_row(const std::vector<Axis>& axes, const ArenaPoint& point) {
+std::string arena_row(const LoadedScenario& scenario, const ArenaPoint& point) {
   const SenderTally all = together(point);
-  std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
+  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
   texts.push_back(fmt::format("{}", point.senders.size()));
   for (std::string& text : counts_of(all)) texts.push_back(std::move(text));
   texts.push_back(seconds(point.tally.any.mean_s()));
@@ -152,7 +154,7 @@ std::string arena_row(const std::vector<Axis>& axes, const ArenaPoint& point) {
   for (const double value : {load, throughput(point, all), pure_aloha(load)})
     texts.push_back(share(value));
   texts.push_back(outside_mark(point.outside));
-  return table_line(point_columns(axes), texts);
+  return table_line(point_columns(scenario.sweep), texts);
 }
 
 std::string device_table(const ArenaPoint& point) {

@@ -13,8 +13,8 @@
 
 namespace sim {
 
-std::string arena_header(const std::vector<Axis>& axes);
-std::string arena_row(const std::vector<Axis>& axes, const ArenaPoint& point);
+std::string arena_header(const LoadedScenario& scenario);
+std::string arena_row(const LoadedScenario& scenario, const ArenaPoint& point);
 
 /// Devices, by their kinds where there are several of one.
 std::string device_table(const ArenaPoint& point);

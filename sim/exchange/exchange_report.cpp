@@ -68,17 +68,17 @@ std::string reason_texts(const SharedLinkReasons& reasons) {
 
 }  // namespace
 
-std::string exchange_header(const std::vector<Axis>& axes) {
-  return table_head(point_columns(axes));
+std::string exchange_header(const LoadedScenario& scenario) {
+  return table_head(point_columns(scenario.sweep));
 }
 
-std::string exchange_row(const std::vector<Axis>& axes, const ExchangePoint& point) {
-  std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
+std::string exchange_row(const LoadedScenario& scenario, const ExchangePoint& point) {
+  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
   texts.push_back(fmt::format("{:.4g}", point.irradiance_mw_per_m2));
   texts.push_back(fmt::format("{:.4g}", point.reflected_mw_per_m2));
   for (std::string& text : tally_texts(together(point.tally))) texts.push_back(std::move(text));
   texts.push_back(outside_mark(point.outside));
-  return table_line(point_columns(axes), texts);
+  return table_line(point_columns(scenario.sweep), texts);
 }
 
 std::string direction_table(const ExchangePoint& point) {

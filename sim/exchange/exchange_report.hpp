@@ -12,8 +12,8 @@ namespace sim {
 /// Of the time, for ages.
 inline constexpr double high_share = 0.95;
 
-std::string exchange_header(const std::vector<Axis>& axes);
-std::string exchange_row(const std::vector<Axis>& axes, const ExchangePoint& point);
+std::string exchange_header(const LoadedScenario& scenario);
+std::string exchange_row(const LoadedScenario& scenario, const ExchangePoint& point);
 /// Each direction of one point, and why messages were refused.
 std::string direction_table(const ExchangePoint& point);
 

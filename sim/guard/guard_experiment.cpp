@@ -6,9 +6,6 @@
 #include "sim/arena/arena_run.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/mirror.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/run_sharing.hpp"
-#include "sim/sweep.hpp"
 #include "sim/trial.hpp"
 
 namespace sim {
@@ -44,17 +41,14 @@ GuardRuns run_lot(const Arena& arena, const MirrorDesign& design, std::uint32_t 
 }
 
 GuardPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                     const GuardOptions& options) {
-  const Arena arena = make_arena(scenario, options.threads, options.interrupt);
-  if (is_stopped(options.interrupt)) return {.arena = {.coordinates = coordinates}};
+                     const Workers& workers) {
+  const Arena arena = make_arena(scenario, workers);
+  if (workers.interrupted()) return {.arena = {.coordinates = coordinates}};
   const MirrorDesign design = mirror_design(scenario, arena);
   GuardPoint point{arena_point(arena, coordinates), design.variables, {}};
-  RunSharing<GuardRuns> sharing({.runs = static_cast<std::uint32_t>(scenario.arena.runs),
-                                 .most_at_once = runs_that_fit(arena, options.threads),
-                                 .threads = options.threads,
-                                 .stop = options.interrupt},
+  RunSharing<GuardRuns> sharing(shared_arena_runs(scenario, arena, workers),
                                 [&](std::uint32_t first, int n) {
-                                  return run_lot(arena, design, first, n, options.interrupt);
+                                  return run_lot(arena, design, first, n, workers.interrupt);
                                 });
   for (GuardRuns& lot : sharing()) {
     add_runs(point.arena, std::move(lot.arena));
@@ -71,16 +65,9 @@ MirrorTally together(const GuardPoint& point) {
   return sum;
 }
 
-std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const GuardOptions& options) {
-  std::vector<GuardPoint> points(count_points(scenario.sweep));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].arena.coordinates = point_coordinates(scenario.sweep, i);
-    if (is_stopped(options.interrupt)) continue;
-    const auto& coordinates = points[i].arena.coordinates;
-    points[i] = run_point(point_scenario(scenario, coordinates), coordinates, options);
-    if (options.on_point && points[i].arena.tally.n_runs > 0) options.on_point(points[i]);
-  }
-  return points;
+std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const Workers& workers,
+                                   const OnPoint<GuardPoint>& on_point) {
+  return run_points<GuardPoint>(scenario, workers, on_point, run_point);
 }
 
 }  // namespace sim

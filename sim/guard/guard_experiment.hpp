@@ -12,20 +12,16 @@ struct GuardPoint {
   ArenaPoint arena;                      // with its tally
   std::vector<std::string> variables{};  // of each device
   GuardTally tally{};                    // but for the arena's
+
+  bool reached() const { return arena.reached(); }
 };
 
 /// Sum over the devices of a point.
 MirrorTally together(const GuardPoint& point);
 
-struct GuardOptions {
-  int threads = 1;
-  const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const GuardPoint&)> on_point{};  // after each
-};
-
-/// All points; those never reached after an interrupt have no runs. Throws bad_input where messages
-/// cannot be a SharedLink list: devices whose messages begin alike, characters that it cannot
-/// carry.
-std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const GuardOptions& options);
+/// All points of a scenario. Throws bad_input where messages cannot be a SharedLink list: devices
+/// whose messages begin alike, characters that it cannot carry.
+std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const Workers& workers = {},
+                                   const OnPoint<GuardPoint>& on_point = {});
 
 }  // namespace sim

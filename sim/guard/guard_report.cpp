@@ -58,12 +58,14 @@ std::vector<TextColumn> device_columns(std::size_t name_width) {
 
 }  // namespace
 
-std::string guard_header(const std::vector<Axis>& axes) { return table_head(point_columns(axes)); }
+std::string guard_header(const LoadedScenario& scenario) {
+  return table_head(point_columns(scenario.sweep));
+}
 
-std::string guard_row(const std::vector<Axis>& axes, const GuardPoint& point) {
+std::string guard_row(const LoadedScenario& scenario, const GuardPoint& point) {
   const SenderTally sent = together(point.arena);
   const MirrorTally mirror = together(point);
-  std::vector<std::string> texts = coordinate_texts(axes, point.arena.coordinates);
+  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.arena.coordinates);
   for (const std::uint64_t n : {sent.messages(), sent[FrameFate::delivered], mirror.n_known})
     texts.push_back(fmt::format("{}", n));
   add_ages(texts, mirror.age);
@@ -71,7 +73,7 @@ std::string guard_row(const std::vector<Axis>& axes, const GuardPoint& point) {
        {point.tally.n_asked, point.tally.n_answered, point.tally.n_timed_out})
     texts.push_back(fmt::format("{}", n));
   texts.push_back(outside_mark(point.arena.outside));
-  return table_line(point_columns(axes), texts);
+  return table_line(point_columns(scenario.sweep), texts);
 }
 
 std::string mirror_table(const GuardPoint& point) {

@@ -8,8 +8,8 @@
 
 namespace sim {
 
-std::string guard_header(const std::vector<Axis>& axes);
-std::string guard_row(const std::vector<Axis>& axes, const GuardPoint& point);
+std::string guard_header(const LoadedScenario& scenario);
+std::string guard_row(const LoadedScenario& scenario, const GuardPoint& point);
 
 /// Of each device: messages on their way, and how old the base station's knowledge is.
 std::string mirror_table(const GuardPoint& point);

@@ -119,11 +119,11 @@ std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialA
 }
 
 std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
-                                               const TrialSharing& sharing) {
+                                               const Workers& workers) {
   const Bench bench(s);
-  RunSharing<Lot> trials(shared_trials(s.trials, sharing), [&](std::uint32_t first, int n) {
+  RunSharing<Lot> trials(shared_trials(s.trials, workers), [&](std::uint32_t first, int n) {
     Lot lot;
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !sharing.interrupted(); ++i)
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
       lot.push_back(judged(
           bench.locator.locate(drawn_readings(bench.readings, address_of(s, first + i))), s.truth));
     return lot;

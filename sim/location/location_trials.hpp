@@ -43,7 +43,7 @@ struct LocationTrials {
 /// The same for any equal settings and number of threads; nothing if an interrupt came before any
 /// trial was done.
 std::optional<LocationTrials> measure_location(const LocationTrialsSettings& settings,
-                                               const TrialSharing& sharing);
+                                               const Workers& workers);
 
 /// The same by one thread.
 LocationTrials measure_location(const LocationTrialsSettings& settings);

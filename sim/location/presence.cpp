@@ -30,9 +30,9 @@ struct Counts {
 
 /// Worth nothing after an interrupt.
 Counts count(const PresencePoint& point, const std::vector<RocPoint>& roc, std::uint32_t first,
-             int n, const TrialSharing& sharing) {
+             int n, const Workers& workers) {
   Counts counts;
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !sharing.interrupted(); ++i)
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
     counts.add(point.trial(first + i), roc);
   return counts;
 }
@@ -81,14 +81,14 @@ void add_counts(const std::vector<Counts>& lots, double level, std::uint64_t sam
 }  // namespace
 
 std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
-                                               const TrialSharing& sharing) {
+                                               const Workers& workers) {
   const PresencePoint point(settings);
   PresenceResult result{.roc = thresholds(settings)};
   RunSharing<Counts> trials(
-      shared_trials(settings.trials, sharing),
-      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n, sharing); });
+      shared_trials(settings.trials, workers),
+      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n, workers); });
   add_counts(trials(), settings.level, point.samples_drawn(), result);
-  if (result.trials == 0 && sharing.interrupted()) return std::nullopt;
+  if (result.trials == 0 && workers.interrupted()) return std::nullopt;
   add_theory(point, settings.detector, result);
   result.noise_v = point.deviation();
   result.noise_over_step = result.noise_v / channel::adc_step(settings.meter);

@@ -59,7 +59,7 @@ struct PresenceResult {
 /// bad_input for a window that the message does not fill, and for a carrier that looks like steady
 /// light at this sample rate.
 std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
-                                               const TrialSharing& sharing);
+                                               const Workers& workers);
 
 /// The same by one thread.
 PresenceResult measure_presence(const PresenceSettings& settings);

@@ -1,51 +1,39 @@
 #include "sim/location/trial_commands.hpp"
 
+#include <utility>
+
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
+#include "sim/point_report.hpp"
 
 namespace sim {
 namespace {
 
-/// How results are said.
-template <class Point>
-struct Report {
-  std::string (*header)(const LoadedScenario&);
-  std::string (*row)(const LoadedScenario&, const Point&);
-  std::string (*details)(const Point&);  // of a single point; null: its row says all
-  Dataset (*dataset)(const LoadedScenario&, const std::string& command, const std::vector<Point>&);
-};
-
 template <class Settings, class Result>
-void run_points(const ExperimentRun& run, const Measurement<Settings, Result>& measurement,
-                const Report<TrialPoint<Settings, Result>>& report) {
-  using Point = TrialPoint<Settings, Result>;
-  const LoadedScenario& scenario = run.scenario;
-  Rows rows(run);
-  bool headed = false;
-  const std::function<void(const Point&)> show = [&](const Point& point) {
-    if (!std::exchange(headed, true)) rows.print(report.header(scenario));
-    rows.print(report.row(scenario, point));
-  };
-  const TrialSharing sharing{.threads = run.threads, .interrupt = run.interrupt};
-  const auto points = measure_points(scenario, measurement, sharing, show);
+void run_trials(const ExperimentRun& run, const Measurement<Settings, Result>& measurement,
+                const PointReport<TrialPoint<Settings, Result>>& report) {
+  auto points = points_to_measure(run.scenario, measurement, run.workers);
   if (points.empty()) return conclude_without_points(run);
-  const bool single = report.details != nullptr && points.size() == 1 && points[0].result;
-  conclude(run, rows, report.dataset(scenario, run.command, points),
-           single ? report.details(points[0]) : "");
+  report_points(run, report, [&](const OnPoint<TrialPoint<Settings, Result>>& on_point) {
+    measure_points(points, measurement, run.workers, on_point);
+    return std::move(points);
+  });
 }
 
 }  // namespace
 
 void run_presence_scenario(const ExperimentRun& run) {
-  run_points<PresenceSettings, PresenceResult>(
+  run_trials<PresenceSettings, PresenceResult>(
       run, {presence_settings, measure_presence},
-      {presence_header, presence_row, roc_table, presence_dataset});
+      {presence_header, presence_row,
+       [](const LoadedScenario&, const PresencePointRun& point) { return roc_table(point); },
+       presence_dataset});
 }
 
 void run_location_scenario(const ExperimentRun& run) {
-  run_points<LocationTrialsSettings, LocationTrials>(
+  run_trials<LocationTrialsSettings, LocationTrials>(
       run, {location_settings, measure_location},
       {accuracy_header, accuracy_row, nullptr, accuracy_dataset});
 }

@@ -213,8 +213,8 @@ TEST(ArenaInterrupt, LeavesAWholeResult) {
       "[arena]\nduration_s = 2\nruns = 2\n[devices.a]\nx_m = 1\nyaw_deg = 180\n"
       "[sweep]\ndevices.a.current_ma = [100, 50, 20]\n");
   std::atomic<bool> stop = false;
-  const auto points = run_arenas(
-      scenario, {.interrupt = &stop, .on_point = [&](const ArenaPoint&) { stop = true; }});
+  const auto points =
+      run_arenas(scenario, {.interrupt = &stop}, [&](const ArenaPoint&) { stop = true; });
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].tally.n_runs, 2u);
   for (const std::size_t i : {1u, 2u}) {

@@ -38,8 +38,8 @@ TEST(ArenaValidity, IsInTheTableInItsNotesAndInTheFile) {
   const LoadedScenario scenario =
       loaded_arena(past + "[arena]\nruns = 1\n", {"devices.one.y_m=0.04,0.3"});
   const std::vector<ArenaPoint> points = run_arenas(scenario, {});
-  EXPECT_NE(arena_row(scenario.sweep, points.at(0)).find("  ! near\n"), std::string::npos);
-  EXPECT_EQ(arena_row(scenario.sweep, points.at(1)).find('!'), std::string::npos);
+  EXPECT_NE(arena_row(scenario, points.at(0)).find("  ! near\n"), std::string::npos);
+  EXPECT_EQ(arena_row(scenario, points.at(1)).find('!'), std::string::npos);
   const Dataset data = arena_dataset(scenario, "", points);
   EXPECT_EQ(outside_notes(data),
             "! near: nearer than 5 cm LED and module are no points to each other\n");

@@ -91,7 +91,7 @@ TEST(LocationScenario, ThreadsChangeNothing) {
   const LoadedScenario scenario = loaded(location + "[sweep]\nlocation.device_x_m = [1, 1.5]\n",
                                          {"location.trials=37", "floor.diffuse_reflectance=0"});
   const auto json = [&](int threads) {
-    const auto points = measure_points(scenario, measured, {.threads = threads});
+    const auto points = measured_points(scenario, measured, {.threads = threads});
     return dataset_json(accuracy_dataset(scenario, "", points));
   };
   const std::string one = json(1);
@@ -99,13 +99,11 @@ TEST(LocationScenario, ThreadsChangeNothing) {
   EXPECT_EQ(json(16), one);
 }
 
-std::optional<LocationTrials> nothing(const LocationTrialsSettings&, const TrialSharing&) {
-  return {};
-}
+std::optional<LocationTrials> nothing(const LocationTrialsSettings&, const Workers&) { return {}; }
 
 TEST(LocationScenario, APointWithoutResultHasNoTrials) {
   const LoadedScenario scenario = loaded(location);
-  const auto points = measure_points<LocationTrialsSettings, LocationTrials>(
+  const auto points = measured_points<LocationTrialsSettings, LocationTrials>(
       scenario, {location_settings, nothing}, {});
   EXPECT_EQ(accuracy_dataset(scenario, "", points).n_runs, 0U);
 }
@@ -114,7 +112,7 @@ TEST(LocationScenario, OtherErrorsAreAnotherDigest) {
   const auto digest = [](const std::string& seed) {
     const LoadedScenario scenario = loaded(
         location, {"simulation.seed=" + seed, "location.trials=3", "floor.diffuse_reflectance=0"});
-    return dataset_digest(accuracy_dataset(scenario, "", measure_points(scenario, measured, {})));
+    return dataset_digest(accuracy_dataset(scenario, "", measured_points(scenario, measured, {})));
   };
   EXPECT_NE(digest("2"), digest("3"));
 }
@@ -131,12 +129,12 @@ TEST(LocationScenario, TheShippedOneReachesTheBoundWhereReadingsAreGood) {
   const LoadedScenario scenario = load_scenario(
       COSYS_SOURCE_DIR "/scenarios/location.toml",
       {"location.relative_sigma=0.01", "location.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
-  const auto at_level = [](const LocationTrialsSettings& settings, const TrialSharing& sharing) {
+  const auto at_level = [](const LocationTrialsSettings& settings, const Workers& workers) {
     LocationTrialsSettings strict = settings;
     strict.level = 0.999;
-    return measure_location(strict, sharing);
+    return measure_location(strict, workers);
   };
-  const auto points = measure_points<LocationTrialsSettings, LocationTrials>(
+  const auto points = measured_points<LocationTrialsSettings, LocationTrials>(
       scenario, {location_settings, at_level}, {.threads = 2});
   ASSERT_EQ(points.size(), 3U);
   for (const auto& point : points) {

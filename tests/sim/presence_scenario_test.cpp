@@ -144,7 +144,7 @@ TEST(PresenceScenario, ThreadsChangeNothing) {
       loaded(presence + "[sweep]\npresence.detector = \"*\"\nreceiver.range_m = [40, 60]\n",
              {"presence.trials=61", "presence.window_ms=1", "presence.reference_ms=1"});
   const auto json = [&](int threads) {
-    const auto points = measure_points(scenario, measured, {.threads = threads});
+    const auto points = measured_points(scenario, measured, {.threads = threads});
     return dataset_json(presence_dataset(scenario, "", points));
   };
   const std::string one = json(1);
@@ -154,16 +154,16 @@ TEST(PresenceScenario, ThreadsChangeNothing) {
 
 TEST(PresenceScenario, AnInterruptBeforeAllLeavesNoPoints) {
   const std::atomic<bool> stop{true};
-  EXPECT_TRUE(measure_points(loaded(presence), measured, {.interrupt = &stop}).empty());
+  EXPECT_TRUE(measured_points(loaded(presence), measured, {.interrupt = &stop}).empty());
 }
 
 /// As an interrupt would that comes before its first trial.
-std::optional<PresenceResult> nothing(const PresenceSettings&, const TrialSharing&) { return {}; }
+std::optional<PresenceResult> nothing(const PresenceSettings&, const Workers&) { return {}; }
 
 TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   const LoadedScenario scenario = loaded(presence);
   const auto points =
-      measure_points<PresenceSettings, PresenceResult>(scenario, {presence_settings, nothing}, {});
+      measured_points<PresenceSettings, PresenceResult>(scenario, {presence_settings, nothing}, {});
   ASSERT_EQ(points.size(), 1U);
   const Dataset data = presence_dataset(scenario, "", points);
   EXPECT_EQ(data.n_runs, 0U);
@@ -180,12 +180,12 @@ TEST(PresenceScenario, TheShippedOneCountsWhatTheClosedFormSays) {
   const LoadedScenario scenario =
       load_scenario(shipped, {"presence.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
   int between = 0;
-  const auto at_level = [](const PresenceSettings& settings, const TrialSharing& sharing) {
+  const auto at_level = [](const PresenceSettings& settings, const Workers& workers) {
     PresenceSettings strict = settings;
     strict.level = 0.99995;  // of each of 126 intervals
-    return measure_presence(strict, sharing);
+    return measure_presence(strict, workers);
   };
-  for (const auto& point : measure_points<PresenceSettings, PresenceResult>(
+  for (const auto& point : measured_points<PresenceSettings, PresenceResult>(
            scenario, {presence_settings, at_level}, {.threads = 2})) {
     EXPECT_GT(point.result->noise_over_step, 0.5);
     EXPECT_EQ(point.result->clipped, 0);
@@ -242,7 +242,7 @@ TEST(PresenceScenario, RefusesWhatCannotBeMeasured) {
 /// The row of a point of few samples, coarsely rounded.
 std::string row_of(const std::vector<std::string>& set) {
   const LoadedScenario scenario = loaded(presence, set);
-  return presence_row(scenario, measure_points(scenario, measured, {}).at(0));
+  return presence_row(scenario, measured_points(scenario, measured, {}).at(0));
 }
 
 // Sums of few rounded samples have few values, however white rounding is: of 4 samples with 0.6

@@ -26,22 +26,22 @@ Numbers joined(const std::vector<Numbers>& lots) {
 TEST(RunSharing, GivesEveryRunOnceInOrderHoweverManyThreadsThereAre) {
   for (const std::uint32_t runs : {0U, 1U, 7U, 100U})
     for (const int threads : {1, 2, 16}) {
-      RunSharing<Numbers> sharing({runs, 5, threads}, numbers);
+      RunSharing<Numbers> sharing({runs, 5, {threads}}, numbers);
       EXPECT_EQ(joined(sharing()), numbers(0, static_cast<int>(runs)));
     }
 }
 
 TEST(RunSharing, DoesNoMoreAtOnceThanAllowedAndLeavesNoThreadWithout) {
-  RunSharing<int> many({100, 3, 1}, [](std::uint32_t, int n) { return n; });
+  RunSharing<int> many({100, 3, {1}}, [](std::uint32_t, int n) { return n; });
   const std::vector<int> of_three = many();
   EXPECT_LE(std::ranges::max(of_three), 3);
-  RunSharing<int> few({4, 100, 4}, [](std::uint32_t, int n) { return n; });
+  RunSharing<int> few({4, 100, {4}}, [](std::uint32_t, int n) { return n; });
   EXPECT_EQ(few(), (std::vector{1, 1, 1, 1}));
 }
 
 TEST(RunSharing, KeepsWhatWasFinishedBeforeAStop) {
   std::atomic<bool> stop = false;
-  RunSharing<Numbers> sharing({100, 1, 1, &stop}, [&](std::uint32_t first, int n) {
+  RunSharing<Numbers> sharing({100, 1, {1, &stop}}, [&](std::uint32_t first, int n) {
     if (first == 4) stop = true;
     return numbers(first, n);
   });
@@ -50,7 +50,7 @@ TEST(RunSharing, KeepsWhatWasFinishedBeforeAStop) {
 
 TEST(RunSharing, LeavesNoGapWhereALaterLotWasFinishedFirst) {
   std::atomic<bool> stop = false;
-  RunSharing<Numbers> sharing({3, 1, 2, &stop}, [&](std::uint32_t first, int n) {
+  RunSharing<Numbers> sharing({3, 1, {2, &stop}}, [&](std::uint32_t first, int n) {
     while (first == 0 && !stop) std::this_thread::yield();  // while another thread does the second
     if (first == 2) stop = true;
     return numbers(first, n);
@@ -60,7 +60,7 @@ TEST(RunSharing, LeavesNoGapWhereALaterLotWasFinishedFirst) {
 
 TEST(RunSharing, ThrowsWhatAThreadThrewAndDoesNoMore) {
   int done = 0;
-  RunSharing<int> sharing({1000, 1, 1}, [&](std::uint32_t first, int) {
+  RunSharing<int> sharing({1000, 1, {1}}, [&](std::uint32_t first, int) {
     if (first == 3) throw std::runtime_error("the fourth");
     return ++done;
   });
