@@ -46,7 +46,7 @@ double cosine_power(dsp::Radians half_angle) {
 
 double relative_intensity(const EmitterData& emitter, dsp::Radians off_axis) {
   if (off_axis.value > std::numbers::pi / 2) return 0;
-  if (!emitter.pattern.empty()) return emitter.pattern(off_axis.value * 180 / std::numbers::pi);
+  if (!emitter.pattern.empty()) return emitter.pattern(dsp::in_degrees(off_axis));
   const double m = cosine_power(dsp::degrees(emitter.half_angle_deg));
   return std::pow(std::cos(off_axis.value), m);
 }

@@ -169,7 +169,7 @@ Pose receiver_pose(dsp::Metres range, dsp::Radians bearing, dsp::Metres height, 
 double Directivity::operator()(dsp::Radians off_axis, double upward) const {
   if (off_axis.value > pi / 2) return 0;
   if (relative_distance.empty()) return std::pow(std::cos(off_axis.value), cosine_power);
-  const double degrees = off_axis.value * 180 / pi;
+  const double degrees = dsp::in_degrees(off_axis);
   const double level = relative_distance(degrees);
   if (vertical.empty()) return level * level;
   const double steep = vertical(std::copysign(degrees, upward)) / vertical(0);

@@ -2,6 +2,7 @@
 // Strong types for quantities that cross a C++ border, so that metres cannot be passed for hertz.
 // One double each, zero cost; inside a stage, after its constructor, plain floats take over.
 #include <compare>
+#include <numbers>
 
 namespace dsp {
 
@@ -36,6 +37,7 @@ using WattsPerSteradian = Quantity<struct WattsPerSteradianTag>;
 
 constexpr Seconds period(Hertz f) { return Seconds(1.0 / f.value); }
 constexpr double cycles(Seconds t, Hertz f) { return t.value * f.value; }
-constexpr Radians degrees(double d) { return Radians(d * 3.14159265358979323846 / 180.0); }
+constexpr Radians degrees(double d) { return Radians(d * std::numbers::pi / 180.0); }
+constexpr double in_degrees(Radians angle) { return angle.value * 180 / std::numbers::pi; }
 
 }  // namespace dsp

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "sim/estimate_text.hpp"
@@ -14,8 +13,6 @@ namespace sim {
 namespace {
 
 using Point = LocationPointRun;
-
-double in_degrees(dsp::Radians angle) { return angle.value * 180 / std::numbers::pi; }
 
 /// Three NaNs where the readings bound nothing.
 ErrorEllipse bound_ellipse(const LocationTrials& result) {
@@ -80,7 +77,7 @@ void add_bound(TrialVariables<Point>& to) {
   to.real({"ellipse_minor_m", "m", "shorter half axis of the bound's 95 % ellipse"},
           [](const LocationTrials& r) { return bound_ellipse(r).semi_minor_m; });
   to.real({"ellipse_direction_deg", "degree", "direction of the longer one from +x"},
-          [](const LocationTrials& r) { return in_degrees(bound_ellipse(r).direction); });
+          [](const LocationTrials& r) { return dsp::in_degrees(bound_ellipse(r).direction); });
 }
 
 void add_readings(TrialVariables<Point>& to) {
@@ -108,7 +105,7 @@ std::string accuracy_row(const LoadedScenario& scenario, const Point& point) {
   texts.push_back(number(result.bound_m()));
   texts.push_back(number(error_over_bound(result)));
   texts.push_back(ellipse_text(ellipse));
-  texts.push_back(number(std::round(in_degrees(ellipse.direction))));
+  texts.push_back(number(std::round(dsp::in_degrees(ellipse.direction))));
   texts.push_back(estimate_text(result.coverage));
   for (const std::uint64_t n : result.count) texts.push_back(fmt::format("{}", n));
   return table_line(columns_of(scenario), texts);

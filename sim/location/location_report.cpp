@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double in_degrees(dsp::Radians angle) { return angle.value * 180 / std::numbers::pi; }
 
 const char* meaning(LocateOutcome outcome) {
   switch (outcome) {
@@ -32,7 +29,7 @@ std::string ellipse_text(const Place& place) {
   if (!place.covariance) return "95 % ellipse unbounded";
   const ErrorEllipse e = error_ellipse(*place.covariance);
   return fmt::format("95 % ellipse {:.2g} m by {:.2g} m, the longer at {:.0f} deg from +x",
-                     e.semi_major_m, e.semi_minor_m, in_degrees(e.direction));
+                     e.semi_major_m, e.semi_minor_m, dsp::in_degrees(e.direction));
 }
 
 std::string place_text(const Place& place) {
@@ -48,7 +45,7 @@ Json ellipse_json(const Place& place) {
   const ErrorEllipse e = error_ellipse(*place.covariance);
   return {{"semi_major_m", e.semi_major_m},
           {"semi_minor_m", e.semi_minor_m},
-          {"direction_deg", in_degrees(e.direction)}};
+          {"direction_deg", dsp::in_degrees(e.direction)}};
 }
 
 Json covariance_json(const Place& place) {

@@ -6,16 +6,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "bpw34.hpp"
+
 namespace channel {
 namespace {
-
-// Vishay 81521 rev 2.1, as in photodiode_test.cpp.
-const PhotodiodeData bpw34{.name = "BPW34",
-                           .area_mm2 = 7.5,
-                           .responsivity_a_per_w = 0.6667,
-                           .dark_current_na = 2,
-                           .capacitance_pf = 25,
-                           .half_angle_deg = 65};
 
 LightMeter meter_at(double sample_rate_hz, double aperture = 1) {
   return {.photodiode = bpw34, .sample_rate_hz = sample_rate_hz, .aperture = aperture};

@@ -4,16 +4,10 @@
 
 #include <cmath>
 
+#include "bpw34.hpp"
+
 namespace channel {
 namespace {
-
-// Vishay 81521 rev 2.1: 50 uA at 1 mW/cm2 and 950 nm on 7.5 mm2; 2 nA in the dark.
-const PhotodiodeData bpw34{.name = "BPW34",
-                           .area_mm2 = 7.5,
-                           .responsivity_a_per_w = 0.6667,
-                           .dark_current_na = 2,
-                           .capacitance_pf = 25,
-                           .half_angle_deg = 65};
 
 TEST(Photodiode, Bpw34GivesTheSheetsCurrent) {  // A1: 1 mW/cm2 is 10 W/m2
   EXPECT_NEAR(photocurrent(bpw34, dsp::WattsPerSquareMetre(10)).value, 50e-6, 0.05e-6);

@@ -2,14 +2,10 @@
 """Opens the result file of an experiment that is no link and compares it with the JSON report.
 
 usage: open_dataset_with_xarray.py RESULT.h5 EXPECTED.json
-Each xarray engine runs in its own process, as the two bring their own copies of the HDF5 library.
 """
-import json
 import math
-import subprocess
-import sys
 
-ENGINES = ("netcdf4", "h5netcdf")
+from xarray_engines import check_with_each
 
 
 def same(got, expected):
@@ -39,26 +35,11 @@ def check_variables(data, expected):
         assert all(map(same, got, variable["values"])), name
 
 
-def check_engine(engine, path, expected):
-    import xarray
-
-    with xarray.open_dataset(path, engine=engine) as data:
-        check_coordinates(data, expected)
-        check_variables(data, expected)
-        for name in ("title", "experiment", "result_digest", "seed"):
-            assert data.attrs[name] == expected[name], (name, data.attrs[name])
+def check_data(data, expected):
+    check_coordinates(data, expected)
+    check_variables(data, expected)
+    for name in ("title", "experiment", "result_digest", "seed"):
+        assert data.attrs[name] == expected[name], (name, data.attrs[name])
 
 
-def main():
-    path, expected_path = sys.argv[1:3]
-    with open(expected_path, encoding="utf-8") as file:
-        expected = json.load(file)
-    if len(sys.argv) > 3:
-        check_engine(sys.argv[3], path, expected)
-        return
-    for engine in ENGINES:
-        subprocess.run([sys.executable, __file__, path, expected_path, engine], check=True)
-    print("all readers agree")
-
-
-main()
+check_with_each(check_data, lambda path, expected: None)
