@@ -9,7 +9,7 @@
 #include <new>
 #include <string>
 
-#include "sim/command_line.hpp"
+#include "sim/command/command_line.hpp"
 #include "sim/failure.hpp"
 
 namespace {

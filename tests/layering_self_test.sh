@@ -8,7 +8,7 @@ wrong=0
 
 expect() { # expect allowed|caught FILE INCLUDE
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{dsp,channel,protocol,sim}
+  mkdir -p "$tree"/{dsp,channel,protocol,sim} "$tree/$(dirname "$2")"
   printf '// a comment\n#include %s\n' "$3" >"$tree/$2"
   local found=allowed said
   said=$("$here/layering_test.sh" "$tree") || found=caught
@@ -31,29 +31,37 @@ expect caught channel/a.cpp '<sim/failure.hpp>'
 expect caught sim/a.cpp '"failure.hpp"'
 expect caught sim/a.cpp '"../dsp/units.hpp"'
 
+expect allowed sim/link/a.cpp '"sim/scenario/scenario.hpp"'
+expect allowed sim/link/a.cpp '"sim/link/link.hpp"'
+expect allowed sim/text/a.cpp '"sim/failure.hpp"'
+expect allowed sim/main.cpp '"sim/command/command_line.hpp"'
+expect caught sim/scenario/a.hpp '"sim/link/link.hpp"'
+expect caught sim/failure.cpp '"sim/text/number_text.hpp"'
+expect caught sim/unlisted/a.cpp '"sim/text/number_text.hpp"'
+
 expect allowed dsp/spectrum.cpp '<fftw3.h>'
 expect allowed channel/geometry.cpp '<Eigen/Dense>'
 expect allowed dsp/truncated_orthant.hpp '<Eigen/Core>'
-expect allowed sim/proposal.cpp '<Eigen/Core>'
-expect allowed sim/netcdf.cpp '<hdf5.h>'
-expect allowed sim/netcdf.cpp '<hdf5_hl.h>'
-expect allowed sim/entries.cpp '<toml++/toml.h>'
-expect allowed sim/command_line.cpp '<CLI/CLI.hpp>'
-expect allowed sim/curve_fit.cpp '<armadillo>'
+expect allowed sim/trial/proposal.cpp '<Eigen/Core>'
+expect allowed sim/result/netcdf.cpp '<hdf5.h>'
+expect allowed sim/result/netcdf.cpp '<hdf5_hl.h>'
+expect allowed sim/scenario/entries.cpp '<toml++/toml.h>'
+expect allowed sim/command/command_line.cpp '<CLI/CLI.hpp>'
+expect allowed sim/result/curve_fit.cpp '<armadillo>'
 expect allowed sim/main.cpp '<sys/stat.h>'
 expect caught dsp/spectrum.hpp '<fftw3.h>'
 expect caught dsp/philox.cpp '<fftw3.h>'
 expect caught channel/geometry.hpp '<Eigen/Dense>'
 expect caught dsp/philox.cpp '<Eigen/Core>'
-expect caught sim/trial.cpp '"Eigen/Dense"'
-expect caught sim/tally.cpp '<hdf5.h>'
-expect caught sim/store.cpp '<hdf5.h>'
-expect caught sim/netcdf.hpp '<H5public.h>'
-expect caught sim/trial.cpp '<toml++/toml.h>'
-expect caught sim/engine.cpp '<CLI/CLI.hpp>'
-expect caught sim/statistics.hpp '<boost/math/distributions/beta.hpp>'
+expect caught sim/trial/trial.cpp '"Eigen/Dense"'
+expect caught sim/counting/tally.cpp '<hdf5.h>'
+expect caught sim/result/store.cpp '<hdf5.h>'
+expect caught sim/result/netcdf.hpp '<H5public.h>'
+expect caught sim/trial/trial.cpp '<toml++/toml.h>'
+expect caught sim/engine/engine.cpp '<CLI/CLI.hpp>'
+expect caught sim/counting/statistics.hpp '<boost/math/distributions/beta.hpp>'
 expect caught sim/failure.hpp '<fmt/format.h>'
 expect caught protocol/a.cpp '<nlohmann/json.hpp>'
-expect caught sim/statistics.hpp '<armadillo>'
+expect caught sim/counting/statistics.hpp '<armadillo>'
 expect caught sim/a.cpp '<somebody/elses.hpp>'
 exit "$wrong"

@@ -5,10 +5,10 @@
 
 #include "channel/interference.hpp"
 #include "sim/arena/arena_validity.hpp"
-#include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
-#include "sim/run_sharing.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/link/link.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 namespace {

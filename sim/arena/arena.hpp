@@ -10,8 +10,8 @@
 #include "sim/arena/light_track.hpp"
 #include "sim/arena/sending.hpp"
 #include "sim/arena/way.hpp"
-#include "sim/run_sharing.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 
@@ -31,7 +31,7 @@ struct Arena {
   // Receiver.
   dsp::Hertz receiver_baud{};
   const protocol::UartReceiver* uart = nullptr;
-  std::uint64_t outside = 0;  // of sim/validity, for any sender where it is in reach
+  std::uint64_t outside = 0;  // of sim/link/validity, for any sender where it is in reach
   // Randomness.
   std::uint64_t seed = 0;
   std::uint32_t point = 0;  // hash of the point's canonical text

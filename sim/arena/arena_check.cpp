@@ -1,4 +1,5 @@
 #include "sim/arena/arena_check.hpp"
+#include "sim/scenario/places.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +11,9 @@
 #include "sim/arena/sender.hpp"
 #include "sim/arena/way.hpp"
 #include "sim/failure.hpp"
-#include "sim/list_text.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/sweep.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/text/list_text.hpp"
 
 namespace sim {
 namespace {

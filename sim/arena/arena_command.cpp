@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "sim/arena/arena_report.hpp"
-#include "sim/point_report.hpp"
-#include "sim/point_scenario.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/report/point_report.hpp"
 
 namespace sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "sim/arena/arena_report.hpp"
-#include "sim/outside_report.hpp"
+#include "sim/report/outside_report.hpp"
 
 namespace sim {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim/arena/arena_run.hpp"
-#include "sim/point_runs.hpp"
-#include "sim/scenario.hpp"
+#include "sim/report/point_runs.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
@@ -23,7 +23,7 @@ struct ArenaPoint {
   std::vector<HeardFrame> heard{};
   double duration_s = 0;
   double reach_mw_per_m2 = 0;
-  std::uint64_t outside = 0;  // of sim/validity
+  std::uint64_t outside = 0;  // of sim/link/validity
 
   bool reached() const { return tally.n_runs > 0; }
 };

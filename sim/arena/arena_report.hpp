@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/arena/arena_experiment.hpp"
-#include "sim/dataset.hpp"
-#include "sim/scenario.hpp"
+#include "sim/result/dataset.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

@@ -7,8 +7,8 @@
 
 #include "protocol/cosys.hpp"
 #include "sim/arena/air.hpp"
-#include "sim/disturbance.hpp"
-#include "sim/trial.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "dsp/units.hpp"
 #include "sim/arena/frame_fate.hpp"
-#include "sim/statistics.hpp"
+#include "sim/counting/statistics.hpp"
 
 namespace sim {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/validity.hpp"
+#include "sim/link/validity.hpp"
 
 namespace sim {
 namespace {

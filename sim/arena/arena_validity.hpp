@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// The limits (sim/validity) that the link from any sender leaves where the receiver comes nearest
-/// to it, or is farthest from it, with light in reach.
+/// The limits (sim/link/validity) that the link from any sender leaves where the receiver comes
+/// nearest to it, or is farthest from it, with light in reach.
 std::uint64_t outside_validity(const Scenario& scenario, const Arena& arena);
 
 }  // namespace sim

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "channel/geometry.hpp"
-#include "sim/link.hpp"
-#include "sim/run_sharing.hpp"
+#include "sim/link/link.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 namespace {

@@ -6,7 +6,7 @@
 #include "dsp/units.hpp"
 #include "sim/arena/sender.hpp"
 #include "sim/arena/way.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

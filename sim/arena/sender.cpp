@@ -7,9 +7,9 @@
 
 #include "protocol/cosys.hpp"
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
-#include "sim/list_text.hpp"
-#include "sim/number_text.hpp"
+#include "sim/link/link.hpp"
+#include "sim/text/list_text.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "channel/emitter.hpp"
 #include "dsp/units.hpp"
-#include "sim/arena/message_source.hpp"
-#include "sim/random_spells.hpp"
-#include "sim/scenario.hpp"
+#include "sim/arena/message_queue.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/threads/random_spells.hpp"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 #include "dsp/random_stream.hpp"
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
-#include "sim/random_spells.hpp"
+#include "sim/threads/random_spells.hpp"
 
 namespace sim {
 namespace {

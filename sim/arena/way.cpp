@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/number_text.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dsp/units.hpp"
-#include "sim/arena/settings.hpp"
+#include "sim/scenario/arena_settings.hpp"
 
 namespace sim {
 

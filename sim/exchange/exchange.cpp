@@ -1,9 +1,9 @@
 #include "sim/exchange/exchange.hpp"
 
 #include "channel/geometry.hpp"
-#include "sim/disturbance.hpp"
-#include "sim/link.hpp"
-#include "sim/validity.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/link/link.hpp"
+#include "sim/link/validity.hpp"
 
 namespace sim {
 namespace {

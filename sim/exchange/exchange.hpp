@@ -14,8 +14,8 @@
 #include "dsp/units.hpp"
 #include "protocol/uart.hpp"
 #include "sim/exchange/exchange_tally.hpp"
-#include "sim/exchange/settings.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario/exchange_settings.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
@@ -30,7 +30,7 @@ struct Exchange {
   dsp::Seconds delay;                             // constant part, light to pin
   const protocol::UartReceiver* uart = nullptr;
   double irradiance_mw_per_m2 = 0, reflected_mw_per_m2 = 0;
-  // Of sim/validity; of bursts as of device.message, which has longer ones than SharedLink.
+  // Of sim/link/validity; of bursts as of device.message, which has longer ones than SharedLink.
   std::uint64_t outside = 0;
   std::uint64_t seed = 0;
   std::uint32_t point = 0;

@@ -1,7 +1,7 @@
 #include "sim/exchange/exchange_check.hpp"
 
-#include "sim/point_scenario.hpp"
-#include "sim/sweep.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 

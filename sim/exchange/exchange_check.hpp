@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/scenario.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

@@ -1,7 +1,7 @@
 #include "sim/exchange/exchange_command.hpp"
 
 #include "sim/exchange/exchange_report.hpp"
-#include "sim/point_report.hpp"
+#include "sim/report/point_report.hpp"
 
 namespace sim {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/experiment_run.hpp"
+#include "sim/report/experiment_run.hpp"
 
 namespace sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/exchange/exchange_report.hpp"
-#include "sim/outside_report.hpp"
+#include "sim/report/outside_report.hpp"
 
 namespace sim {
 namespace {

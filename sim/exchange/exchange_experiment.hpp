@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "sim/exchange/exchange_tally.hpp"
-#include "sim/point_runs.hpp"
+#include "sim/report/point_runs.hpp"
 
 namespace sim {
 
 struct ExchangePoint {
   std::vector<double> coordinates;  // one value an axis
   double irradiance_mw_per_m2 = 0, reflected_mw_per_m2 = 0;
-  std::uint64_t outside = 0;  // of sim/validity
+  std::uint64_t outside = 0;  // of sim/link/validity
   ExchangeTally tally{};      // no runs: never reached
 
   bool reached() const { return tally.n_runs > 0; }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/estimate_text.hpp"
-#include "sim/outside_report.hpp"
-#include "sim/statistics.hpp"
-#include "sim/text_table.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/report/estimate_text.hpp"
+#include "sim/report/outside_report.hpp"
+#include "sim/report/text_table.hpp"
 
 namespace sim {
 namespace {

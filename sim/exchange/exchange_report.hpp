@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/dataset.hpp"
 #include "sim/exchange/exchange_experiment.hpp"
-#include "sim/scenario.hpp"
+#include "sim/result/dataset.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "channel/live_chain.hpp"
-#include "sim/disturbance.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/node_draws.hpp"
 #include "sim/exchange/station.hpp"
+#include "sim/link/disturbance.hpp"
 
 namespace sim {
 namespace {

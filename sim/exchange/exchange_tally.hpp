@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "protocol/shared_link.hpp"
-#include "sim/age_counts.hpp"
-#include "sim/statistics.hpp"
+#include "sim/counting/age_counts.hpp"
+#include "sim/counting/statistics.hpp"
 
 namespace sim {
 

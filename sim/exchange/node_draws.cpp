@@ -1,6 +1,6 @@
 #include "sim/exchange/node_draws.hpp"
 
-#include "sim/trial.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 

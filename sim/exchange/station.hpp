@@ -13,7 +13,7 @@
 #include "dsp/units.hpp"
 #include "protocol/shared_node.hpp"
 #include "protocol/uart_stream.hpp"
-#include "sim/age_counts.hpp"
+#include "sim/counting/age_counts.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/node_draws.hpp"
 

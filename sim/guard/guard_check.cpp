@@ -7,8 +7,8 @@
 #include "protocol/shared_node.hpp"
 #include "sim/arena/arena_check.hpp"
 #include "sim/failure.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/sweep.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {

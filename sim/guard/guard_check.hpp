@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/arena/sender.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

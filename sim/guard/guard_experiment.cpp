@@ -6,7 +6,7 @@
 #include "sim/arena/arena_run.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/mirror.hpp"
-#include "sim/trial.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "sim/arena/arena_report.hpp"
-#include "sim/outside_report.hpp"
-#include "sim/text_table.hpp"
+#include "sim/report/outside_report.hpp"
+#include "sim/report/text_table.hpp"
 
 namespace sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/dataset.hpp"
 #include "sim/guard/guard_experiment.hpp"
+#include "sim/result/dataset.hpp"
 
 namespace sim {
 

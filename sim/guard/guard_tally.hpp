@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/age_counts.hpp"
+#include "sim/counting/age_counts.hpp"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "protocol/shared_node.hpp"
-#include "sim/run_sharing.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 namespace {

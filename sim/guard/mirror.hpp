@@ -13,7 +13,7 @@
 #include "sim/arena/arena_tally.hpp"
 #include "sim/guard/guard_tally.hpp"
 #include "sim/guard/serial_line.hpp"
-#include "sim/guard/settings.hpp"
+#include "sim/scenario/guard_settings.hpp"
 
 namespace sim {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/estimate_text.hpp"
 #include "sim/location/trial_variables.hpp"
-#include "sim/text_table.hpp"
+#include "sim/report/estimate_text.hpp"
+#include "sim/report/text_table.hpp"
 
 namespace sim {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/dataset.hpp"
 #include "sim/location/location_trials.hpp"
 #include "sim/location/trial_points.hpp"
-#include "sim/scenario.hpp"
+#include "sim/result/dataset.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

@@ -2,14 +2,9 @@
 
 #include <cmath>
 
-#include "sim/theory.hpp"
+#include "sim/link/theory.hpp"
 
 namespace sim {
-
-const std::vector<std::string>& detector_names() {
-  static const std::vector<std::string> names{"synchronous", "goertzel", "dc-difference"};
-  return names;
-}
 
 double detection_threshold(Detector detector, double pfa) {
   if (detector == Detector::goertzel) return -2 * std::log(pfa);

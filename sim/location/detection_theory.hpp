@@ -4,19 +4,9 @@
 // be larger with light, for light has shot noise. Probabilities of false alarm are in (0, 1).
 // Kay, Fundamentals of Statistical Signal Processing II: Detection Theory (1998): chapter 4
 // (Gaussian shift), theorem 7.1 (chi-square, two degrees of freedom).
-#include <string>
-#include <vector>
+#include "sim/scenario/detector.hpp"
 
 namespace sim {
-
-enum class Detector {
-  synchronous,   // carrier with its phase known
-  goertzel,      // power at the carrier's frequency
-  dc_difference  // more light than in a window before
-};
-
-/// Their names, in the order of the enumeration.
-const std::vector<std::string>& detector_names();
 
 /// What a statistic is with light.
 struct DetectionLaw {

@@ -1,4 +1,5 @@
 #include "sim/location/location_settings.hpp"
+#include "sim/scenario/places.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +7,9 @@
 #include <cmath>
 
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
-#include "sim/number_text.hpp"
-#include "sim/point_scenario.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {

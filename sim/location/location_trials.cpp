@@ -5,9 +5,9 @@
 #include <limits>
 #include <numeric>
 
-#include "sim/location/addressed_normals.hpp"
-#include "sim/theory.hpp"
-#include "sim/trial.hpp"
+#include "sim/link/theory.hpp"
+#include "sim/noise/addressed_normals.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

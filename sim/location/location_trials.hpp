@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "sim/counting/statistics.hpp"
 #include "sim/location/locate.hpp"
 #include "sim/location/trial_sharing.hpp"
-#include "sim/statistics.hpp"
 
 namespace sim {
 

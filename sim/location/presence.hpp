@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "channel/light_meter.hpp"
+#include "sim/counting/statistics.hpp"
 #include "sim/location/detection_theory.hpp"
 #include "sim/location/trial_sharing.hpp"
-#include "sim/statistics.hpp"
 
 namespace sim {
 

@@ -11,7 +11,7 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/failure.hpp"
-#include "sim/location/addressed_normals.hpp"
+#include "sim/noise/addressed_normals.hpp"
 
 namespace sim {
 namespace {

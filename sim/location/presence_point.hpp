@@ -9,7 +9,7 @@
 #include "channel/light_meter.hpp"
 #include "dsp/philox.hpp"
 #include "sim/location/presence.hpp"
-#include "sim/trial.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "channel/photodiode.hpp"
-#include "sim/estimate_text.hpp"
 #include "sim/location/trial_variables.hpp"
-#include "sim/number_text.hpp"
-#include "sim/text_table.hpp"
+#include "sim/report/estimate_text.hpp"
+#include "sim/report/text_table.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {

@@ -1,15 +1,16 @@
 #include "sim/location/presence_settings.hpp"
+#include "sim/scenario/places.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/disturbance.hpp"
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
-#include "sim/number_text.hpp"
-#include "sim/point_scenario.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // A point of a scenario of presence as its measurement wants it.
 #include "sim/location/presence.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

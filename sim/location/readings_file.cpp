@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/list_text.hpp"
-#include "sim/number_text.hpp"
-#include "sim/text_file.hpp"
+#include "sim/text/list_text.hpp"
+#include "sim/text/number_text.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

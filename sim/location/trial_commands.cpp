@@ -6,7 +6,7 @@
 #include "sim/location/location_settings.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
-#include "sim/point_report.hpp"
+#include "sim/report/point_report.hpp"
 
 namespace sim {
 namespace {

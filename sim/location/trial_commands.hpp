@@ -1,6 +1,6 @@
 #pragma once
 // `cosys-sim run` of a scenario of presence or of location.
-#include "sim/experiment_run.hpp"
+#include "sim/report/experiment_run.hpp"
 
 namespace sim {
 

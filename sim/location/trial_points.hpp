@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/location/trial_sharing.hpp"
-#include "sim/point_runs.hpp"
+#include "sim/report/point_runs.hpp"
 
 namespace sim {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "sim/run_sharing.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dataset.hpp"
+#include "sim/result/dataset.hpp"
 
 namespace sim {
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/standard_output.hpp"
+#include "sim/text/standard_output.hpp"
 
 namespace sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "sim/escaped_text.hpp"
+#include "sim/text/escaped_text.hpp"
 
 namespace sim {
 namespace {

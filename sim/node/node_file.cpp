@@ -6,9 +6,9 @@
 #include <functional>
 #include <map>
 
-#include "sim/entries.hpp"
 #include "sim/failure.hpp"
-#include "sim/key_check.hpp"
+#include "sim/scenario/entries.hpp"
+#include "sim/scenario/key_check.hpp"
 
 namespace sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/node/instruction.hpp"
-#include "sim/standard_output.hpp"
+#include "sim/text/standard_output.hpp"
 
 namespace sim {
 namespace {

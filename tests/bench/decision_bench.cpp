@@ -8,10 +8,11 @@
 
 #include "benchmark/benchmark.h"
 #include "rate.hpp"
-#include "sim/engine.hpp"
-#include "sim/link.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/trial.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace bench {
 namespace {

@@ -183,7 +183,7 @@ double spread_over_phases(double sample_rate_hz) {
 // Where the carrier meets the sample grid must not count (trap: 8 samples a cycle bend a
 // rectifier). At the default rate it does not; at a whole multiple of the carrier, such as 472
 // kS/s, all cycles of a bit meet the same samples, so it does, and such points are flagged
-// (sim/validity); sixteen samples a cycle are enough even so.
+// (sim/link/validity); sixteen samples a cycle are enough even so.
 TEST(Chain, CarrierPhaseOnTheGridDoesNotMoveTheThreshold) {
   EXPECT_LT(spread_over_phases(600e3), 1.002);
   EXPECT_NEAR(spread_over_phases(8 * 59e3), 1.07, 0.005);

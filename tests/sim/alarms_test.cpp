@@ -1,12 +1,12 @@
 // Counts that should not be trusted are called so, and ordinary ones are not.
-#include "sim/alarms.hpp"
+#include "sim/result/alarms.hpp"
 
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/engine.hpp"
-#include "sim/experiment.hpp"
-#include "sim/flags.hpp"
-#include "sim/text_file.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/scenario/flags.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

@@ -9,7 +9,9 @@
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
 #include "sim/arena/way.hpp"
-#include "sim/sweep.hpp"
+#include "sim/command/experiments.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {

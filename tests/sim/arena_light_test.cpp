@@ -6,9 +6,9 @@
 #include "channel/geometry.hpp"
 #include "gtest/gtest.h"
 #include "sim/arena/light_track.hpp"
-#include "sim/disturbance.hpp"
-#include "sim/statistics.hpp"
-#include "sim/trial.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

@@ -7,7 +7,8 @@
 #include "sim/arena/arena.hpp"
 #include "sim/arena/arena_experiment.hpp"
 #include "sim/arena/arena_report.hpp"
-#include "sim/experiment_kind.hpp"
+#include "sim/command/experiments.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 
 namespace sim {
 

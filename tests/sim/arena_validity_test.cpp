@@ -1,12 +1,12 @@
-// Arenas say where they leave the range of a model, as links do (sim/validity).
+// Arenas say where they leave the range of a model, as links do (sim/link/validity).
 #include <nlohmann/json.hpp>
 
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
-#include "sim/dataset.hpp"
-#include "sim/flags.hpp"
-#include "sim/outside_report.hpp"
-#include "sim/validity.hpp"
+#include "sim/link/validity.hpp"
+#include "sim/report/outside_report.hpp"
+#include "sim/result/dataset.hpp"
+#include "sim/scenario/flags.hpp"
 
 namespace sim {
 namespace {

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
-#include "sim/entries.hpp"
-#include "sim/scenario.hpp"
-#include "sim/text_file.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/entries.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/statistics.hpp"
+#include "sim/counting/statistics.hpp"
 
 namespace {
 

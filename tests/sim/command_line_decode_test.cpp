@@ -3,7 +3,7 @@
 
 #include "program.hpp"
 #include "protocol/shared_link.hpp"
-#include "sim/vcd.hpp"
+#include "sim/trace/vcd.hpp"
 
 namespace {
 

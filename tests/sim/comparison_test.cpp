@@ -1,5 +1,5 @@
 // Equal results are called equal, chance is not called a difference, and a difference is found.
-#include "sim/comparison.hpp"
+#include "sim/result/comparison.hpp"
 
 #include <random>
 

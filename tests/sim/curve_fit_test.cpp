@@ -1,4 +1,4 @@
-#include "sim/curve_fit.hpp"
+#include "sim/result/curve_fit.hpp"
 
 #include <gtest/gtest.h>
 

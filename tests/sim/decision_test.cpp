@@ -1,17 +1,17 @@
 // simulation.fidelity = "decision": trials whose bits are drawn one by one count what the decoder
 // makes of them, whoever runs them; and where it is refused.
-#include "sim/decision_trial.hpp"
+#include "sim/trial/decision_trial.hpp"
 
 #include <string>
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
-#include "sim/engine.hpp"
-#include "sim/profile.hpp"
-#include "sim/report_table.hpp"
-#include "sim/shard.hpp"
-#include "sim/trace.hpp"
+#include "sim/counting/shard.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/threads/profile.hpp"
+#include "sim/trace/trace.hpp"
 
 namespace sim {
 namespace {

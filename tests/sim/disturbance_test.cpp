@@ -1,13 +1,13 @@
 // Other lights as a scenario names them: their keys and checks, their draws, and what they do to
 // the link.
-#include "sim/disturbance.hpp"
+#include "sim/link/disturbance.hpp"
 
 #include "gtest/gtest.h"
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
-#include "sim/disturbance_keys.hpp"
-#include "sim/trial.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/disturbance_keys.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

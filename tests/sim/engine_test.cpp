@@ -1,5 +1,5 @@
 // The engine: the same counts for any number of threads, stops where the rule says, counts exactly.
-#include "sim/engine.hpp"
+#include "sim/engine/engine.hpp"
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -12,10 +12,11 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/experiment.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
-#include "sim/statistics.hpp"
-#include "sim/trial.hpp"
+#include "sim/result/unfinished.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

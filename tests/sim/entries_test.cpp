@@ -1,5 +1,5 @@
 // TOML text as a list of entries: what is one key, what may stand twice, and how deep a key may be.
-#include "sim/entries.hpp"
+#include "sim/scenario/entries.hpp"
 
 #include <string>
 

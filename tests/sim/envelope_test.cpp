@@ -5,12 +5,12 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/comparison.hpp"
-#include "sim/engine.hpp"
-#include "sim/envelope_trial.hpp"
-#include "sim/profile.hpp"
-#include "sim/statistics.hpp"
-#include "sim/trace.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/result/comparison.hpp"
+#include "sim/threads/profile.hpp"
+#include "sim/trace/trace.hpp"
+#include "sim/trial/envelope_trial.hpp"
 
 namespace sim {
 namespace {

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "gtest/gtest.h"
+#include "sim/command/experiments.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
 #include "sim/exchange/station.hpp"
-#include "sim/experiment_kind.hpp"
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
+#include "sim/link/link.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "tests/sim/scenarios.hpp"
 
 namespace sim {

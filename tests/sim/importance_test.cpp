@@ -7,13 +7,13 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/drawn_trials.hpp"
-#include "sim/engine.hpp"
-#include "sim/exposed_bits.hpp"
-#include "sim/importance_link.hpp"
-#include "sim/matched_proposal.hpp"
-#include "sim/module_proposal.hpp"
-#include "sim/peak_readings.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/link/importance_link.hpp"
+#include "sim/noise/peak_readings.hpp"
+#include "sim/trial/drawn_trials.hpp"
+#include "sim/trial/exposed_bits.hpp"
+#include "sim/trial/matched_proposal.hpp"
+#include "sim/trial/module_proposal.hpp"
 
 namespace sim {
 namespace {

@@ -7,9 +7,10 @@
 #include "channel/photodiode.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
-#include "sim/keys.hpp"
-#include "sim/parts.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace sim {
 namespace {

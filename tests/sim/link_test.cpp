@@ -1,5 +1,5 @@
 // The operating point that tables and files print, against its own formulae.
-#include "sim/link.hpp"
+#include "sim/link/link.hpp"
 
 #include <cmath>
 

@@ -5,9 +5,10 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
+#include "sim/loading/load_scenario.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
+#include "sim/scenario/canonical_text.hpp"
 
 namespace sim {
 namespace {

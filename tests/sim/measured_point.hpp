@@ -1,6 +1,6 @@
 #pragma once
 // A point as a run leaves it, for the tests of what is reported of it.
-#include "sim/result.hpp"
+#include "sim/result/result.hpp"
 
 namespace sim {
 

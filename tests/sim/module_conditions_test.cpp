@@ -9,8 +9,8 @@
 #include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/parts.hpp"
-#include "sim/trial.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
-#include "sim/parts.hpp"
+#include "sim/parts/parts.hpp"
 
 namespace {
 

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
-#include "sim/digitised_curve.hpp"
-#include "sim/entries.hpp"
-#include "sim/part_sheet.hpp"
-#include "sim/parts.hpp"
-#include "sim/text_file.hpp"
-#include "sim/text_plot.hpp"
+#include "sim/parts/digitised_curve.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/report/part_sheet.hpp"
+#include "sim/report/text_plot.hpp"
+#include "sim/scenario/entries.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace {
 

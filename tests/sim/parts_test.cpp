@@ -1,4 +1,4 @@
-#include "sim/parts.hpp"
+#include "sim/parts/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "channel/emitter.hpp"
 #include "gtest/gtest.h"
 #include "sim/failure.hpp"
-#include "sim/keys.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace {
 

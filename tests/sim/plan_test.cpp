@@ -1,8 +1,8 @@
 // A plan predicts what a run then takes, and a time budget is met.
-#include "sim/plan.hpp"
+#include "sim/engine/plan.hpp"
 
 #include "program.hpp"
-#include "sim/plan_report.hpp"
+#include "sim/report/plan_report.hpp"
 
 namespace sim {
 namespace {

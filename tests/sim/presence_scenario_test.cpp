@@ -3,11 +3,12 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
+#include "sim/loading/load_scenario.hpp"
 #include "sim/location/presence_point.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
-#include "sim/text_file.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

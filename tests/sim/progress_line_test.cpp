@@ -1,5 +1,5 @@
 // What is said while a run goes on, and that nobody needs to hear it.
-#include "sim/progress_line.hpp"
+#include "sim/engine/progress_line.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "sim/random_spells.hpp"
+#include "sim/threads/random_spells.hpp"
 
 #include <gtest/gtest.h>
 

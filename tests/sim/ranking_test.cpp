@@ -1,5 +1,5 @@
 // Where the frame loss passes 1 %, row by row, and which row is best.
-#include "sim/ranking.hpp"
+#include "sim/result/ranking.hpp"
 
 #include <gtest/gtest.h>
 

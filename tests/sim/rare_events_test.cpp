@@ -7,8 +7,8 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/engine.hpp"
-#include "sim/statistics.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/engine/engine.hpp"
 
 namespace sim {
 namespace {

@@ -8,7 +8,7 @@
 #include "program.hpp"
 #include "sim/failure.hpp"
 #include "sim/location/location_trials.hpp"
-#include "sim/parts.hpp"
+#include "sim/parts/parts.hpp"
 
 namespace {
 

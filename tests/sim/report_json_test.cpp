@@ -1,4 +1,4 @@
-#include "sim/report_json.hpp"
+#include "sim/report/report_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "measured_point.hpp"
-#include "sim/statistics.hpp"
+#include "sim/counting/statistics.hpp"
 #include "tally_words.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/run_sharing.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 #include <gtest/gtest.h>
 

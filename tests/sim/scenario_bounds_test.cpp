@@ -7,7 +7,7 @@
 #include "gtest/gtest.h"
 #include "protocol/uart.hpp"
 #include "scenarios.hpp"
-#include "sim/keys.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace sim {
 namespace {

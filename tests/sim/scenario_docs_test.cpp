@@ -5,10 +5,11 @@
 #include <string>
 
 #include "gtest/gtest.h"
-#include "sim/key_reference.hpp"
-#include "sim/keys.hpp"
-#include "sim/scenario.hpp"
-#include "sim/text_file.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/scenario/key_reference.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace {
 
@@ -36,7 +37,8 @@ TEST(ScenarioDocs, ReadmePrintsTheKeyTable) {
     std::ofstream(scenarios / "README.md") << readme.before << sim::key_reference() << readme.after;
   else
     EXPECT_EQ(readme.tables, sim::key_reference())
-        << "scenarios/README.md differs from sim/keys.cpp; run this test once with COSYS_BLESS=1";
+        << "scenarios/README.md differs from sim/scenario/keys.cpp; run this test once with "
+           "COSYS_BLESS=1";
 }
 
 TEST(ScenarioDocs, EveryKeySaysWhatItIs) {

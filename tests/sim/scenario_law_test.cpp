@@ -6,11 +6,11 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
 #include "sim/failure.hpp"
-#include "sim/keys.hpp"
-#include "sim/sweep.hpp"
-#include "sim/text_file.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

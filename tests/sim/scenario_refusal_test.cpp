@@ -4,6 +4,7 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/failure.hpp"
+#include "sim/loading/load_scenario.hpp"
 
 namespace sim {
 namespace {

@@ -5,9 +5,10 @@
 
 #include "gtest/gtest.h"
 #include "sim/failure.hpp"
-#include "sim/link.hpp"
-#include "sim/point_scenario.hpp"
-#include "sim/scenario.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 

@@ -1,5 +1,5 @@
 // The search brackets a known crossing, in few frames, and ends whatever the counts are.
-#include "sim/search.hpp"
+#include "sim/engine/search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "sim/stop_rule.hpp"
+#include "sim/counting/stop_rule.hpp"
 
 namespace sim {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "sim/shard.hpp"
-#include "sim/statistics.hpp"
-#include "sim/stop_rule.hpp"
+#include "sim/counting/shard.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/counting/stop_rule.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Shards: ranges that follow each other, neither overlap nor leave anything out.
-#include "sim/shard.hpp"
+#include "sim/counting/shard.hpp"
 
 #include "gtest/gtest.h"
 

@@ -1,4 +1,4 @@
-#include "sim/statistics.hpp"
+#include "sim/counting/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "sim/result.hpp"
+#include "sim/result/result.hpp"
 #include "tally_words.hpp"
 
 namespace {

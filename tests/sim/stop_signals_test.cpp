@@ -1,5 +1,5 @@
 // What the signals that stop a run do to the process; each test in a process of its own.
-#include "sim/stop_signals.hpp"
+#include "sim/threads/stop_signals.hpp"
 
 #include <chrono>
 #include <csignal>

@@ -1,4 +1,4 @@
-#include "sim/store.hpp"
+#include "sim/result/store.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "sim/failure.hpp"
-#include "sim/netcdf.hpp"
-#include "sim/report_json.hpp"
+#include "sim/report/report_json.hpp"
+#include "sim/result/netcdf.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "sim/sweep.hpp"
+#include "sim/scenario/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "gtest/gtest.h"
 #include "sim/failure.hpp"
-#include "sim/number_text.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/tally.hpp"
+#include "sim/counting/tally.hpp"
 
 namespace sim {
 

@@ -1,5 +1,5 @@
 // Files that users name, and what they are answered where there is no text to read.
-#include "sim/text_file.hpp"
+#include "sim/text/text_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

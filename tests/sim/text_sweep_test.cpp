@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "scenarios.hpp"
-#include "sim/canonical_text.hpp"
-#include "sim/sweep.hpp"
-#include "sim/text_axis.hpp"
-#include "sim/text_file.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/scenario/text_axis.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

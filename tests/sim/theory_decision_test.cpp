@@ -5,11 +5,11 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/comparison.hpp"
-#include "sim/engine.hpp"
-#include "sim/matched.hpp"
-#include "sim/statistics.hpp"
-#include "sim/theory.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/link/matched.hpp"
+#include "sim/link/theory.hpp"
+#include "sim/result/comparison.hpp"
 
 namespace sim {
 namespace {

@@ -1,6 +1,6 @@
 // Closed forms against numbers that others computed: scipy 1.10 (norm.sf, ncx2, brentq on i0e), and
 // where a paper prints them.
-#include "sim/theory.hpp"
+#include "sim/link/theory.hpp"
 
 #include <gtest/gtest.h>
 

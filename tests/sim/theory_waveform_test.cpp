@@ -1,17 +1,17 @@
-// Matched receivers, run from the waveform, against the closed forms (sim/theory.hpp): textbook
-// formulas, Proakis & Salehi, "Digital Communications", 5th ed., 4.2 and 4.5. One trial is one
-// message; its own share of light, .6 and not a half, is in the closed form.
+// Matched receivers, run from the waveform, against the closed forms (sim/link/theory.hpp):
+// textbook formulas, Proakis & Salehi, "Digital Communications", 5th ed., 4.2 and 4.5. One trial is
+// one message; its own share of light, .6 and not a half, is in the closed form.
 #include <cmath>
 #include <string>
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/matched.hpp"
-#include "sim/report_table.hpp"
-#include "sim/statistics.hpp"
-#include "sim/theory.hpp"
-#include "sim/trace.hpp"
-#include "sim/trial.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/link/matched.hpp"
+#include "sim/link/theory.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/trace/trace.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {

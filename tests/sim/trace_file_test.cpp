@@ -1,4 +1,4 @@
-#include "sim/trace_file.hpp"
+#include "sim/trace/trace_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

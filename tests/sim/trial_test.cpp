@@ -1,12 +1,12 @@
 // One trial: what is counted, and that it counts the right thing.
-#include "sim/trial.hpp"
+#include "sim/trial/trial.hpp"
 
 #include <random>
 #include <string>
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/trace_file.hpp"
+#include "sim/trace/trace_file.hpp"
 
 namespace sim {
 namespace {

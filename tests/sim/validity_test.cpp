@@ -1,11 +1,11 @@
 // Points outside of a model's range are computed and flagged, never silently.
-#include "sim/validity.hpp"
+#include "sim/link/validity.hpp"
 
 #include "scenarios.hpp"
-#include "sim/flags.hpp"
-#include "sim/parts.hpp"
-#include "sim/report_table.hpp"
-#include "sim/text_file.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/scenario/flags.hpp"
+#include "sim/text/text_file.hpp"
 
 namespace sim {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
-#include "sim/vcd.hpp"
+#include "sim/trace/vcd.hpp"
 
 namespace sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/vcd.hpp"
+#include "sim/trace/vcd.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "sim/alarms.hpp"
-#include "sim/comparison.hpp"
-#include "sim/statistics.hpp"
-#include "sim/stop_rule.hpp"
-#include "sim/weighted.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/counting/stop_rule.hpp"
+#include "sim/counting/weighted.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/result/comparison.hpp"
 
 namespace sim {
 namespace {

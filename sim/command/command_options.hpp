@@ -1,0 +1,41 @@
+#pragma once
+// What the options of several commands have in common. Checks say what is wrong in the error line;
+// the help has its own words, so they have no description.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/command/commands.hpp"
+
+namespace sim {
+
+extern const CLI::Validator a_name, an_index, a_shard;
+
+/// A number within [low, high]; CLI::Range lets NaN pass.
+CLI::Validator between(double low, double high);
+
+/// A time with its unit: "90s", "10min", "2h", as seconds.
+CLI::Validator a_time();
+
+/// An option or argument that names files or folders.
+template <class Place>
+CLI::Option* add_place(CLI::App& app, const char* name, Place& place, const char* type,
+                       const char* what) {
+  return app.add_option(name, place, what)->type_name(type)->check(a_name);
+}
+
+/// A short form of --set: `--seed 7` is `--set simulation.seed=7`, and is recorded as such.
+void add_short_form(CLI::App& app, const std::string& names, const char* key,
+                    std::vector<std::string>& overrides, const std::string& what);
+
+/// Folders of parts that come before the program's own.
+void add_part_folders(CLI::App& app, PartRoots& parts);
+
+/// What all commands on a scenario take.
+void add_scenario_options(CLI::App& app, ScenarioOptions& options);
+
+void add_protocol(CLI::App& app, std::string& protocol);
+void add_threads(CLI::App& app, int& threads);
+void add_max_frames(CLI::App& app, ScenarioOptions& options);
+
+}  // namespace sim

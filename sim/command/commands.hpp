@@ -1,0 +1,142 @@
+#pragma once
+// What the program does, one function a command: results to stdout, messages to stderr, an exit
+// code back. Wrong input and a failing machine are thrown as Failure.
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/counting/shard.hpp"
+#include "sim/failure.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/program_info.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+/// What all commands on a scenario take.
+struct ScenarioOptions {
+  std::vector<std::string> overrides;  // --set and its short forms
+  PartRoots parts;                     // --parts, then the program's own
+};
+
+/// Parts beside the scenario come before all others.
+LoadedScenario load_with(const ScenarioOptions& options, const std::filesystem::path& scenario);
+
+/// The same for commands that take nothing but links.
+LoadedScenario load_link(const ScenarioOptions& options, const std::filesystem::path& scenario,
+                         const std::string& command);
+
+struct RunRequest {
+  std::vector<std::filesystem::path> scenarios;
+  ScenarioOptions options;
+  std::optional<std::filesystem::path> output;  // a file, or a folder for several scenarios
+  int threads = 0;                              // 0: one per processor
+  bool quiet = false, json = false;
+  bool resume = false;  // go on with what the result files have
+  Shard shard;
+  bool profile = false;      // say where the time went
+  bool plan = false;         // say what the run would take, and run nothing else
+  double time_budget_s = 0;  // choose stop.max_frames so that it takes so long; 0: as given
+  std::string command;       // as the user typed it
+  ProgramInfo program;
+};
+ExitCode run_command(const RunRequest& request);
+
+struct TraceRequest {
+  std::filesystem::path scenario;
+  ScenarioOptions options;
+  std::uint64_t point = 0;
+  std::uint32_t trial = 0;
+  std::filesystem::path output;
+  ProgramInfo program;
+};
+ExitCode trace_command(const TraceRequest& request);
+
+struct EncodeRequest {
+  std::string message, protocol = "cosys";
+};
+/// The bytes of a message on the line, to stdout.
+ExitCode encode_command(const EncodeRequest& request);
+
+struct DecodeRequest {
+  std::filesystem::path capture;
+  std::string wire;  // empty: "rx" if there is one, else the first
+  std::string uart = "atmega";
+  double baud = 600;
+  std::string protocol = "cosys";
+  bool json = false;
+};
+ExitCode decode_command(const DecodeRequest& request);
+
+struct NodeRequest {
+  std::filesystem::path lists;                                   // TOML: see sim/node/node_file.hpp
+  std::optional<std::filesystem::path> device, pseudo_terminal;  // one of the two
+  std::optional<double> baud;                                    // not that of the file
+  double duration_s = std::numeric_limits<double>::infinity();
+};
+/// One end of a SharedLink, until its time is over or a signal comes.
+ExitCode node_command(const NodeRequest& request);
+
+struct FindRequest {
+  std::filesystem::path scenario;
+  ScenarioOptions options;
+  double flr = 0.01;        // the level
+  std::string over;         // "receiver.range_m=1:40", or a key that the scenario sweeps
+  double tolerance = 0.01;  // of the value to be found, relative
+  std::optional<std::filesystem::path> output;
+  int threads = 0;  // 0: one per processor
+  bool json = false;
+  std::string command;  // as the user typed it
+  ProgramInfo program;
+};
+/// Where along a key the frame loss passes a level.
+ExitCode find_command(const FindRequest& request);
+
+struct MergeRequest {
+  std::vector<std::filesystem::path> results;  // at least one
+  std::filesystem::path output;
+  std::string command;  // as the user typed it
+  ProgramInfo program;
+};
+/// Adds shards of one experiment up.
+ExitCode merge_command(const MergeRequest& request);
+
+struct DiffRequest {
+  std::filesystem::path one, other;  // result files
+  double alpha = 0.01;
+};
+/// Whether two results say the same; check_failed if not.
+ExitCode diff_command(const DiffRequest& request);
+
+struct PartsRequest {
+  std::string name;    // of the part to show; empty: list all
+  std::string search;  // of a list: only parts whose file mentions this
+  PartRoots parts;     // --parts, then the program's own
+  bool json = false;
+};
+ExitCode parts_command(const PartsRequest& request);
+
+struct LocateRequest {
+  std::filesystem::path readings;  // or a scenario of location, by its ending .toml
+  ScenarioOptions options;         // --parts is for both
+  // Of a scenario.
+  std::uint64_t point = 0;
+  std::uint32_t trial = 0;
+  // Of readings.
+  std::string led = "TSAL6200", floor = "indoor", photodiode = "BPW34";
+  double led_current_ma = 100;
+  std::optional<double> led_yaw_deg;        // nothing: as bright to all sides
+  double height_mm = 10;                    // of LED and receivers
+  std::optional<std::vector<double>> area;  // x from, to, y from, to in metres
+  bool intensity_unknown = false;
+  std::vector<std::string> given;  // names of all options that were: "--led"
+  bool json = false;
+};
+/// Where readings of light, measured or drawn, say that a device is; inconclusive if they leave it
+/// open.
+ExitCode locate_command(const LocateRequest& request);
+
+}  // namespace sim

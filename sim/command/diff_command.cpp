@@ -1,0 +1,77 @@
+// `cosys-sim diff`: do two results say the same?
+#include <fmt/format.h>
+
+#include "sim/command/commands.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/failure.hpp"
+#include "sim/result/comparison.hpp"
+#include "sim/result/stored_result.hpp"
+#include "sim/text/standard_output.hpp"
+
+namespace sim {
+namespace {
+
+std::string coordinates_of(const ExperimentResult& result, std::size_t point) {
+  std::string text;
+  for (std::size_t i = 0; i < result.axes.size(); ++i)
+    text += fmt::format("{} = {}, ", result.axes[i].key,
+                        coordinate_text(result.axes[i], result.points[point].coordinates[i]));
+  return text;
+}
+
+std::string ratio_of(const ExperimentResult& result, const RatioTest& test) {
+  const Tally& tally = result.points[test.point].tally;
+  const bool loss = test.ratio == ComparedRatio::flr;
+  const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, result.ci_level);
+  return fmt::format(
+      "{} of {} {} ({:.3g} [{:.3g}, {:.3g}])", loss ? tally.n_frames_lost : tally.n_bit_errors,
+      loss ? tally.n_frames : tally.n_bits, loss ? "lost" : "bits wrong", e.value, e.low, e.high);
+}
+
+std::string verdict(const ResultComparison& c, double alpha) {
+  if (c.equal) return "equal: the same counts at every point\n";
+  if (c.compared == 0) return "unknown: no point has an estimate in both\n";
+  const std::size_t different = c.different();
+  if (different == 0)
+    return fmt::format(
+        "compatible: no point of {} differs in frame loss or BER by more than chance\n",
+        c.compared);
+  return fmt::format(
+      "different: {} of {} points in frame loss or BER (all together at most {:g} of equals would "
+      "be called so)\n",
+      different, c.compared, alpha);
+}
+
+std::string unknown_note(const ResultComparison& c) {
+  if (c.equal || c.unknown == 0) return "";
+  return fmt::format("not compared: {} whose weights give no estimate (alarm weights)\n",
+                     c.unknown == 1 ? "a point" : fmt::format("{} points", c.unknown));
+}
+
+/// Equal counts may be of links that have nothing in common.
+std::string scenario_note(const Origin& one, const Origin& other) {
+  return one.scenario_toml == other.scenario_toml
+             ? ""
+             : "they are of other scenarios, options or seeds\n";
+}
+
+}  // namespace
+
+ExitCode diff_command(const DiffRequest& request) {
+  const StoredResult one = read_result(request.one), other = read_result(request.other);
+  const ExperimentResult &a = one.result, &b = other.result;
+  if (!same_axes(a, b))
+    throw bad_input(request.one.string() + " and " + request.other.string(),
+                    "they are of different sweeps", "give results of the same points");
+  const ResultComparison c = compare(a, b, request.alpha);
+  std::string text = verdict(c, request.alpha);
+  for (const RatioTest& test : c.tests)
+    if (test.different)
+      text += fmt::format("{}p = {:.2g}: {} against {}\n", coordinates_of(a, test.point),
+                          test.p_value, ratio_of(a, test), ratio_of(b, test));
+  print(text + unknown_note(c) + scenario_note(one.origin, other.origin));
+  const bool agree = c.equal || (c.compared > 0 && c.different() == 0);
+  return agree ? ExitCode::done : ExitCode::check_failed;
+}
+
+}  // namespace sim

@@ -1,0 +1,215 @@
+// `cosys-sim find`: where along a key does the frame loss pass a level?
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "sim/command/commands.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/engine/keeper.hpp"
+#include "sim/engine/search.hpp"
+#include "sim/failure.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/report/closing_lines.hpp"
+#include "sim/report/report_json.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/result/store.hpp"
+#include "sim/result/unfinished.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/scenario/method.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/text/list_text.hpp"
+#include "sim/text/number_text.hpp"
+#include "sim/text/standard_output.hpp"
+#include "sim/threads/stop_signals.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Coordinates = std::vector<double>;
+
+/// Frames enough to tell a loss of half or twice the level from it.
+double enough_frames(double flr) { return std::min(4e9, std::ceil(50 / flr)); }
+
+/// The key and its values behind "--over": "receiver.range_m=1:40", or the key alone.
+struct Over {
+  std::string key;
+  bool whole_numbers;
+  double low, high;
+};
+
+Failure wrong_over(const std::string& text, const std::string& why) {
+  return bad_input("--over " + text, why,
+                   "write KEY=LOW:HIGH, such as receiver.range_m=1:40, or KEY if the scenario "
+                   "sweeps it");
+}
+
+/// The ends of the scenario's own sweep of the key.
+std::vector<double> swept_ends(const std::string& text, const LoadedScenario& scenario) {
+  const auto axis = std::ranges::find(scenario.sweep, text, &Axis::key);
+  if (axis == scenario.sweep.end()) throw wrong_over(text, "the scenario does not sweep it");
+  const auto [low, high] = std::ranges::minmax(axis->values);
+  return {low, high};
+}
+
+/// Those of "receiver.range_m=1:40".
+std::vector<double> given_ends(const std::string& text) {
+  const std::string_view range = std::string_view(text).substr(text.find('=') + 1);
+  std::vector<double> ends;
+  for (const std::string_view end : split(range, ':'))
+    if (const auto value = parse_number(end); value && std::isfinite(*value))
+      ends.push_back(*value);
+  if (ends.size() != 2 || std::ranges::count(text, ':') != 1)
+    throw wrong_over(text, "not two numbers with a colon between");
+  return ends;
+}
+
+Over over_of(const std::string& text, const LoadedScenario& scenario) {
+  const Key* key = find_key(text.substr(0, text.find('=')));
+  if (key == nullptr) throw wrong_over(text, "no such key");
+  if (key->name().starts_with("stop.") || key->name() == "simulation.seed")
+    throw wrong_over(text, "no loss depends on it");
+  if (!key->is_number()) throw wrong_over(text, "its values are no numbers");
+  const bool is_given = text.find('=') != std::string::npos;
+  const auto ends = is_given ? given_ends(text) : swept_ends(text, scenario);
+  const auto [low, high] = std::ranges::minmax(ends);
+  if (!(low < high)) throw wrong_over(text, "both ends are the same");
+  return {key->name(), key->facts.type == KeyType::whole_number, low, high};
+}
+
+/// What the search runs: the user's scenario, with points stopped as soon as their side is told.
+LoadedScenario load_for_search(const FindRequest& request) {
+  refuse_weighted(load_link(request.options, request.scenario, "find").base,
+                  "find tells losses from a level frame by frame");
+  ScenarioOptions options{{fmt::format("stop.max_frames={}", enough_frames(request.flr)),
+                           "stop.max_frame_errors=0", "stop.rel_ci=0"},
+                          request.options.parts};
+  std::ranges::copy(request.options.overrides, std::back_inserter(options.overrides));
+  options.overrides.push_back(fmt::format("stop.target_flr={}", request.flr));
+  return load_link(options, request.scenario, "find");
+}
+
+/// The same with the key swept over these values. Its text carries the parts, so no file is read
+/// again: what was counted belongs to what was read first.
+LoadedScenario swept_over(const LoadedScenario& scenario, const std::string& key,
+                          const std::set<double>& values) {
+  return parse_scenario(scenario.text, scenario.path,
+                        {fmt::format("{}={}", key, fmt::join(values, ","))}, {});
+}
+
+/// All that was counted, in the order of its counting in the table and of the grid in the file.
+class Finds {
+ public:
+  Finds(const FindRequest& request, const Over& over, const LoadedScenario& scenario,
+        Keeper& keeper, const std::atomic<bool>& interrupt)
+      : request_(request),
+        over_(over),
+        scenario_(scenario),
+        ends_(swept_over(scenario, over.key, {over.low, over.high})),
+        theory_(has_theory(ends_)),
+        keeper_(keeper),
+        interrupt_(interrupt),
+        axis_(static_cast<std::size_t>(std::ranges::find(ends_.sweep, over.key, &Axis::key) -
+                                       ends_.sweep.begin())) {}
+
+  void run() {
+    if (!request_.json) print(table_header(ends_.sweep, theory_));
+    for (std::size_t i = 0; i < count_points(ends_.sweep) && !interrupt_; ++i) {
+      Coordinates at = point_coordinates(ends_.sweep, i);
+      if (at[axis_] != over_.low) continue;  // the search's first end stands for the others
+      const auto count = [&](double value) { return count_at(at, value); };
+      search({over_.low, over_.high, request_.tolerance, over_.whole_numbers}, request_.flr, count);
+    }
+  }
+
+  CrossingQuestion question() const { return {request_.flr, over_.key}; }
+
+  /// As a sweep over all values that were looked at; a point that was not is unfinished.
+  ExperimentResult result() const {
+    std::set<double> values{over_.low, over_.high};
+    for (const auto& [coordinates, point] : counted_) values.insert(coordinates[axis_]);
+    ExperimentResult result =
+        unfinished(swept_over(scenario_, over_.key, values), request_.command);
+    for (PointResult& point : result.points) {
+      const auto known = counted_.find(point.coordinates);
+      if (known != counted_.end()) point = known->second;
+    }
+    add_row_alarms(result, question());
+    return result;
+  }
+
+ private:
+  std::optional<Tally> count_at(Coordinates at, double value) {
+    at[axis_] = value;
+    const Scenario scenario = point_scenario(ends_, at);
+    const auto keep = [&](PointResult point, bool due) {
+      point.coordinates = at;
+      point.alarms = own_alarms(point);
+      counted_[at] = std::move(point);
+      if (due) keeper_.keep(result());
+    };
+    const EngineOptions engine{
+        .threads = threads_for(request_.threads),
+        .interrupt = &interrupt_,
+        .on_progress = [&](const PointResult& p) { keep(p, keeper_.is_due()); }};
+    keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);
+    if (!request_.json) print(table_row(ends_.sweep, counted_[at], 0.95, theory_));
+    if (keeper_.is_due_at_end()) keeper_.keep(result());
+    if (interrupt_) return std::nullopt;
+    return counted_[at].tally;
+  }
+
+  const FindRequest& request_;
+  const Over over_;
+  const LoadedScenario& scenario_;
+  const LoadedScenario ends_;  // swept over both ends of the range
+  const bool theory_;
+  Keeper& keeper_;
+  const std::atomic<bool>& interrupt_;
+  const std::size_t axis_;
+  std::map<Coordinates, PointResult> counted_;
+};
+
+fs::path output_of(const FindRequest& request) {
+  return request.output.value_or(request.scenario.stem().concat("-find.h5"));
+}
+
+}  // namespace
+
+ExitCode find_command(const FindRequest& request) {
+  const LoadedScenario scenario = load_for_search(request);
+  const Over over = over_of(request.over, scenario);
+  const fs::path output = output_of(request);
+  check_writable(output);
+  Keeper keeper(output, request.program);
+  const std::atomic<bool>& interrupt = heed_stop_signals();
+  Finds finds(request, over, scenario, keeper, interrupt);
+  try {
+    finds.run();
+  } catch (const Failure&) {
+    keeper.keep(finds.result());
+    throw;
+  }
+  const ExperimentResult result = finds.result();
+  keeper.keep(result);
+  if (request.json)
+    print(to_json(result, finds.question()) + "\n");
+  else
+    print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
+          closing_lines(result, output, finds.question()));
+  if (!interrupt) return ExitCode::done;
+  say("cosys-sim: interrupted (by a signal) what was counted is in the result file\n");
+  return ExitCode::interrupted;
+}
+
+}  // namespace sim

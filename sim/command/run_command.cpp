@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/command/commands.hpp"
+#include "sim/command/experiments.hpp"
+#include "sim/command/run_plan.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/engine/keeper.hpp"
+#include "sim/engine/progress_line.hpp"
+#include "sim/engine/resume.hpp"
+#include "sim/engine/team.hpp"
+#include "sim/failure.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/report/closing_lines.hpp"
+#include "sim/report/experiment_run.hpp"
+#include "sim/report/report_json.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/result/dataset.hpp"
+#include "sim/result/store.hpp"
+#include "sim/result/unfinished.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/text/standard_output.hpp"
+#include "sim/threads/stop_signals.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path output_of(const RunRequest& request, const fs::path& scenario) {
+  const Shard& shard = request.shard;
+  fs::path name = scenario.stem();
+  if (shard != Shard{}) name.concat(fmt::format("-{}of{}", shard.number, shard.count));
+  name.concat(".h5");
+  if (!request.output) return name;
+  std::error_code error;
+  const bool folder = request.scenarios.size() > 1 || fs::is_directory(*request.output, error) ||
+                      !request.output->has_filename();
+  return folder ? *request.output / name : *request.output;
+}
+
+void make_output_folder(const RunRequest& request) {
+  if (!request.output || (request.scenarios.size() < 2 && request.output->has_filename())) return;
+  std::error_code error;
+  fs::create_directories(*request.output, error);
+  if (error)
+    throw Failure(ExitCode::environment,
+                  fmt::format("cannot create the folder {} ({}) choose another place",
+                              request.output->string(), error.message()));
+}
+
+/// Two scenarios that would write one file are refused before any is run.
+void refuse_same_output(const RunRequest& request) {
+  for (std::size_t i = 0; i < request.scenarios.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const fs::path path = output_of(request, request.scenarios[i]);
+      if (path == output_of(request, request.scenarios[j]))
+        throw bad_input(
+            fmt::format("{} and {} would both be written to {}", request.scenarios[j].string(),
+                        request.scenarios[i].string(), path.string()),
+            "they have the same name", "rename one or run them one by one");
+    }
+  }
+}
+
+/// A row may have no place to go, such as a reader that has seen enough: that ends the run, but
+/// what was counted is kept.
+void print_row(const ExperimentResult& result, std::size_t point, bool theory, Keeper& keeper) {
+  try {
+    print(table_row(result.axes, result.points[point], result.ci_level, theory));
+  } catch (const Failure&) {
+    keeper.keep(result);
+    throw;
+  }
+}
+
+/// Nothing counted yet; or what the result file has, where there is one to go on with.
+ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenario,
+                        const fs::path& output) {
+  ExperimentResult result = unfinished(scenario, request.command);
+  result.shards = {request.shard};
+  std::error_code error;
+  if (request.resume && fs::exists(output, error) && fs::file_size(output, error) > 0)
+    resume_from(output, request.program, result);
+  return result;
+}
+
+/// A scenario to be run.
+struct Run {
+  LoadedScenario scenario;
+  fs::path output;
+  ExperimentResult result;  // before its first trial, or what is gone on with
+};
+
+/// Whether this process prints and writes.
+bool speaks(const Team* team) { return team == nullptr || team->rank() == 0; }
+
+std::string profile_of(const ExperimentResult& result) {
+  Profile profile;
+  std::uint64_t samples = 0;
+  for (const PointResult& point : result.points) {
+    profile += point.profile;
+    samples += point.n_samples;
+  }
+  return profile_lines(profile, samples);
+}
+
+void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
+  Keeper keeper(run.output, request.program);
+  ProgressLine progress(!request.quiet);
+  const bool theory = has_theory(run.scenario);
+  if (!request.json) print(table_header(run.scenario.sweep, theory));
+  options.on_progress = [&](const Progress& p) {
+    progress.show(p);
+    if (keeper.is_due()) keeper.keep(p.result);
+  };
+  options.on_point = [&](const ExperimentResult& result, std::size_t point) {
+    progress.clear();
+    if (keeper.is_due_at_end()) keeper.keep(result);
+    if (!request.json) print_row(result, point, theory, keeper);
+  };
+  const ExperimentResult result = run_experiment(run.scenario, run.result, options);
+  keeper.keep(result);
+  if (request.profile) say(profile_of(result));
+  print(request.json ? to_json(result) + "\n"
+                     : missing_lines(result) + closing_lines(result, run.output));
+}
+
+// ---- experiments that are no links ----
+
+/// What such a run would not heed.
+void refuse_link_options(const RunRequest& request, const fs::path& scenario, const Team* team) {
+  const std::pair<bool, const char*> options[] = {
+      {request.resume, "--resume"},   {request.shard != Shard{}, "--shard"},
+      {request.plan, "--plan"},       {request.time_budget_s > 0, "--time-budget"},
+      {request.profile, "--profile"}, {team != nullptr, "mpirun"}};
+  for (const auto& [given, name] : options)
+    if (given)
+      throw bad_input(fmt::format("{} with {}", name, scenario.string()),
+                      "only experiments of a link know it", "leave it out");
+}
+
+void run_other(const RunRequest& request, const Run& run, RunExperiment runner) {
+  runner({.scenario = run.scenario,
+          .output = run.output,
+          .command = request.command,
+          .program = request.program,
+          .workers = {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()},
+          .json = request.json});
+}
+
+/// Everything that can be refused before the first trial.
+std::vector<Run> prepare(const RunRequest& request, Team* team) {
+  if (team != nullptr && (request.plan || request.time_budget_s > 0))
+    throw bad_input("--plan and --time-budget", "they time one process, not a job of several",
+                    "run them without mpirun");
+  refuse_same_output(request);
+  std::vector<Run> runs;
+  for (const fs::path& path : request.scenarios) {
+    runs.push_back({load_with(request.options, path), output_of(request, path), {}});
+    if (runner_of(runs.back().scenario) != nullptr)
+      refuse_link_options(request, path, team);
+    else
+      check_shard(runs.back().scenario, request.shard);
+  }
+  if (request.plan) return runs;
+  if (speaks(team)) {
+    make_output_folder(request);
+    for (const Run& run : runs)
+      runner_of(run.scenario) != nullptr ? check_output(run.output) : check_writable(run.output);
+  }
+  for (Run& run : runs) {
+    if (runner_of(run.scenario) != nullptr) continue;
+    if (request.time_budget_s > 0)
+      run.scenario = within_budget(request, run.scenario, heed_stop_signals());
+    run.result = so_far(request, run.scenario, run.output);
+  }
+  return runs;
+}
+
+std::string farewell(const RunRequest& request, const std::vector<Run>& runs) {
+  const bool links =
+      std::ranges::none_of(runs, [](const Run& run) { return runner_of(run.scenario) != nullptr; });
+  if (!links)
+    return "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
+           "experiments "
+           "of a link can be resumed\n";
+  return fmt::format(
+      "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
+      "the same command with {}--resume goes on\n",
+      request.time_budget_s > 0 ? "--max-frames in place of --time-budget, and " : "");
+}
+
+/// What the runs start from, for the members of a team to compare.
+std::string start_of(const std::vector<Run>& runs) {
+  std::string text;
+  for (const Run& run : runs) text += run.scenario.text + result_digest(run.result);
+  return text;
+}
+
+}  // namespace
+
+LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
+  PartRoots roots = {scenario.has_parent_path() ? scenario.parent_path() : fs::path(".")};
+  roots.insert(roots.end(), options.parts.begin(), options.parts.end());
+  LoadedScenario loaded = load_scenario(scenario, options.overrides, roots);
+  check_experiment(loaded);
+  return loaded;
+}
+
+LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenario,
+                         const std::string& command) {
+  LoadedScenario loaded = load_with(options, scenario);
+  if (loaded.base.experiment == "link") return loaded;
+  throw bad_input(scenario.string(),
+                  "an experiment \"" + loaded.base.experiment + "\" has no trials of a link",
+                  command + " takes links; use run");
+}
+
+ExitCode run_command(const RunRequest& request) {
+  const std::unique_ptr<Team> team = join_team();
+  std::vector<Run> runs;
+  const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
+  if (!ready) return ExitCode::done;
+  const ExperimentOptions options{.threads = threads_for(request.threads),
+                                  .profiled = request.profile,
+                                  .team = team.get(),
+                                  .interrupt = &heed_stop_signals()};
+  if (request.plan) {
+    for (const Run& run : runs)
+      if (!print_plan(request, run.scenario, *options.interrupt)) return ExitCode::interrupted;
+    return ExitCode::done;
+  }
+  if (!agree(team.get(), start_of(runs))) return ExitCode::done;
+  for (const Run& run : runs) {
+    if (is_interrupted(options)) break;
+    if (const RunExperiment runner = runner_of(run.scenario))
+      run_other(request, run, runner);
+    else if (speaks(team.get()))
+      run_scenario(request, run, options);
+    else
+      run_experiment(run.scenario, run.result, options);
+  }
+  if (!is_interrupted(options)) return ExitCode::done;
+  if (speaks(team.get())) say(farewell(request, runs));
+  return ExitCode::interrupted;
+}
+
+}  // namespace sim

@@ -1,0 +1,53 @@
+#include "sim/counting/stop_rule.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "sim/counting/statistics.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted", "rel_ci",
+                                  "target_flr"};
+
+constexpr double usual_level = 0.95;
+constexpr double sure_level = 0.999;
+
+bool is_narrow(const Estimate& e, double relative) {
+  return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;
+}
+
+}  // namespace
+
+std::span<const char* const> stop_reason_names() { return reason_names; }
+
+const char* stop_reason_name(StopReason reason) {
+  return reason_names.at(static_cast<std::size_t>(reason));
+}
+
+double worth_of_losses(const Tally& counted) {
+  if (!counted.is_weighted()) return static_cast<double>(counted.n_frames_lost);
+  const Weighted& weighted = counted.weighted;
+  return std::min(weighted.bit_errors.effective_size(), weighted.frames_lost.effective_size());
+}
+
+Side side_of(const Tally& counted, double flr) {
+  const Estimate e = frame_loss_ratio(counted, sure_level);
+  if (e.high < flr) return Side::below;
+  return e.low > flr ? Side::above : Side::unknown;
+}
+
+std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
+  if (rule.max_frame_errors > 0 &&
+      worth_of_losses(counted) >= static_cast<double>(rule.max_frame_errors))
+    return StopReason::max_frame_errors;
+  if (rule.rel_ci > 0 && is_narrow(bit_error_ratio(counted, usual_level), rule.rel_ci))
+    return StopReason::rel_ci;
+  if (rule.target_flr > 0 && side_of(counted, rule.target_flr) != Side::unknown)
+    return StopReason::target_flr;
+  if (counted.n_frames >= rule.max_frames) return StopReason::max_frames;
+  return std::nullopt;
+}
+
+}  // namespace sim

@@ -1,0 +1,45 @@
+#pragma once
+// When a point has been run long enough. A rule looks at the counts of whole groups of trials in
+// their order and at nothing else, so that it stops at the same trial whatever the machine does.
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "sim/counting/tally.hpp"
+
+namespace sim {
+
+/// The numbers are those of the result file.
+enum class StopReason : std::int16_t {
+  max_frames = 0,
+  max_frame_errors = 1,
+  interrupted = 2,
+  rel_ci = 3,
+  target_flr = 4
+};
+
+/// All reasons' names in the order of their numbers: "max_frames", ...
+std::span<const char* const> stop_reason_names();
+const char* stop_reason_name(StopReason reason);
+
+struct StopRule {
+  std::uint64_t max_frames = 1000;
+  std::uint64_t max_frame_errors = 0;  // of worth_of_losses(); 0: no such limit
+  /// Half the width of the bit error ratio's 95 % interval over the ratio; 0: no such rule.
+  double rel_ci = 0;
+  /// A frame loss ratio from which the point's is surely told, below or above it: by its 99.9 %
+  /// interval. 0: no such rule.
+  double target_flr = 0;
+};
+
+/// Lost frames; weighted ones are worth as many as would say as much of both ratios.
+double worth_of_losses(const Tally& counted);
+
+/// On which side of a level a point's frame loss surely is.
+enum class Side { unknown, below, above };
+Side side_of(const Tally& counted, double flr);
+
+/// Why the point is finished with these counts; nothing while it is not.
+std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);
+
+}  // namespace sim

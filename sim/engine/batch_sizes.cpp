@@ -1,0 +1,23 @@
+#include "sim/engine/batch_sizes.hpp"
+
+#include <algorithm>
+
+#include "channel/chain.hpp"
+#include "channel/instruction_set.hpp"
+#include "dsp/units.hpp"
+#include "sim/trial/trial.hpp"
+
+namespace sim {
+
+BatchSizes batch_sizes(const Link& link) {
+  constexpr std::uint64_t group_size = channel::lanes_per_group, quick = 64;
+  if (link.decisions) return {quick, quick};
+  const auto lanes = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
+  if (link.envelope || link.importance) return {lanes, lanes};
+  constexpr double samples_a_batch = 0x1p28;
+  const double samples = dsp::cycles(mean_length(link), link.chain.sample_rate) * group_size;
+  return {lanes,
+          std::clamp(static_cast<std::uint64_t>(samples_a_batch / samples), lanes, 8 * lanes)};
+}
+
+}  // namespace sim

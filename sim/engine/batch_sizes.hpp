@@ -1,0 +1,20 @@
+#pragma once
+// How many trials a thread takes at once: what the processor's lanes, memory and the clock ask for.
+#include <cstdint>
+
+#include "sim/link/link.hpp"
+
+namespace sim {
+
+/// Groups of eight trials.
+struct BatchSizes {
+  std::uint64_t least, most;
+};
+
+/// Many where a group is over in a microsecond, which a lock takes too; else as many as the
+/// processor has lanes for. Of waveforms up to eight times as many, about a second's work: of more
+/// trials more are of like length (channel::propagate). Importance sampling keeps the noise of all
+/// trials of a batch, so it is not given more.
+BatchSizes batch_sizes(const Link& link);
+
+}  // namespace sim

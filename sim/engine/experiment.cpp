@@ -1,0 +1,109 @@
+#include "sim/engine/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/engine/engine.hpp"
+#include "sim/engine/team.hpp"
+#include "sim/failure.hpp"
+#include "sim/link/link.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/scenario/method.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+bool is_finished(const PointResult& point) {
+  return measured(point) && point.stop != StopReason::interrupted;
+}
+
+void describe(PointResult& point, const Link& link) {
+  point.operating = link.operating;
+  point.outside = link.outside;
+  point.alarms = own_alarms(point);
+}
+
+void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
+             const ExperimentOptions& options) {
+  const Shard shard = result.shards.front();
+  const StopRule rule = rule_of(scenario.stop);
+  const StopRule share = share_of(rule, shard);
+  const PointResult before = result.points[i];
+  const auto set = [&](const PointResult& counted) {
+    result.points[i] = counted;
+    result.points[i].coordinates = before.coordinates;
+  };
+  EngineOptions engine{.threads = options.threads,
+                       .first_trial = trials_of(shard, rule.max_frames).first,
+                       .profiled = options.profiled,
+                       .team = options.team,
+                       .interrupt = options.interrupt};
+  if (options.on_progress) {
+    engine.on_progress = [&](const PointResult& so_far) {
+      set(so_far);
+      options.on_progress({result, i, share.max_frames});
+    };
+  }
+  const Link link = make_link(scenario);
+  if (!is_finished(before)) set(run_point(link, share, engine, before));
+  describe(result.points[i], link);
+}
+
+}  // namespace
+
+bool is_interrupted(const ExperimentOptions& options) {
+  const bool mine = options.interrupt != nullptr && *options.interrupt;
+  return options.team != nullptr ? options.team->any(mine) : mine;
+}
+
+StopRule rule_of(const StopSettings& stop) {
+  return {.max_frames = static_cast<std::uint64_t>(stop.max_frames),
+          .max_frame_errors = static_cast<std::uint64_t>(stop.max_frame_errors),
+          .rel_ci = stop.rel_ci,
+          .target_flr = stop.target_flr};
+}
+
+bool has_theory(const LoadedScenario& scenario) {
+  bool matched = channel::is_matched(scenario.base.module);
+  for (const std::vector<Scenario>& variants : scenario.variants)
+    for (const Scenario& variant : variants) matched |= channel::is_matched(variant.module);
+  return matched;
+}
+
+void check_shard(const LoadedScenario& scenario, const Shard& shard) {
+  if (shard == Shard{}) return;
+  const std::string problem = "--shard " + shards_text({shard});
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
+    const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, i));
+    const StopRule rule = rule_of(point.stop);
+    if (rule.rel_ci > 0 || rule.target_flr > 0)
+      throw bad_input(problem, "--rel-ci and --target-flr need the counts of all shards",
+                      "use --max-frames and --max-frame-errors, which can be shared out");
+    if (rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
+      throw bad_input(problem, "what weighted losses are worth cannot be shared out",
+                      "add --max-frame-errors 0");
+    if (share_of(rule, shard).max_frames == 0)
+      throw bad_input(problem, fmt::format("of {} frames none is left for it", rule.max_frames),
+                      "use fewer shards or more frames, at least eight for each");
+  }
+}
+
+void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
+  for (PointResult& point : result.points)
+    if (measured(point)) describe(point, make_link(point_scenario(scenario, point.coordinates)));
+  add_row_alarms(result);
+}
+
+ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
+                                const ExperimentOptions& options) {
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    if (is_interrupted(options)) break;
+    run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);
+    if (options.on_point) options.on_point(result, i);
+  }
+  add_row_alarms(result);
+  return result;
+}
+
+}  // namespace sim

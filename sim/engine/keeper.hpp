@@ -1,0 +1,45 @@
+#pragma once
+// Keeps what is counted while a run goes on, so that no kill loses more than some seconds of it.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "sim/program_info.hpp"
+#include "sim/result/store.hpp"
+
+namespace sim {
+
+/// Writes a result file, at most for a twentieth of the time.
+class Keeper {
+ public:
+  Keeper(std::filesystem::path output, ProgramInfo program)
+      : output_(std::move(output)), program_(std::move(program)) {}
+
+  /// While a point is under way: once a second, or every ten seconds where writing is slow.
+  bool is_due() const {
+    return Clock::now() - last_ >= std::clamp<Clock::duration>(pause_, one, ten);
+  }
+  /// At the end of a point: sooner.
+  bool is_due_at_end() const {
+    return Clock::now() - last_ >= std::min<Clock::duration>(pause_, ten);
+  }
+
+  void keep(const ExperimentResult& result) {
+    const auto began = Clock::now();
+    write_result(output_, result, program_);
+    last_ = Clock::now();
+    pause_ = 20 * (last_ - began);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds one{1}, ten{10};
+
+  std::filesystem::path output_;
+  ProgramInfo program_;
+  Clock::time_point last_ = Clock::now();
+  Clock::duration pause_{0};
+};
+
+}  // namespace sim

@@ -1,0 +1,74 @@
+// Built where MPI is found.
+#include <mpi.h>
+
+#include <cstdlib>
+#include <exception>
+#include <type_traits>
+
+#include "sim/engine/team.hpp"
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+/// Whatever fails in MPI ends the whole job with its own words (MPI_ERRORS_ARE_FATAL).
+class MpiTeam : public Team {
+ public:
+  MpiTeam() {
+    int given = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  }
+  MpiTeam(const MpiTeam&) = delete;
+  MpiTeam& operator=(const MpiTeam&) = delete;
+  /// A failure is told before the job ends: at the end of this process.
+  ~MpiTeam() override {
+    if (std::uncaught_exceptions() == 0 || in_order_)
+      MPI_Finalize();
+    else
+      std::atexit([] { MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::environment)); });
+  }
+
+  int size() const override { return size_; }
+  int rank() const override { return rank_; }
+
+  std::vector<GroupResult> exchange(std::span<const GroupResult> mine) override {
+    static_assert(std::is_trivially_copyable_v<GroupResult>);
+    std::vector<GroupResult> all(mine.size() * static_cast<std::size_t>(size_));
+    const int bytes = static_cast<int>(mine.size_bytes());
+    MPI_Allgather(mine.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, MPI_COMM_WORLD);
+    return all;
+  }
+
+  bool any(bool mine) override {
+    const int one = mine ? 1 : 0;
+    int all = 0;
+    MPI_Allreduce(&one, &all, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
+    return all != 0;
+  }
+
+  void end_in_order() override { in_order_ = true; }
+
+  double largest(double mine) override {
+    double all = 0;
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    return all;
+  }
+
+ private:
+  int size_ = 1, rank_ = 0;
+  bool in_order_ = false;
+};
+
+}  // namespace
+
+/// Open MPI, MPICH and Slurm's srun set one of these for the processes that they start. Starting
+/// MPI in any other process would cost it half a second.
+std::unique_ptr<Team> join_team() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr) return std::make_unique<MpiTeam>();
+  return nullptr;
+}
+
+}  // namespace sim

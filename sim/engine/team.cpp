@@ -1,0 +1,41 @@
+#include "sim/engine/team.hpp"
+
+#include <exception>
+#include <functional>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+
+bool together(Team* team, const std::function<void()>& step) {
+  if (team == nullptr) {
+    step();
+    return true;
+  }
+  std::exception_ptr failure;
+  try {
+    step();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const int first = -static_cast<int>(team->largest(failure ? -team->rank() : -team->size()));
+  if (first == team->size()) return true;
+  team->end_in_order();
+  if (failure && first == team->rank()) std::rethrow_exception(failure);
+  return false;
+}
+
+bool agree(Team* team, const std::string& text) {
+  if (team == nullptr) return true;
+  const auto hash = static_cast<double>(std::hash<std::string>{}(text) >> 16U);
+  const bool same = team->largest(hash) == -team->largest(-hash);
+  together(team, [&] {
+    if (!same)
+      throw Failure(ExitCode::environment,
+                    "the processes of the job read different files (no folder in common?) put the "
+                    "scenario and the result where all of them see it");
+  });
+  return same;
+}
+
+}  // namespace sim

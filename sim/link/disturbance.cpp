@@ -1,0 +1,130 @@
+#include "sim/link/disturbance.hpp"
+
+#include <algorithm>
+
+#include "channel/ambient.hpp"
+#include "dsp/random_stream.hpp"
+#include "protocol/cosys.hpp"
+#include "protocol/uart.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Hertz;
+using dsp::Seconds;
+
+Seconds ms(double milliseconds) { return Seconds(milliseconds * 1e-3); }
+
+dsp::WattsPerSquareMetre irradiance(const DisturbanceSettings& d) {
+  return dsp::WattsPerSquareMetre(d.irradiance_w_per_m2);
+}
+
+void light_from(dsp::LogicTrace& drive, Seconds from, Seconds duration) {
+  drive.set_at(from, false);
+  drive.set_at(from + duration, true);
+}
+
+// ---- remote control ----
+
+Seconds mean_light(const DisturbanceSettings& d) { return ms(d.leader_ms + d.bursts * d.burst_ms); }
+
+void send_remote_frame(dsp::LogicTrace& drive, const DisturbanceSettings& d, Seconds at,
+                       dsp::RandomStream& draws) {
+  if (d.leader_ms > 0) {
+    light_from(drive, at, ms(d.leader_ms));
+    at += ms(d.leader_ms + d.leader_gap_ms);
+  }
+  for (int i = 0; i < static_cast<int>(d.bursts); ++i) {
+    light_from(drive, at, ms(d.burst_ms));
+    at += ms(d.burst_ms + (draws.uniform() < 0.5 ? d.gap_min_ms : d.gap_max_ms));
+  }
+}
+
+dsp::LogicTrace remote_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
+  dsp::LogicTrace drive(true);
+  Seconds at = -draws.uniform() * ms(d.repetition_ms);
+  for (; at < end; at += ms(d.repetition_ms)) send_remote_frame(drive, d, at, draws);
+  return drive;
+}
+
+// ---- COSYS device ----
+
+Seconds message_time(const protocol::Bytes& bytes, double baud) {
+  return Seconds(static_cast<double>(bytes.size()) * protocol::bits_per_byte / baud);
+}
+
+Seconds mean_period(const DisturbanceSettings& d, const protocol::Bytes& bytes) {
+  return message_time(bytes, d.baud) + ms((d.interval_min_ms + d.interval_max_ms) / 2);
+}
+
+/// It starts so early that time 0 falls anywhere into its rhythm.
+dsp::LogicTrace cosys_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
+  constexpr double periods_before = 10;
+  const protocol::Bytes bytes = protocol::cosys_encode(d.message);
+  dsp::LogicTrace drive(true);
+  Seconds at = -(periods_before + draws.uniform()) * mean_period(d, bytes);
+  while (at < end) {
+    for (const std::uint8_t byte : bytes) at = protocol::send_byte(drive, byte, at, Hertz(d.baud));
+    at += ms(d.interval_min_ms + draws.uniform() * (d.interval_max_ms - d.interval_min_ms));
+  }
+  return drive;
+}
+
+/// Share of time in which a sender's carrier is on.
+double keyed_share(const DisturbanceSettings& d) {
+  if (d.kind == "remote") return mean_light(d) / ms(d.repetition_ms);
+  if (d.kind != "cosys") return 1;
+  const protocol::Bytes bytes = protocol::cosys_encode(d.message);
+  const auto zeros = std::ranges::count(protocol::line_bits(bytes), false);
+  return static_cast<double>(zeros) / d.baud / mean_period(d, bytes).value;
+}
+
+}  // namespace
+
+bool is_keyed(const DisturbanceSettings& d) {
+  return d.kind == "remote" || d.kind == "cosys" || d.kind == "carrier";
+}
+
+dsp::WattsPerSquareMetre mean_of(const DisturbanceSettings& d) {
+  return is_keyed(d) ? irradiance(d) * (d.carrier_duty * keyed_share(d)) : irradiance(d);
+}
+
+dsp::WattsPerSquareMetre ambient_of(const Scenario& s) {
+  dsp::WattsPerSquareMetre sum = dsp::WattsPerSquareMetre(s.ambient.irradiance_w_per_m2) +
+                                 channel::daylight(s.ambient.daylight_lux) +
+                                 channel::tungsten_light(s.ambient.tungsten_lux);
+  for (const auto& [name, disturbance] : s.disturbances) sum += mean_of(disturbance);
+  return sum;
+}
+
+channel::Disturbance design_disturbance(const DisturbanceSettings& d, Hertz rate) {
+  if (d.kind == "ripple")
+    return channel::design_ripple(irradiance(d), Hertz(d.mains_hz), d.modulation_depth, rate);
+  if (d.kind == "fluorescent")
+    return channel::design_fluorescent({.mean = irradiance(d),
+                                        .mains = Hertz(d.mains_hz),
+                                        .ballast = Hertz(d.ballast_hz),
+                                        .decibels_per_decade = d.ballast_db_per_decade},
+                                       rate);
+  if (d.kind == "pwm")
+    return channel::design_pwm(irradiance(d), Hertz(d.frequency_hz), d.duty, rate);
+  return channel::design_keyed_light(irradiance(d), Hertz(d.carrier_hz), d.carrier_duty, rate);
+}
+
+channel::DisturbanceInput draw_disturbance(const DisturbanceSettings& d,
+                                           const dsp::RandomAddress& draws, Seconds end) {
+  dsp::RandomStream next(draws);
+  const auto phases = next.block();
+  channel::DisturbanceInput input{.phase = {phases[0], phases[1]}};
+  if (d.kind == "remote") input.drive = remote_drive(d, next, end);
+  if (d.kind == "cosys") input.drive = cosys_drive(d, next, end);
+  if (d.kind == "carrier") input.drive = dsp::LogicTrace(false, end);
+  return input;
+}
+
+Seconds longest_frame(const DisturbanceSettings& d) {
+  const double leader = d.leader_ms > 0 ? d.leader_ms + d.leader_gap_ms : 0;
+  return ms(leader + d.bursts * (d.burst_ms + std::max(d.gap_min_ms, d.gap_max_ms)));
+}
+
+}  // namespace sim

@@ -1,0 +1,214 @@
+#include "sim/loading/point_scenario.hpp"
+#include "sim/loading/fidelity_check.hpp"
+#include "sim/scenario/places.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/failure.hpp"
+#include "sim/link/disturbance.hpp"
+#include "sim/parts/part_slot.hpp"
+#include "sim/scenario/fidelity.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/scenario/method.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+/// `large` must be at least `times` as large as `small`.
+struct Limit {
+  const Key* small;
+  const Key* large;
+  double times;
+  const char* why;
+};
+
+const std::vector<Limit>& limits() {
+  static const std::vector<Limit> table{
+      {find_key("device.interval_min_ms"), find_key("device.interval_max_ms"), 1,
+       "the shortest pause cannot exceed the longest"},
+      {find_key("exchange.interval_min_ms"), find_key("exchange.interval_max_ms"), 1,
+       "the shortest pause cannot exceed the longest"},
+      {find_key("device.carrier_hz"), find_key("simulation.sample_rate_hz"), 4,
+       "a carrier period takes at least 4 samples"},
+      {find_key("module.centre_hz"), find_key("simulation.sample_rate_hz"), 4,
+       "a period of the band-pass takes at least 4 samples"},
+      {find_key("device.baud"), find_key("device.carrier_hz"), 4,
+       "a bit takes at least 4 carrier periods"},
+      {find_key("device.baud"), find_key("simulation.sample_rate_hz"), 100,
+       "a bit takes at least 100 samples"},
+      {find_key("module.emin_mw_per_m2"), find_key("module.emax_w_per_m2"), 1e-3,
+       "the threshold cannot exceed the largest irradiance"},
+  };
+  return table;
+}
+
+std::vector<Limit> limits_of(const std::string& name, const DisturbanceSettings& d) {
+  const auto key = [&](const char* what) { return find_key("disturbance." + name + "." + what); };
+  const Key* rate = find_key("simulation.sample_rate_hz");
+  std::vector<Limit> limits;
+  if (is_keyed(d))
+    limits.push_back({key("carrier_hz"), rate, 4, "a carrier period takes at least 4 samples"});
+  if (d.kind == "cosys") {
+    limits.push_back({key("interval_min_ms"), key("interval_max_ms"), 1,
+                      "the shortest pause cannot exceed the longest"});
+    limits.push_back({key("baud"), key("carrier_hz"), 4, "a bit takes at least 4 carrier periods"});
+    limits.push_back({key("baud"), rate, 100, "a bit takes at least 100 samples"});
+  }
+  return limits;
+}
+
+/// All limits of a scenario, whatever its numbers are.
+std::vector<Limit> limits_of(const Scenario& s) {
+  std::vector<Limit> all = limits();
+  for (const auto& [name, disturbance] : s.disturbances)
+    for (const Limit& limit : limits_of(name, disturbance)) all.push_back(limit);
+  for (const auto& [name, device] : s.devices)
+    all.push_back({find_key("devices." + name + ".interval_min_ms"),
+                   find_key("devices." + name + ".interval_max_ms"), 1,
+                   "the shortest pause cannot exceed the longest"});
+  return all;
+}
+
+[[noreturn]] void refuse_together(const Limit& limit, double small, double large,
+                                  const Places& places) {
+  const std::string &a = limit.small->name(), &b = limit.large->name();
+  throw bad_input(fmt::format("{} = {} {} with {} = {} {}", a, small, place_of(places, a), b, large,
+                              place_of(places, b)),
+                  limit.why,
+                  fmt::format("lower {} to {} or raise {} to {}", a, large / limit.times, b,
+                              small * limit.times));
+}
+
+void check_together(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+  for (const Limit& limit : limits) {
+    const double small = limit.small->number(s), large = limit.large->number(s);
+    if (large < limit.times * small) refuse_together(limit, small, large, places);
+  }
+}
+
+/// Above the last point of its curve nothing is known of an LED.
+void check_current(const Scenario& s, const Places& places) {
+  const double last = s.emitter.intensity_mw_per_sr.x.back();
+  if (s.led.current_ma <= last) return;
+  throw bad_input(
+      fmt::format("led.current_ma = {} {}", s.led.current_ma, place_of(places, "led.current_ma")),
+      fmt::format("the data of {} end at {} mA", s.emitter.name, last),
+      fmt::format("use at most {}", last));
+}
+
+/// Without noise there is no light of a given Eb/N0.
+void check_ebn0(const Scenario& s, const Places& places) {
+  if (std::isnan(s.receiver.ebn0_db) || s.noise.scale > 0) return;
+  throw bad_input(
+      fmt::format("receiver.ebn0_db = {} {} with noise.scale = 0 {}", s.receiver.ebn0_db,
+                  place_of(places, "receiver.ebn0_db"), place_of(places, "noise.scale")),
+      "without noise no light has this Eb/N0", "raise noise.scale or remove receiver.ebn0_db");
+}
+
+void check_remotes(const Scenario& s, const Places& places) {
+  for (const auto& [name, d] : s.disturbances) {
+    if (d.kind != "remote") continue;
+    const double frame_ms = longest_frame(d).value * 1e3;
+    if (frame_ms < d.repetition_ms) continue;
+    const std::string key = "disturbance." + name + ".repetition_ms";
+    throw bad_input(fmt::format("{} = {} {}", key, d.repetition_ms, place_of(places, key)),
+                    fmt::format("a frame may last {:.4g} ms", frame_ms), "use more than that");
+  }
+}
+
+void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+  check_together(s, limits, places);
+  check_remotes(s, places);
+  check_current(s, places);
+  check_ebn0(s, places);
+  check_led_temperature(s.emitter, s.led.temperature_c, places);
+  check_fidelity(s, places);
+  check_method(s, places);
+}
+
+using Setters = std::vector<const Key*>;
+
+Setters setters_of(const std::vector<Axis>& sweep) {
+  Setters setters;
+  for (const Axis& axis : sweep) setters.push_back(find_key(axis.key));
+  return setters;
+}
+
+void place_text(Scenario& s, const Key& key, const std::string& label,
+                const std::vector<Scenario>& variants, std::size_t which) {
+  key.text(s) = label;
+  if (key.facts.type == KeyType::part) part_slot(key.name()).copy(variants[which], s);
+}
+
+/// Parts first: numbers hold for any of them.
+void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
+              const std::vector<double>& coordinates) {
+  assert(setters.size() == coordinates.size());
+  for (std::size_t i = 0; i < setters.size(); ++i) {
+    if (setters[i]->is_number()) continue;
+    const auto which = static_cast<std::size_t>(coordinates[i]);
+    place_text(s, *setters[i], loaded.sweep[i].labels[which], loaded.variants[i], which);
+  }
+  for (std::size_t i = 0; i < setters.size(); ++i)
+    if (setters[i]->is_number()) setters[i]->number(s) = coordinates[i];
+}
+
+}  // namespace
+
+void check_led_temperature(const channel::EmitterData& emitter, double celsius,
+                           const Places& places) {
+  if (celsius == channel::emitter_reference_celsius) return;
+  const auto& known = emitter.relative_intensity_against_temperature.x;
+  if (!known.empty() && known.front() <= celsius && celsius <= known.back()) return;
+  const std::string asked =
+      fmt::format("led.temperature_c = {} {}", celsius, place_of(places, "led.temperature_c"));
+  if (known.empty())
+    throw bad_input(asked, "the data of " + emitter.name + " hold for one temperature",
+                    fmt::format("use {}", channel::emitter_reference_celsius));
+  throw bad_input(asked,
+                  fmt::format("the data of {} span {} to {} degree_C", emitter.name, known.front(),
+                              known.back()),
+                  "use a temperature between them");
+}
+
+void check_receiver_module(const Scenario& s, const Places& places) {
+  if (!channel::is_matched(s.module)) return;
+  throw bad_input(fmt::format("receiver.module = \"{}\" {}", s.receiver.module,
+                              place_of(places, "receiver.module")),
+                  "an ideal receiver is told when bits are sent, and by one sender only",
+                  "use a module");
+}
+
+Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
+  Scenario s = loaded.base;
+  place_at(s, loaded, setters_of(loaded.sweep), coordinates);
+  check_point(s, limits_of(s), loaded.places);
+  return s;
+}
+
+Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number) {
+  const std::size_t points = count_points(loaded.sweep);
+  if (number >= points)
+    throw bad_input(fmt::format("--point {}", number),
+                    fmt::format("the sweep has {} points, counted from 0", points),
+                    fmt::format("use one from 0 to {}", points - 1));
+  return point_scenario(loaded, point_coordinates(loaded.sweep, number));
+}
+
+void check_all_points(const LoadedScenario& loaded) {
+  const Setters setters = setters_of(loaded.sweep);
+  const std::size_t n = count_points(loaded.sweep);
+  Scenario s = loaded.base;
+  const std::vector<Limit> limits = limits_of(s);
+  for (std::size_t i = 0; i < n; ++i) {
+    place_at(s, loaded, setters, point_coordinates(loaded.sweep, i));
+    check_point(s, limits, loaded.places);
+  }
+}
+
+}  // namespace sim

@@ -1,0 +1,37 @@
+#include "sim/report/estimate_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+int digits_supported(const Estimate& e) {
+  const double relative = (e.high - e.low) / 2 / e.value;
+  return std::clamp(2 + static_cast<int>(std::floor(-std::log10(relative))), 2, 3);
+}
+
+}  // namespace
+
+std::string scientific(double value, int digits) {
+  if (value == 0) return "0";
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const std::size_t e = text.find('e');
+  return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+std::string estimate_text(const Estimate& e) {
+  if (std::isnan(e.value)) return "-";
+  if (e.value == 0) return "< " + scientific(e.high, 2);
+  const int digits = digits_supported(e);
+  const int places = digits - 1 - static_cast<int>(std::floor(std::log10(e.value)));
+  const bool small = e.value < 0.01;
+  const auto text = [=](double v) {
+    return small ? scientific(v, digits) : fmt::format("{:.{}f}", v, places);
+  };
+  return fmt::format("{} [{}, {}]", text(e.value), text(e.low), text(e.high));
+}
+
+}  // namespace sim

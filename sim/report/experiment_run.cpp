@@ -1,0 +1,38 @@
+#include "sim/report/experiment_run.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/report/outside_report.hpp"
+#include "sim/text/standard_output.hpp"
+
+namespace sim {
+
+void Rows::print(const std::string& text) {
+  if (silent_ || failure_) return;
+  try {
+    sim::print(text);
+  } catch (const Failure&) {
+    failure_ = std::current_exception();
+  }
+}
+
+void Rows::check() const {
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
+              const std::string& details) {
+  if (data.n_runs == 0 && run.workers.interrupted()) return conclude_without_points(run);
+  write_dataset(run.output, data, run.program);
+  rows.check();
+  if (run.json) return print(dataset_json(data) + "\n");
+  print(outside_notes(data));
+  if (!details.empty()) print("\n" + details);
+  print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
+}
+
+void conclude_without_points(const ExperimentRun& run) {
+  say(fmt::format("{}: nothing was finished, the file is left as it was\n", run.output.string()));
+}
+
+}  // namespace sim

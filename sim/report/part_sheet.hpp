@@ -1,0 +1,63 @@
+#pragma once
+// The sheet of a part: all that its file says, each number with its unit and source, and the model
+// beside each digitised figure that the file names.
+#include <string>
+#include <vector>
+
+#include "channel/curve.hpp"
+#include "sim/parts/digitised_curve.hpp"
+#include "sim/parts/parts.hpp"
+#include "sim/scenario/figures.hpp"
+
+namespace sim {
+
+/// A number of the part. `source` is empty where the file leaves the number to its default.
+struct SheetNumber {
+  std::string name, unit, long_name, source;
+  double value = 0;
+};
+
+struct SheetText {
+  std::string name, value, long_name;
+};
+
+struct SheetCurve {
+  std::string name, long_name, source;
+  std::string x_name, x_unit, y_name, y_unit;
+  channel::Curve points;
+};
+
+/// A figure of the data sheet with what the model makes of it at the same abscissae.
+struct Comparison {
+  FigureFacts figure;
+  DigitisedCurve sheet;
+  std::vector<double> model;  // NaN where it has no value
+
+  /// Model less sheet at a point: in the unit of y, or as a share of the sheet's value where y is
+  /// logarithmic.
+  double deviation(std::size_t i) const;
+  /// Magnitudes of all deviations that are known.
+  std::vector<double> known_deviations() const;
+  /// Root mean square of them.
+  double rms_deviation() const;
+  /// Median of their magnitudes: what a step that the model makes a point too late leaves alone.
+  double median_deviation() const;
+};
+
+struct PartSheet {
+  std::string kind, name;
+  std::filesystem::path path;
+  std::vector<std::string> about;  // the comment lines that open the file
+  std::string summary;             // one line
+  std::vector<SheetText> texts;
+  std::vector<SheetNumber> numbers;
+  std::vector<SheetCurve> curves;
+  std::vector<Comparison> comparisons;
+};
+
+enum class Compare { no, yes };
+
+/// Reads the part, and if asked runs the model for every figure that it names.
+PartSheet read_part_sheet(const PartFile& file, Compare whether);
+
+}  // namespace sim

@@ -1,0 +1,43 @@
+#include "sim/report/plan_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/report/text_table.hpp"
+
+namespace sim {
+
+std::string duration_text(double seconds) {
+  constexpr double minute = 60, hour = 60 * minute, day = 24 * hour;
+  if (seconds < 9.95) return fmt::format("{:.2g} s", seconds);
+  if (seconds < minute - 0.5) return fmt::format("{:.0f} s", seconds);
+  if (seconds < hour - 0.5)
+    return fmt::format("{} min {} s", std::lround(seconds) / 60, std::lround(seconds) % 60);
+  const long minutes = std::lround(seconds / minute);
+  if (seconds < 2 * day) return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+  return fmt::format("{:.0f} days", seconds / day);
+}
+
+std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& pilots,
+                       int threads) {
+  std::vector<TextColumn> columns = axis_columns(axes);
+  columns.push_back({{"", "frames", "at most"}, number_width});
+  columns.push_back({{"", "frames", "expected"}, number_width});
+  columns.push_back({{"", "", "time"}, number_width});
+  std::string text = table_head(columns);
+  double frames = 0;
+  for (const Pilot& pilot : pilots) {
+    std::vector<std::string> texts = coordinate_texts(axes, pilot.coordinates);
+    texts.push_back(std::to_string(pilot.rule.max_frames));
+    texts.push_back(fmt::format("{:.0f}", expected_frames(pilot)));
+    texts.push_back(duration_text(expected_seconds(pilot)));
+    text += table_line(columns, texts);
+    frames += expected_frames(pilot);
+  }
+  return text + fmt::format("{} point{}: about {:.0f} frames, {} on {} threads\n", pilots.size(),
+                            pilots.size() == 1 ? "" : "s", frames,
+                            duration_text(expected_seconds(pilots)), threads);
+}
+
+}  // namespace sim

@@ -1,0 +1,147 @@
+#include "sim/report/report_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/counting/statistics.hpp"
+#include "sim/link/validity.hpp"
+#include "sim/report/estimate_text.hpp"
+#include "sim/report/text_table.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/scenario/flags.hpp"
+
+namespace sim {
+namespace {
+
+std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
+  std::vector<TextColumn> columns = axis_columns(axes);
+  columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
+  columns.push_back({{"", "SNR", "[dB]"}, 6});
+  columns.push_back({{"", "", "frames"}, number_width});
+  columns.push_back({{"", "bit", "errors"}, number_width});
+  columns.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
+  if (theory) columns.push_back({{"", "in theory", ""}, number_width});
+  columns.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
+  columns.push_back({{"", "real", "time"}, 7});
+  columns.push_back({{"", "", "stopped by"}, -1});
+  return columns;
+}
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+std::string decibel(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
+}
+
+std::string theory_text(double ratio) {
+  if (std::isnan(ratio)) return "-";
+  return ratio < 0.01 ? scientific(ratio, 3) : fmt::format("{:.4f}", ratio);
+}
+
+constexpr const char* alarm_sign = "!!";
+
+template <class Flag>
+std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
+  return (mask == 0 ? "" : "  ") + raised_mark(table, mask, sign);
+}
+
+/// Why it stopped, and behind it marks where a model is outside of its range and of alarms.
+std::string closing_text(const PointResult& point, bool known) {
+  if (!known) return "-";
+  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign) +
+         mark(alarms(), point.alarms, alarm_sign);
+}
+
+std::string real_time_factor(const PointResult& p) {
+  const double factor = p.simulated_s / p.elapsed_s;
+  if (!std::isfinite(factor)) return "-";
+  if (factor >= 1e6) return scientific(factor, 2) + "x";
+  return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
+}
+
+}  // namespace
+
+std::string table_header(const std::vector<Axis>& axes, bool theory) {
+  return table_head(columns_of(axes, theory));
+}
+
+std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
+                      bool theory) {
+  const bool known = measured(point);
+  std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
+  texts.push_back(known ? number(point.operating.irradiance_mw_per_m2) : "-");
+  texts.push_back(known ? decibel(point.operating.snr_db) : "-");
+  texts.push_back(std::to_string(point.tally.n_frames));
+  texts.push_back(std::to_string(point.tally.n_bit_errors));
+  texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
+  if (theory) texts.push_back(theory_text(point.operating.ber_theory));
+  texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
+  texts.push_back(real_time_factor(point));
+  texts.push_back(closing_text(point, known));
+  return table_line(columns_of(axes, theory), texts);
+}
+
+std::string mark_notes(const ExperimentResult& result) {
+  std::uint64_t outside = 0, alarming = 0;
+  for (const PointResult& p : result.points) {
+    outside |= p.outside;
+    alarming |= p.alarms;
+  }
+  return raised_notes(validity_limits(), outside, outside_sign) +
+         raised_notes(alarms(), alarming, alarm_sign);
+}
+
+namespace {
+
+/// All points that are counted, or all that are weighted.
+Tally sum_of(const ExperimentResult& result, bool weighted) {
+  Tally all;
+  for (const PointResult& p : result.points)
+    if (p.tally.is_weighted() == weighted) all += p.tally;
+  return all;
+}
+
+std::string weighted_note(const Tally& all) {
+  if (all.n_frames == 0) return "";
+  return fmt::format(
+      "importance sampling: {} of {} frames lost as drawn; ratios are weighted to what comes by "
+      "nature\n",
+      all.n_frames_lost, all.n_frames);
+}
+
+std::string reasons_note(const Tally& all) {
+  if (all.n_frames_lost == 0) return "";
+  const std::pair<const char*, std::uint64_t> reasons[]{
+      {"nothing heard", all.n_frames_unheard},
+      {"no line ended", all.n_frames_unended},
+      {"wrong checksum", all.n_rejected_checksum},
+      {"unprintable characters", all.n_rejected_unprintable},
+      {"no hexadecimal checksum", all.n_rejected_not_hex},
+      {"too short", all.n_rejected_short},
+      {"too long", all.n_rejected_overlong}};
+  std::vector<std::string> known;
+  for (const auto& [reason, count] : reasons)
+    if (count > 0) known.push_back(fmt::format("{} {}", reason, count));
+  return fmt::format("{} frames lost: {}{}\n", all.n_frames_lost, fmt::join(known, ", "),
+                     known.size() > 1 ? " (a frame may have several reasons)" : "");
+}
+
+}  // namespace
+
+std::string loss_reasons(const ExperimentResult& result) {
+  return reasons_note(sum_of(result, false)) + weighted_note(sum_of(result, true));
+}
+
+std::string unfinished_note(const ExperimentResult& result) {
+  const auto left = std::ranges::count_if(result.points, [](const PointResult& p) {
+    return !measured(p) || p.stop == StopReason::interrupted;
+  });
+  if (left == 0) return "";
+  return fmt::format("unfinished: {} of {} points; what follows is of what was counted\n", left,
+                     result.points.size());
+}
+
+}  // namespace sim

@@ -1,0 +1,30 @@
+#pragma once
+// What an experiment says on stdout: a table whose rows can be printed one by one as points finish.
+// Numbers carry the digits that their interval supports; "-" is not known.
+#include <string>
+#include <vector>
+
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+/// Three lines (names and units), each ended by a newline. `theory`: with a column for what theory
+/// says beside the bit error ratio.
+std::string table_header(const std::vector<Axis>& axes, bool theory = false);
+
+/// One line, in the columns of table_header(axes, theory).
+std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
+                      bool theory = false);
+
+/// A line for each kind of mark in the table: what "! near" or "!! half" means; empty if there is
+/// none.
+std::string mark_notes(const ExperimentResult& result);
+
+/// What became of lost frames, all points together: "56 frames lost: nothing heard 12, ..."; empty
+/// where none was lost.
+std::string loss_reasons(const ExperimentResult& result);
+
+/// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
+std::string unfinished_note(const ExperimentResult& result);
+
+}  // namespace sim

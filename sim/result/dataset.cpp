@@ -1,0 +1,138 @@
+#include "sim/result/dataset.hpp"
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "sim/result/netcdf_reader.hpp"
+#include "sim/text/digest.hpp"
+#include "sim/text/existing_file.hpp"
+#include "sim/text/new_file.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* root = NetcdfFile::root;
+
+// ---- HDF5 ----
+
+void add_axis(NetcdfFile& file, const Axis& axis) {
+  const VariableFacts facts{dimension_name(axis.key), axis.unit, axis.long_name};
+  if (axis.is_text())
+    file.add_dimension(facts, std::span<const std::string>(axis.labels));
+  else
+    file.add_dimension(facts, std::span<const double>(axis.values));
+}
+
+template <class T>
+std::span<const T> span_of(const std::vector<T>& values) {
+  return values;
+}
+
+std::vector<std::string> dimensions_of(const Dataset& data, const Dataset::Variable& variable) {
+  std::vector<std::string> names;
+  if (variable.on_axes)
+    for (const Axis& axis : data.axes) names.push_back(dimension_name(axis.key));
+  names.insert(names.end(), variable.dimensions.begin(), variable.dimensions.end());
+  return names;
+}
+
+void add_variable(NetcdfFile& file, const Dataset& data, const Dataset::Variable& variable) {
+  std::visit(
+      [&](const auto& values) {
+        file.add_variable(variable.facts, dimensions_of(data, variable), span_of(values));
+      },
+      variable.values);
+  if (!variable.flags.empty()) file.set_flags(variable.facts.name, variable.flags);
+}
+
+std::string image_of(const Dataset& data, const ProgramInfo& program) {
+  NetcdfFile file(experiment_result_type, program);
+  for (const Axis& axis : data.axes) add_axis(file, axis);
+  for (const Dataset::Dimension& d : data.dimensions)
+    std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);
+  for (const Dataset::Variable& v : data.variables) add_variable(file, data, v);
+  file.set_user_text(root, "title", data.title);
+  file.set_user_text(root, "scenario_toml", data.scenario_toml);
+  file.set_user_text(root, "command", data.command);
+  file.set_text(root, "experiment", data.experiment);
+  file.set_numbers(root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
+  file.set_text(root, "result_digest", dataset_digest(data));
+  return file.image();
+}
+
+// ---- JSON ----
+
+Json json_axis(const Axis& axis) {
+  Json json{{"key", axis.key}, {"unit", axis.unit}, {"long_name", axis.long_name}};
+  if (axis.is_text())
+    json["values"] = axis.labels;
+  else
+    json["values"] = axis.values;
+  return json;
+}
+
+Json json_variable(const Dataset& data, const Dataset::Variable& variable) {
+  Json json{{"unit", variable.facts.unit},
+            {"long_name", variable.facts.long_name},
+            {"dimensions", dimensions_of(data, variable)}};
+  std::visit([&](const auto& values) { json["values"] = values; }, variable.values);
+  if (!variable.flags.empty()) json["flags"] = variable.flags;
+  return json;
+}
+
+}  // namespace
+
+Dataset dataset_of(const LoadedScenario& scenario, const std::string& command) {
+  return {.title = scenario.base.title,
+          .scenario_toml = scenario.text,
+          .command = command,
+          .experiment = scenario.base.experiment,
+          .seed = static_cast<std::uint64_t>(scenario.base.simulation.seed),
+          .axes = scenario.sweep};
+}
+
+std::string dataset_digest(const Dataset& data) {
+  std::string bytes;
+  for (const Dataset::Variable& variable : data.variables) {
+    const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
+    if (counts == nullptr || !variable.flags.empty()) continue;
+    bytes += variable.facts.name;
+    for (std::int64_t count : *counts)
+      for (int i = 0; i < 8; ++i, count >>= 8) bytes += static_cast<char>(count & 0xff);
+  }
+  return digest_of(bytes);
+}
+
+void write_dataset(const std::filesystem::path& path, const Dataset& data,
+                   const ProgramInfo& program) {
+  const std::string image = image_of(data, program);
+  NewFile file(path);
+  file.write(image);
+  file.take_place();
+}
+
+void check_output(const std::filesystem::path& path) {
+  refuse_to_lose(path, is_result_of_run, "a result of cosys-sim");
+  const NewFile file(path);
+}
+
+std::string dataset_json(const Dataset& data) {
+  Json json{{"title", data.title},
+            {"experiment", data.experiment},
+            {"command", data.command},
+            {"seed", data.seed},
+            {"result_digest", dataset_digest(data)}};
+  json["axes"] = Json::array();
+  for (const Axis& axis : data.axes) json["axes"].push_back(json_axis(axis));
+  json["dimensions"] = Json::object();
+  for (const Dataset::Dimension& d : data.dimensions)
+    std::visit([&](const auto& values) { json["dimensions"][d.facts.name] = values; }, d.values);
+  json["variables"] = Json::object();
+  for (const Dataset::Variable& v : data.variables)
+    json["variables"][v.facts.name] = json_variable(data, v);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sim

@@ -1,0 +1,60 @@
+#pragma once
+// Dataset: what an experiment that is not a link leaves behind, as variables on axes and on
+// dimensions of its own (devices, frames heard). One writer for HDF5 and one for JSON serve all.
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/program_info.hpp"
+#include "sim/result/netcdf.hpp"
+#include "sim/scenario/axis.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+struct Dataset {
+  /// Besides the axes.
+  struct Dimension {
+    VariableFacts facts;
+    std::variant<std::vector<std::string>, std::vector<double>> values;
+    std::size_t size() const {
+      return std::visit([](const auto& v) { return v.size(); }, values);
+    }
+  };
+  /// Row-major. Whole numbers are counts, of which the digest is made, or flags; a NaN means: not
+  /// known.
+  struct Variable {
+    VariableFacts facts;
+    bool on_axes = true;                  // one value a point at least
+    std::vector<std::string> dimensions;  // behind the axes, by the names of their facts
+    std::variant<std::vector<double>, std::vector<std::int64_t>> values;
+    std::vector<std::string> flags{};  // what the bits of whole numbers mean, from bit 0 on
+  };
+
+  std::string title, scenario_toml, command, experiment;
+  std::uint64_t seed = 0;
+  std::vector<Axis> axes;
+  std::vector<Dimension> dimensions{};
+  std::vector<Variable> variables{};
+  std::uint64_t n_runs = 0;  // or trials, of all points together; 0: nothing was measured
+};
+
+/// With the scenario's facts and nothing measured yet.
+Dataset dataset_of(const LoadedScenario& scenario, const std::string& command);
+
+/// Hash (32 hex digits) of all counts: equal digests, equal results.
+std::string dataset_digest(const Dataset& data);
+
+/// As a result file for xarray and others (netCDF-4 on HDF5). Replaces only what check_output()
+/// lets pass.
+void write_dataset(const std::filesystem::path& path, const Dataset& data,
+                   const ProgramInfo& program);
+
+/// Throws where the path cannot be written to, or holds something else than a result.
+void check_output(const std::filesystem::path& path);
+
+std::string dataset_json(const Dataset& data);
+
+}  // namespace sim

@@ -1,0 +1,233 @@
+#include "sim/result/ranking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "sim/link/validity.hpp"
+#include "sim/scenario/flags.hpp"
+
+namespace sim {
+namespace {
+
+using Kind = Crossing::Kind;
+
+/// Unless another is named, distance where it is swept: it is what users ask for. Else the last
+/// axis of numbers.
+std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
+  std::size_t abscissa = Ranking::none;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
+    if (!axes[i].is_text()) abscissa = i;
+  }
+  return abscissa;
+}
+
+/// The axes of a ranking, without its rows.
+Ranking axes_of(const std::vector<Axis>& axes, const CrossingQuestion& question) {
+  Ranking ranking{
+      .abscissa = abscissa_of(axes, question.along), .others = {}, .flr = question.flr, .rows = {}};
+  if (ranking.abscissa == Ranking::none) return ranking;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (i == ranking.abscissa) continue;
+    ranking.others.push_back(i);
+    ranking.best_first |= axes[i].is_text();
+  }
+  return ranking;
+}
+
+/// One line of the grid, as an experiment of its own.
+struct Row {
+  std::vector<double> others;
+  ExperimentResult line;
+};
+
+/// The lines in the order in which the grid comes to them.
+std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
+  std::vector<Row> rows;
+  std::map<std::vector<double>, std::size_t> known;
+  for (const PointResult& p : result.points) {
+    std::vector<double> others;
+    for (const std::size_t axis : at.others) others.push_back(p.coordinates[axis]);
+    const auto [row, is_new] = known.try_emplace(others, rows.size());
+    if (is_new) {
+      rows.push_back({std::move(others), {}});
+      rows.back().line.ci_level = result.ci_level;
+      rows.back().line.axes = {result.axes[at.abscissa]};
+    }
+    auto& points = rows[row->second].line.points;
+    points.push_back(p);
+    points.back().coordinates = {p.coordinates[at.abscissa]};
+  }
+  return rows;
+}
+
+std::uint64_t outside_of(const ExperimentResult& line) {
+  std::uint64_t all = 0;
+  for (const PointResult& p : line.points) all |= p.outside;
+  return all;
+}
+
+double loss_at(const ExperimentResult& result, std::size_t axis, double coordinate) {
+  double frames = 0, lost = 0;
+  for (const PointResult& p : result.points) {
+    if (p.coordinates[axis] != coordinate || p.tally.is_weighted()) continue;
+    frames += static_cast<double>(p.tally.n_frames);
+    lost += static_cast<double>(p.tally.n_frames_lost);
+  }
+  return frames > 0 ? lost / frames : 0;
+}
+
+/// Whether more of the abscissa means less loss, all rows together.
+bool more_is_better(const ExperimentResult& result, std::size_t abscissa) {
+  const auto [low, high] = std::ranges::minmax(result.axes[abscissa].values);
+  return loss_at(result, abscissa, low) > loss_at(result, abscissa, high);
+}
+
+/// What a row is sorted by: larger is better.
+double merit(const Crossing& c, bool more_better) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double almost = std::numeric_limits<double>::max();
+  switch (c.kind) {
+    case Kind::all_below:
+      return infinity;
+    case Kind::all_above:
+      return -infinity;
+    case Kind::fitted:
+    case Kind::jump:
+    case Kind::unfitted:
+      return more_better ? -c.at : c.at;
+    case Kind::unclear:
+    case Kind::not_monotone:
+      break;
+  }
+  return -almost;
+}
+
+/// What a row is sorted by: values of the axes of numbers stand as in the grid, within each the
+/// best comes first, and of equals one that no limit flags.
+struct Standing {
+  std::vector<std::size_t> group;  // of each axis of numbers which value, in the grid's order
+  double merit;
+  bool flagged;
+
+  bool operator<(const Standing& o) const {
+    return std::tie(group, o.merit, flagged) < std::tie(o.group, merit, o.flagged);
+  }
+  bool equals(const Standing& o) const { return group == o.group && merit == o.merit; }
+};
+
+Standing standing_of(const ExperimentResult& result, const Ranking& ranking, const RowCrossing& row,
+                     bool more_better) {
+  Standing standing{{}, merit(row.crossing, more_better), row.outside != 0};
+  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
+    const Axis& axis = result.axes[ranking.others[i]];
+    if (axis.is_text()) continue;
+    const auto value = std::ranges::find(axis.values, row.others[i]);
+    standing.group.push_back(static_cast<std::size_t>(value - axis.values.begin()));
+  }
+  return standing;
+}
+
+void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
+  const bool more_better = more_is_better(result, ranking.abscissa);
+  const auto standing = [&](const RowCrossing& row) {
+    return standing_of(result, ranking, row, more_better);
+  };
+  std::ranges::stable_sort(ranking.rows, std::less<>(), standing);
+  std::size_t begin = 0;  // of the group
+  for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
+    const Standing now = standing(ranking.rows[i]);
+    if (standing(ranking.rows[begin]).group != now.group) begin = i;
+    const bool tie = i > begin && standing(ranking.rows[i - 1]).equals(now);
+    ranking.rows[i].place = tie ? ranking.rows[i - 1].place : i - begin + 1;
+  }
+}
+
+/// What the table marks at points of the row.
+std::string mark(const RowCrossing& row) {
+  return row.outside == 0 ? "" : "  ! " + raised_names(validity_limits(), row.outside);
+}
+
+/// A column of the list: the name of an axis above its values.
+struct ListColumn {
+  std::string name;
+  std::vector<std::string> texts;  // one a row
+  bool to_the_left;
+  std::size_t width;
+
+  std::string cell(const std::string& text) const {
+    return to_the_left ? fmt::format("  {:<{}}", text, width)
+                       : fmt::format("  {:>{}}", text, width);
+  }
+};
+
+std::vector<ListColumn> columns_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<ListColumn> columns;
+  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
+    const Axis& axis = result.axes[ranking.others[i]];
+    const bool plain = axis.unit.empty() || axis.unit == "1";
+    ListColumn column{plain ? axis.key : axis.key + " [" + axis.unit + "]", {}, axis.is_text(), 0};
+    column.width = column.name.size();
+    for (const RowCrossing& row : ranking.rows) {
+      column.texts.push_back(coordinate_text(axis, row.others[i]));
+      column.width = std::max(column.width, column.texts.back().size());
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+std::string without_end_blanks(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string list(const ExperimentResult& result, const Ranking& ranking) {
+  const Axis& abscissa = result.axes[ranking.abscissa];
+  const std::vector<ListColumn> columns = columns_of(result, ranking);
+  const auto place = [&](const std::string& text) {
+    return ranking.best_first ? fmt::format("{:>4}", text) : std::string();
+  };
+  std::string text = fmt::format("{} at which frame loss passes {:g} %{}:\n", abscissa.key,
+                                 ranking.flr * 100, ranking.best_first ? ", best first" : "");
+  std::string head = place("");
+  for (const ListColumn& column : columns) head += column.cell(column.name);
+  text += without_end_blanks(std::move(head));
+  for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
+    const RowCrossing& row = ranking.rows[i];
+    text += place(std::to_string(row.place));
+    for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
+    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + mark(row) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
+  Ranking ranking = axes_of(result.axes, question);
+  if (ranking.abscissa == Ranking::none) return ranking;
+  for (Row& row : rows_of(result, ranking)) {
+    if (is_weighted(row.line)) continue;  // fits are to counts
+    ranking.rows.push_back(
+        {std::move(row.others), frame_loss_crossing(row.line, question.flr), outside_of(row.line)});
+  }
+  if (ranking.best_first) sort_best_first(result, ranking);
+  return ranking;
+}
+
+std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking) {
+  if (ranking.rows.empty()) return "";
+  if (!ranking.others.empty()) return list(result, ranking);
+  const RowCrossing& row = ranking.rows.front();
+  return crossing_sentence(result.axes[ranking.abscissa], row.crossing, ranking.flr) + mark(row) +
+         "\n";
+}
+
+}  // namespace sim

@@ -1,0 +1,47 @@
+#pragma once
+// Ranking: where the frame loss passes a level along one axis, for each combination of values of
+// the others. With texts among the others ("which module do I buy?") it is sorted, best first, for
+// each combination of their numbers.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/result/curve_fit.hpp"
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+/// One line across the grid: the other axes stand still.
+struct RowCrossing {
+  std::vector<double> others;  // their coordinates, in the order of Ranking::others
+  Crossing crossing;
+  std::uint64_t outside;  // limits of validity that any of its points leaves
+  std::size_t place = 0;  // from 1, the same for equals; 0: not sorted
+};
+
+/// What is asked: along which axis the loss passes which level.
+struct CrossingQuestion {
+  double flr = 0.01;
+  std::string along{};  // its key; empty: receiver.range_m, or else the last axis of numbers
+};
+
+struct Ranking {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t abscissa = none;      // index of the axis along which the loss passes the level
+  std::vector<std::size_t> others;  // indices of the other axes
+  double flr = 0.01;                // the level
+  bool best_first = false;          // in the order of the grid otherwise
+  std::vector<RowCrossing> rows;
+};
+
+/// Of a sweep without an axis of numbers the ranking is empty. Sorted rows: first those that never
+/// pass the level, then by the crossing (its middle, where only a bracket is known), the one that
+/// is reached last first; then those of which no crossing can be told, and last those beyond the
+/// level at all points. Of equals the ones that no limit of validity flags come first.
+/// Empty for weighted results.
+Ranking rank(const ExperimentResult& result, const CrossingQuestion& question = {});
+
+/// The ranking in words, one line a row; empty where there is nothing to say.
+std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking);
+
+}  // namespace sim

@@ -1,0 +1,23 @@
+#pragma once
+// The result file: HDF5 on the netCDF-4 model (sim/result/netcdf). It is written beside its place
+// and renamed, so a killed run leaves the last good file.
+#include <filesystem>
+
+#include "sim/program_info.hpp"
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+/// Replaces `path` by a file with this result. Throws Failure(environment) and leaves what was
+/// there untouched if the disk refuses.
+void write_result(const std::filesystem::path& path, const ExperimentResult& result,
+                  const ProgramInfo& program);
+
+/// To be called before a run: throws the Failure that write_result would throw for this place, and
+/// refuses to replace a file that is no result.
+void check_writable(const std::filesystem::path& path);
+
+/// Whether it is a file that write_result made.
+bool is_result(const std::filesystem::path& path);
+
+}  // namespace sim

@@ -1,0 +1,127 @@
+#include "sim/result/stored_result.hpp"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/failure.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/result/netcdf.hpp"
+#include "sim/result/store.hpp"
+#include "sim/result/unfinished.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+namespace {
+
+/// Puts one column of the file into the points.
+struct ColumnReader {
+  const NetcdfReader& file;
+  const char* name;
+  std::vector<PointResult>& points;
+
+  void operator()(std::uint64_t Tally::*count) const {
+    each([=](PointResult& p, std::int64_t value) {
+      p.tally.*count = static_cast<std::uint64_t>(value);
+    });
+  }
+  /// Flags and alarms follow from the rest too; old files have fewer of them.
+  void operator()(std::uint64_t PointResult::*count) const {
+    if (count == &PointResult::outside || count == &PointResult::alarms) return;
+    each([=](PointResult& p, std::int64_t value) { p.*count = static_cast<std::uint64_t>(value); });
+  }
+  void operator()(StopReason PointResult::*flag) const {
+    each([=](PointResult& p, std::int64_t value) {
+      p.*flag = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
+    });
+  }
+  /// Only files of importance sampling have them.
+  void operator()(Column::Sum sum) const {
+    if (!file.has(name)) return;
+    const std::vector<double> values = file.reals(name);
+    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
+      sum(points[i].tally.weighted) = values[i];
+  }
+  /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
+  void operator()(Column::Real) const {}
+
+ private:
+  template <class Set>
+  void each(const Set& set) const {
+    const std::vector<std::int64_t> values = file.integers(name);
+    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
+      set(points[i], values[i]);
+  }
+};
+
+void read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
+  const std::vector<double> elapsed = file.reals("elapsed_s");
+  const std::vector<double> simulated = file.reals("simulated_s");
+  for (std::size_t i = 0; i < std::min(points.size(), elapsed.size()); ++i) {
+    points[i].elapsed_s = elapsed[i];
+    points[i].simulated_s = simulated.at(i);
+  }
+}
+
+}  // namespace
+
+Origin origin_of(const NetcdfReader& file) {
+  return {.format_version = file.text("format_version"),
+          .program = {file.text("program"), file.text("version"), file.text("commit")},
+          .seed = file.whole_number("seed"),
+          .scenario_toml = file.text("scenario_toml")};
+}
+
+std::string mismatch(const Origin& own, const Origin& other) {
+  if (other.format_version != own.format_version) return "it has another version of the format";
+  if (other.program.version != own.program.version || other.program.commit != own.program.commit)
+    return "another version of the program counted it";
+  if (other.seed != own.seed) return "it has another seed";
+  if (other.scenario_toml != own.scenario_toml)
+    return "it is of another scenario, or of other options";
+  return "";
+}
+
+bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
+  for (const Column& column : columns())
+    std::visit(ColumnReader{file, column.name, result.points}, column.value);
+  read_costs(file, result.points);
+  const auto shards = parse_shards(file.text("shards", "1/1"));
+  result.shards = shards.value_or(std::vector<Shard>());
+  return shards && result_digest(result) == file.text("result_digest");
+}
+
+/// Who reads a result cannot mend its scenario.
+LoadedScenario carried_scenario(const Origin& origin, const std::filesystem::path& path) {
+  try {
+    return parse_scenario(origin.scenario_toml, path, {}, {});
+  } catch (const Failure&) {
+    throw bad_input(path.string(),
+                    "the scenario in it cannot be read: it is damaged, or of another version",
+                    "choose another file");
+  }
+}
+
+StoredResult read_result(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    throw bad_input(path.string(), "no such file", "check the path");
+  if (filetype_of(path) == experiment_result_type)
+    throw bad_input(path.string(), "a result of another experiment than a link",
+                    "give results of links");
+  if (!is_result(path))
+    throw bad_input(path.string(), "not a result of cosys-sim, or damaged",
+                    "give a file that run wrote");
+  const NetcdfReader file(path);
+  StoredResult stored{origin_of(file), {}, {}};
+  stored.scenario = carried_scenario(stored.origin, path);
+  stored.result = unfinished(stored.scenario, file.text("command"));
+  stored.result.scenario_toml = stored.origin.scenario_toml;
+  if (!read_counts(file, stored.result))
+    throw bad_input(path.string(), "its counts do not fit its digest: it is damaged",
+                    "choose another file");
+  return stored;
+}
+
+}  // namespace sim

@@ -1,0 +1,40 @@
+#pragma once
+// A result file read back.
+#include <filesystem>
+#include <string>
+
+#include "sim/program_info.hpp"
+#include "sim/result/netcdf_reader.hpp"
+#include "sim/result/result.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+/// What counts come from. Those of the same origin were, or would be, counted in the same way.
+struct Origin {
+  std::string format_version;
+  ProgramInfo program;
+  std::uint64_t seed = 0;
+  std::string scenario_toml;
+};
+
+Origin origin_of(const NetcdfReader& file);
+
+/// In what `other` is not the same as `own`, as words about "it"; empty where it is the same.
+std::string mismatch(const Origin& own, const Origin& other);
+
+/// Puts counts, reasons and costs of the file into the points of `result`, which must be those of
+/// the same sweep, and its shards. False if they do not fit the digest that the file has of them:
+/// it is damaged.
+bool read_counts(const NetcdfReader& file, ExperimentResult& result);
+
+struct StoredResult {
+  Origin origin;
+  LoadedScenario scenario;  // the one that it carries
+  ExperimentResult result;  // without operating points, which follow from the scenario
+};
+
+/// Throws Failure(bad_input) for a file that is no result, or damaged.
+StoredResult read_result(const std::filesystem::path& path);
+
+}  // namespace sim

@@ -1,0 +1,20 @@
+#include "sim/result/unfinished.hpp"
+
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+
+ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& command) {
+  ExperimentResult result;
+  result.title = scenario.base.title;
+  result.scenario_toml = scenario.text;
+  result.command = command;
+  result.seed = static_cast<std::uint64_t>(scenario.base.simulation.seed);
+  result.axes = scenario.sweep;
+  result.points.resize(count_points(scenario.sweep));
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+    result.points[i].coordinates = point_coordinates(scenario.sweep, i);
+  return result;
+}
+
+}  // namespace sim

@@ -1,0 +1,95 @@
+#include "sim/scenario/experiment_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::array kinds{
+    ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}},
+    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}},
+    ExperimentKind{"sharedlink",
+                   {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                    "device.clock_error_ppm", "device.carrier_error_ppm"}},
+    ExperimentKind{"presence",
+                   {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
+                    "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                    "receiver.temperature_c", "ambient.", "noise."},
+                   false},
+    ExperimentKind{"location", {"location."}, false},
+};
+
+/// Of every experiment.
+constexpr std::array<std::string_view, 12> common{
+    "title",
+    "experiment",
+    "led.part",
+    "led.current_ma",
+    "led.height_mm",
+    "led.temperature_c",
+    "led.elevation_deg",
+    "floor.",
+    "receiver.height_mm",
+    "receiver.yaw_deg",
+    "receiver.tilt_deg",
+    "simulation.seed",
+};
+
+/// Of every experiment in which receiver modules hear messages.
+constexpr std::array<std::string_view, 12> of_modules{
+    "device.baud",
+    "device.carrier_hz",
+    "device.carrier_duty",
+    "module.",
+    "uart.",
+    "ambient.",
+    "noise.",
+    "disturbance.",
+    "receiver.module",
+    "receiver.temperature_c",
+    "receiver.supply",
+    "simulation.sample_rate_hz",
+};
+
+bool begins_with_one(std::string_view key, std::span<const std::string_view> prefixes) {
+  return std::ranges::any_of(prefixes, [&](std::string_view prefix) {
+    return !prefix.empty() && key.starts_with(prefix);
+  });
+}
+
+bool has(const ExperimentKind& kind, std::string_view key) {
+  return begins_with_one(key, common) || begins_with_one(key, kind.tables) ||
+         (kind.has_modules && begins_with_one(key, of_modules));
+}
+
+/// The experiments that such a key is of.
+std::string kinds_with(std::string_view key) {
+  std::string names;
+  for (const ExperimentKind& kind : kinds)
+    if (has(kind, key)) names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const ExperimentKind> experiment_kinds() { return kinds; }
+
+void check_keys_of_experiment(const LoadedScenario& scenario) {
+  const std::string& name = scenario.base.experiment;
+  const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
+  for (const auto& [key, place] : scenario.places)
+    if (!has(kind, key))
+      throw bad_input(fmt::format("{} {}", key, place),
+                      fmt::format("it means nothing in the experiment \"{}\"", name),
+                      fmt::format("remove it, or write experiment = {} before the first table",
+                                  kinds_with(key)));
+}
+
+}  // namespace sim

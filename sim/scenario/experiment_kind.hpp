@@ -1,0 +1,21 @@
+#pragma once
+// What a scenario may be an experiment of, and which of the keys then mean something.
+#include <span>
+#include <string_view>
+
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+struct ExperimentKind {
+  std::string_view name;        // "arena"
+  std::string_view tables[12];  // keys that it has besides those of all: "path.", "device.baud"
+  bool has_modules = true;      // receiver modules and UARTs, with all of their keys
+};
+
+std::span<const ExperimentKind> experiment_kinds();
+
+/// Throws where the file or --set gives a key that means nothing in the scenario's experiment.
+void check_keys_of_experiment(const LoadedScenario& scenario);
+
+}  // namespace sim

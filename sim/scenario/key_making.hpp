@@ -1,0 +1,81 @@
+#pragma once
+// How the tables of keys are written down: one call a key, for the groups of a Scenario.
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/scenario/keys.hpp"
+
+namespace sim {
+
+template <class Group>
+Key number(std::string name, std::string unit, Range range, Group Scenario::*group,
+           double Group::*member, std::string long_name, std::string note = "",
+           KeyType type = KeyType::number) {
+  return {{std::move(name), std::move(unit), range, std::move(long_name), std::move(note), type},
+          [=](Scenario& s) -> double& { return s.*group.*member; },
+          {},
+          {}};
+}
+
+template <class... Rest>
+Key whole(Rest&&... rest) {
+  Key key = number(std::forward<Rest>(rest)...);
+  key.facts.type = KeyType::whole_number;
+  return key;
+}
+
+template <class Group>
+Key flag(std::string name, Group Scenario::*group, double Group::*member, std::string long_name,
+         std::string note) {
+  return number(std::move(name), "1", from(0, 1), group, member, std::move(long_name),
+                std::move(note), KeyType::flag);
+}
+
+template <class Group>
+Key text(KeyType type, std::string name, Group Scenario::*group, std::string Group::*member,
+         std::string long_name, std::string note = "", std::vector<std::string> choices = {}) {
+  Key key{{std::move(name), "", {}, std::move(long_name), std::move(note), type},
+          {},
+          [=](Scenario& s) -> std::string& { return s.*group.*member; },
+          std::move(choices)};
+  key.physics = type != KeyType::part;
+  return key;
+}
+
+/// Numbers that belong together, which are no sweep.
+template <class Group>
+Key number_list(std::string name, std::string unit, Range range, Group Scenario::*group,
+                std::string Group::*member, std::string long_name, std::string note = "") {
+  Key key = text(KeyType::number_list, std::move(name), group, member, std::move(long_name),
+                 std::move(note));
+  key.facts.unit = std::move(unit);
+  key.facts.range = range;
+  return key;
+}
+
+inline Key no_physics(Key key) {
+  key.physics = false;
+  return key;
+}
+
+inline Key younger(Key key) {
+  key.younger = true;
+  return key;
+}
+
+inline std::vector<Key> all_younger(std::vector<Key> keys) {
+  for (Key& key : keys) key.younger = true;
+  return keys;
+}
+
+/// The names of a table of named rows.
+template <class Row>
+std::vector<std::string> names_of(std::span<const Row> table) {
+  std::vector<std::string> names;
+  for (const Row& row : table) names.emplace_back(row.name);
+  return names;
+}
+
+}  // namespace sim

@@ -1,0 +1,13 @@
+#include "sim/scenario/places.hpp"
+
+#include "sim/scenario/keys.hpp"
+
+namespace sim {
+
+std::string place_of(const Places& places, const std::string& key) {
+  const auto at = places.find(key);
+  if (at != places.end()) return at->second;
+  return is_given_by_part(key) ? "from the part" : "by default";
+}
+
+}  // namespace sim

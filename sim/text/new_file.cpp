@@ -1,0 +1,102 @@
+#include "sim/text/new_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <string>
+#include <system_error>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* other_place = "choose another place";
+constexpr std::string_view ending = ".tmp";
+
+// A link is written through, not replaced.
+fs::path resolved(const fs::path& place) {
+  std::error_code error;
+  fs::path target = fs::canonical(place, error);
+  return error ? place : target;
+}
+
+bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+/// The process in "PLACE.PID.tmp"; 0 for another name.
+pid_t writer_of(std::string_view name, std::string_view place) {
+  if (!name.starts_with(place) || !name.ends_with(ending)) return 0;
+  if (name.size() <= place.size() + 1 + ending.size() || name[place.size()] != '.') return 0;
+  const char* const end = name.data() + name.size() - ending.size();
+  pid_t process = 0;
+  const auto [rest, error] = std::from_chars(name.data() + place.size() + 1, end, process);
+  return error == std::errc() && rest == end && process > 0 ? process : 0;
+}
+
+void remove_left_over(const fs::path& place) {
+  const std::string name = place.filename().string();
+  std::error_code error;
+  fs::directory_iterator entry(place.has_parent_path() ? place.parent_path() : ".", error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const pid_t writer = writer_of(entry->path().filename().string(), name);
+    if (writer != 0 && !is_running(writer)) ::unlink(entry->path().c_str());
+  }
+}
+
+}  // namespace
+
+NewFile::NewFile(const fs::path& place)
+    : place_(resolved(place)), beside_(place_.string() + "." + std::to_string(::getpid())) {
+  beside_ += ending;
+  refuse_what_is_no_file();
+  remove_left_over(place_);
+  descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail();
+}
+
+NewFile::~NewFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!in_place_) ::unlink(beside_.c_str());
+}
+
+void NewFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
+    if (n < 0 && errno != EINTR) fail();
+    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+void NewFile::take_place() {
+  if (::fsync(descriptor_) != 0) fail();
+  if (::rename(beside_.c_str(), place_.c_str()) != 0) fail();
+  in_place_ = true;
+}
+
+void NewFile::refuse_what_is_no_file() const {
+  std::error_code error;
+  const auto status = fs::status(place_, error);
+  if (fs::is_directory(status)) fail("it is a folder", "add a file name");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    fail("it is not a regular file", other_place);
+}
+
+void NewFile::fail() const {
+  const int reason = errno;
+  if (reason == ENOENT) fail("its folder does not exist", "create the folder or choose another");
+  const std::string why = std::generic_category().message(reason);
+  fail(why.c_str(),
+       reason == ENOSPC ? "free some space there or choose another place" : other_place);
+}
+
+void NewFile::fail(const char* why, const char* suggestion) const {
+  throw Failure(ExitCode::environment,
+                "cannot write " + place_.string() + " (" + why + ") " + suggestion);
+}
+
+}  // namespace sim
