@@ -1,7 +1,6 @@
 #include "protocol/uart.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -144,17 +143,15 @@ class AtmegaReceiver {
   double phase_;
 };
 
+}  // namespace
+
+UartReading read_mid_bit(const LogicTrace& line, Hertz baud) {
+  return read_mid_bit(line, baud, nullptr);
+}
+
 UartReading read_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {
   return AtmegaReceiver(line, baud, clock_phase).read();
 }
-
-constexpr std::array receivers = {
-    UartReceiver{"atmega", read_atmega},
-    UartReceiver{"mid-bit", [](const LogicTrace& line, Hertz baud,
-                               double) { return read_mid_bit(line, baud, nullptr); }},
-};
-
-}  // namespace
 
 std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
                                       std::vector<Seconds>* false_starts) {
@@ -163,13 +160,6 @@ std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
 
 std::vector<UartByte> receive_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {
   return read_atmega(line, baud, clock_phase).bytes;
-}
-
-std::span<const UartReceiver> uart_receivers() { return receivers; }
-
-const UartReceiver* find_uart_receiver(std::string_view name) {
-  const auto* row = std::ranges::find(receivers, name, &UartReceiver::name);
-  return row == receivers.end() ? nullptr : row;
 }
 
 }  // namespace protocol

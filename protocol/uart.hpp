@@ -1,13 +1,12 @@
 #pragma once
 // UART characters on a wire: 8N1, least significant bit first, idle 1 (COSYS "standard 600 baud").
 // Receivers read a LogicTrace with a clock of their own. Every one of them reports a byte only if
-// its whole stop bit was observed, and needs a 1-to-0 change to start: a wire that stays low says
-// nothing.
+// its stop bit was observed as far as it looks at it, and needs a 1-to-0 change to start: a wire
+// that stays low says nothing.
 #include <cassert>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "dsp/logic_trace.hpp"
@@ -66,19 +65,8 @@ struct UartReading {
   dsp::Seconds settled{-std::numeric_limits<double>::infinity()};
 };
 
-/// One row per receiver that a scenario can name; those without a sampling clock ignore the phase.
-struct UartReceiver {
-  std::string_view name;
-  UartReading (*read)(const dsp::LogicTrace& line, dsp::Hertz baud, double clock_phase);
-
-  std::vector<UartByte> receive(const dsp::LogicTrace& line, dsp::Hertz baud,
-                                double clock_phase) const {
-    return read(line, baud, clock_phase).bytes;
-  }
-};
-
-std::span<const UartReceiver> uart_receivers();
-/// nullptr if there is none of that name.
-const UartReceiver* find_uart_receiver(std::string_view name);
+/// The two receivers above.
+UartReading read_mid_bit(const dsp::LogicTrace& line, dsp::Hertz baud);
+UartReading read_atmega(const dsp::LogicTrace& line, dsp::Hertz baud, double clock_phase);
 
 }  // namespace protocol

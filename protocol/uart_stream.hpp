@@ -6,7 +6,7 @@
 
 #include "dsp/logic_trace.hpp"
 #include "dsp/units.hpp"
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 
 namespace protocol {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "channel/interference.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/arena/arena_validity.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"

@@ -6,7 +6,7 @@
 
 #include "channel/chain.hpp"
 #include "dsp/units.hpp"
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/arena/light_track.hpp"
 #include "sim/arena/sending.hpp"
 #include "sim/arena/way.hpp"

@@ -104,9 +104,10 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
                   "wire to decode; if not given, rx, or the first where there is none")
       ->type_name("NAME");
   decode
-      .add_option("--uart", request.uart,
-                  "how bits are sampled: mid-bit (once, in the middle) or atmega (majority of "
-                  "three, as in a run); atmega if not given")
+      .add_option(
+          "--uart", request.uart,
+          "the receiver: atmega (majority of three samples), mid-bit (one), software-serial "
+          "(Arduino's) or edge-timing (widths of pulses); atmega if not given")
       ->type_name("NAME")
       ->check(CLI::IsMember(find_key("uart.receiver")->choices).description(""));
   decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"

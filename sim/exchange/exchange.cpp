@@ -1,6 +1,7 @@
 #include "sim/exchange/exchange.hpp"
 
 #include "channel/geometry.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/link.hpp"
 #include "sim/link/validity.hpp"

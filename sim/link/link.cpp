@@ -9,6 +9,7 @@
 #include "channel/emitter.hpp"
 #include "channel/noise.hpp"
 #include "protocol/cosys.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/importance_link.hpp"
 #include "sim/link/matched.hpp"

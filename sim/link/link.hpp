@@ -10,7 +10,7 @@
 #include "channel/chain.hpp"
 #include "channel/geometry.hpp"
 #include "dsp/units.hpp"
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/link/decision_link.hpp"
 #include "sim/link/envelope_link.hpp"
 #include "sim/link/operating_point.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "channel/conditions.hpp"
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/exchange_keys.hpp"
@@ -144,7 +144,8 @@ std::vector<Key> bump_keys() {
 std::vector<Key> surroundings_keys() {
   return {
       text(KeyType::choice, "uart.receiver", &Scenario::uart, &UartSettings::receiver,
-           "listening UART", "16 samples a bit, majority of three; or one sample in mid-bit",
+           "listening UART",
+           "majority of three of 16 samples; one in mid-bit; Arduino's; widths of pulses",
            names_of(protocol::uart_receivers())),
       number("uart.clock_error_ppm", "1e-6", from(-1e5, 1e5), &Scenario::uart,
              &UartSettings::clock_error_ppm, "clock error of the listening UART", "positive: fast"),

@@ -57,7 +57,7 @@ struct ReceiverSettings {
 };
 
 struct UartSettings {
-  std::string receiver = "atmega";  // or "mid-bit"
+  std::string receiver = "atmega";  // of protocol::uart_receivers()
   double clock_error_ppm = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmark/benchmark.h"
+#include "protocol/uart_receivers.hpp"
 #include "rate.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/link/link.hpp"

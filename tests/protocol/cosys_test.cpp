@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "lines.hpp"
+#include "protocol/uart_receivers.hpp"
 
 namespace protocol {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lines.hpp"
+#include "protocol/uart_receivers.hpp"
 
 namespace protocol {
 namespace {
@@ -102,7 +103,7 @@ UartReading read_counted(const dsp::LogicTrace& line, dsp::Hertz rate, double ph
 /// A pulse, then a pause, each of a random length of bits up to these.
 std::size_t times_read(double longest_pulse, double longest_pause) {
   Random random(12);
-  const UartReceiver counting{"counting", read_counted};
+  const UartReceiver counting{"counting", true, read_counted};
   UartStream stream(counting, baud, 0);
   dsp::LogicTrace wire;
   flips_read = 0;

@@ -8,6 +8,7 @@
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
 #include "protocol/cosys.hpp"
+#include "protocol/uart_receivers.hpp"
 
 namespace sim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "channel/band_pass.hpp"
 #include "gtest/gtest.h"
-#include "protocol/uart.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "scenarios.hpp"
 #include "sim/scenario/keys.hpp"
 

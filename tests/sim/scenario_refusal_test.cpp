@@ -69,7 +69,7 @@ const Refusal refusals[] = {
      "title = \"a?b\" in x.toml:1 (a text is one line without control characters) remove them"},
     {"[uart]\nreceiver = \"avr\"",
      "uart.receiver = \"avr\" in x.toml:2 (the listening UART is one of a list) use atmega or "
-     "mid-bit"},
+     "mid-bit or software-serial or edge-timing"},
     {"\"led.yaw_deg\" = 1\n[led]\nyaw_deg = 2",
      "led.yaw_deg in x.toml:3 (given twice in this file) remove one of the two"},
     {"[sweep]\n'led.yaw_deg' = 1\nled.yaw_deg = 2",
@@ -102,7 +102,7 @@ const Refusal refusals[] = {
      "\"1:1:20\" or [1, 2, 5]"},
     {"[sweep]\nuart.receiver = ['atmega', 'avr']",
      "uart.receiver = \"avr\" in x.toml:2 (the listening UART is one of a list) use atmega or "
-     "mid-bit"},
+     "mid-bit or software-serial or edge-timing"},
     {"[sweep]\nyaw_dge = 1", "yaw_dge in x.toml:2 (no such key) did you mean led.yaw_deg?"},
     {"[sweep]\nled.yaw_deg = \"0:0.1:100\"\nreceiver.yaw_deg = \"0:0.1:100\"",
      "the sweep up to receiver.yaw_deg (more than 1000000 points) use a larger step or fewer axes"},

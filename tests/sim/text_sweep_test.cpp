@@ -30,7 +30,8 @@ TEST(TextSweep, IsWrittenAsAListByFileAndSetAlike) {
   EXPECT_EQ(labels("", {"receiver.module=TSOP4856,TSOP38256"}), both);
   EXPECT_EQ(labels("[sweep]\nreceiver.module = 'TSOP38256'"), (Texts{"TSOP38256"}));
   EXPECT_EQ(labels("", {"receiver.module=TSOP38256,"}), (Texts{"TSOP38256"}));
-  EXPECT_EQ(labels("[sweep]\nuart.receiver = '*'"), (Texts{"atmega", "mid-bit"}));
+  EXPECT_EQ(labels("[sweep]\nuart.receiver = '*'"),
+            (Texts{"atmega", "mid-bit", "software-serial", "edge-timing"}));
 }
 
 TEST(TextSweep, CallsPartsByTheirOwnNames) {
