@@ -1,0 +1,132 @@
+#include "sim/check/gate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/poisson.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace sim {
+namespace {
+
+constexpr std::uint64_t fewest_in_a_look = 64, most_looks = 8;
+constexpr double share_of_last_look = 0.5;
+
+/// Stakes of the martingale, equally weighted: small ones for decoders that fail apart, large ones
+/// for those that fail together.
+constexpr std::array stakes{0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 0.95};
+
+/// A bet on each frame that the candidate loses less than `worse_than` times as often.
+double log_gain(const PairedLosses& losses, double worse_than, double stake) {
+  return static_cast<double>(losses.both) * std::log1p(stake * (worse_than - 1)) +
+         static_cast<double>(losses.candidate_only) * std::log1p(-stake) +
+         static_cast<double>(losses.baseline_only) * std::log1p(stake * worse_than);
+}
+
+/// The part of 1 - power for the evidence, and that for the last look.
+double half_of_misses(const GateRule& rule) { return (1 - rule.power) / 2; }
+
+/// The expectation of `probability(n)`, n being Poisson's.
+template <class Probability>
+double mean_over_discordant(double mean, const Probability& probability) {
+  const boost::math::poisson discordant(mean);
+  const double spread = 8 * std::sqrt(mean) + 10;
+  double sum = 0;
+  for (double n = std::floor(std::max(1.0, mean - spread)); n <= mean + spread; ++n)
+    sum += pdf(discordant, n) * probability(n);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<GateLook> gate_looks(std::uint64_t frames) {
+  std::vector<GateLook> looks;
+  for (std::uint64_t n = frames; n >= fewest_in_a_look && looks.size() < most_looks; n /= 2)
+    looks.push_back({n, 0});
+  if (looks.empty()) looks.push_back({frames, 0});
+  std::ranges::reverse(looks);
+  const auto before = static_cast<double>(looks.size() - 1);
+  for (GateLook& look : looks) look.share = (1 - share_of_last_look) / before;
+  looks.back().share = looks.size() == 1 ? 1 : share_of_last_look;
+  return looks;
+}
+
+double evidence_of_being_no_worse(const PairedLosses& losses, double worse_than) {
+  double sum = 0;
+  for (const double stake : stakes) sum += std::exp(log_gain(losses, worse_than, stake));
+  return sum / static_cast<double>(stakes.size());
+}
+
+Gate::Gate(const GateRule& rule, std::uint64_t frames, std::uint64_t points)
+    : rule_(rule), points_(static_cast<double>(points)), looks_(gate_looks(frames)) {}
+
+std::uint64_t Gate::next_look() const { return next_ < looks_.size() ? looks_[next_].frames : 0; }
+
+void Gate::look(const PairedLosses& losses) {
+  p_value_ = std::min(p_value_, mcnemar_p_value(losses) / looks_.at(next_++).share);
+  const bool by_evidence =
+      evidence_of_being_no_worse(losses, rule_.worse_than) >= 1 / half_of_misses(rule_);
+  const bool by_last_look =
+      next_ == looks_.size() && no_worse_p_value(losses, rule_.worse_than) <= half_of_misses(rule_);
+  passed_ = passed_ || by_evidence || by_last_look;
+  if (p_value_ <= rule_.alpha / points_)
+    state_ = GateState::worse;
+  else if (passed_)
+    state_ = GateState::passed;
+}
+
+std::vector<bool> worse_points(const std::vector<double>& p_values, double alpha) {
+  std::vector<std::size_t> order(p_values.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p_values[i]; });
+  std::vector<bool> worse(p_values.size(), false);
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    if (p_values[order[rank]] > alpha / static_cast<double>(order.size() - rank)) break;
+    worse[order[rank]] = true;
+  }
+  return worse;
+}
+
+double power_of(const GateRule& rule, double flr, std::uint64_t frames, std::uint64_t points) {
+  const double candidate = std::min(1.0, flr * rule.worse_than);
+  const double only_candidate = candidate * (1 - flr), only_baseline = flr * (1 - candidate);
+  const double of_candidate = only_candidate / (only_candidate + only_baseline);
+  const double alpha = rule.alpha / static_cast<double>(points) * gate_looks(frames).back().share;
+  const double mean = static_cast<double>(frames) * (only_candidate + only_baseline);
+  return mean_over_discordant(mean, [&](double n) {
+    const auto critical =
+        static_cast<double>(mcnemar_critical(static_cast<std::uint64_t>(n), alpha));
+    const boost::math::binomial lost(n, of_candidate);
+    return critical > n ? 0 : cdf(complement(lost, critical - 1));
+  });
+}
+
+double pass_probability(const GateRule& rule, double flr, std::uint64_t frames) {
+  const double mean = static_cast<double>(frames) * 2 * flr * (1 - flr);
+  return mean_over_discordant(mean, [&](double n) {
+    const auto critical = static_cast<double>(
+        no_worse_critical(static_cast<std::uint64_t>(n), rule.worse_than, half_of_misses(rule)));
+    const boost::math::binomial lost(n, 0.5);
+    return critical < 1 ? 0 : cdf(lost, critical - 1);
+  });
+}
+
+std::uint64_t frames_needed(const GateRule& rule, double flr, std::uint64_t points) {
+  const auto enough = [&](std::uint64_t frames) {
+    return power_of(rule, flr, frames, points) >= rule.power &&
+           pass_probability(rule, flr, frames) >= rule.power;
+  };
+  std::uint64_t too_few = 0, many = fewest_in_a_look;
+  while (!enough(many)) {
+    too_few = many;
+    many *= 2;
+  }
+  while (many - too_few > std::max<std::uint64_t>(1, many / 100)) {
+    const std::uint64_t middle = too_few + (many - too_few) / 2;
+    (enough(middle) ? many : too_few) = middle;
+  }
+  return many;
+}
+
+}  // namespace sim

@@ -1,0 +1,206 @@
+#include "sim/check/gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace sim {
+namespace {
+
+TEST(McNemar, IsTheUpperTailOfFairCoins) {
+  const auto p = [](std::uint64_t candidate, std::uint64_t baseline) {
+    return mcnemar_p_value({.candidate_only = candidate, .baseline_only = baseline});
+  };
+  EXPECT_DOUBLE_EQ(p(10, 0), std::pow(2, -10));
+  EXPECT_DOUBLE_EQ(p(6, 1), 8.0 / 128);
+  EXPECT_DOUBLE_EQ(p(1, 6), 127.0 / 128);
+  EXPECT_EQ(p(0, 0), 1);
+  EXPECT_EQ(p(0, 9), 1);
+}
+
+TEST(McNemar, CriticalCountIsTheFewestThatAreSignificant) {
+  for (std::uint64_t n = 0; n < 300; ++n)
+    for (const double alpha : {0.05, 1e-3, 1e-5}) {
+      const std::uint64_t critical = mcnemar_critical(n, alpha);
+      const auto p = [&](std::uint64_t k) {
+        return mcnemar_p_value({.candidate_only = k, .baseline_only = n - k});
+      };
+      if (critical <= n) {
+        EXPECT_LE(p(critical), alpha) << n;
+      }
+      if (critical > 0) {
+        EXPECT_GT(p(critical - 1), alpha) << n;
+      }
+    }
+}
+
+TEST(NoWorse, IsTheLowerTailOfCoinsThatManyTimesAsBad) {
+  const auto p = [](std::uint64_t candidate, std::uint64_t baseline) {
+    return no_worse_p_value({.candidate_only = candidate, .baseline_only = baseline}, 2);
+  };
+  EXPECT_DOUBLE_EQ(p(0, 3), 1.0 / 27);
+  EXPECT_DOUBLE_EQ(p(1, 2), 7.0 / 27);
+  EXPECT_EQ(p(3, 0), 1);
+  EXPECT_EQ(p(0, 0), 1);
+  for (std::uint64_t n = 0; n < 100; ++n) {
+    const std::uint64_t critical = no_worse_critical(n, 2, 0.005);
+    if (critical > 0) {
+      EXPECT_LE(p(critical - 1, n - critical + 1), 0.005);
+    }
+    EXPECT_GT(critical > n ? 1 : p(critical, n - critical), 0.005);
+  }
+}
+
+TEST(GateLooks, DoubleToTheLastAndShareOutAllOfAlpha) {
+  for (const std::uint64_t frames : {1U, 63U, 64U, 1000U, 1000000U}) {
+    const auto looks = gate_looks(frames);
+    EXPECT_EQ(looks.back().frames, frames);
+    double sum = 0;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      sum += looks[i].share;
+      if (i > 0) {
+        EXPECT_EQ(looks[i].frames / 2, looks[i - 1].frames);
+      }
+    }
+    EXPECT_DOUBLE_EQ(sum, 1);
+  }
+}
+
+TEST(WorsePoints, AreThoseOfHolm) {
+  // Holm 1979: the smallest of four against alpha / 4, the next against alpha / 3 ...
+  EXPECT_EQ(worse_points({0.012, 0.3, 0.016, 0.04}, 0.05),
+            (std::vector<bool>{true, false, true, false}));
+  EXPECT_EQ(worse_points({0.013, 0.3, 0.016, 0.04}, 0.05),
+            (std::vector<bool>{false, false, false, false}));
+  EXPECT_TRUE(worse_points({}, 0.05).empty());
+}
+
+/// Two decoders, of which each loses a frame when it is hard for it: the same frames are hard for
+/// both in a share of cases.
+struct Decoders {
+  double baseline_flr, candidate_flr;
+  double alike;
+};
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
+
+void receive(PairedLosses& losses, const Decoders& decoders, Random& random) {
+  const double hardness = uniform(random);
+  const double others = uniform(random) < decoders.alike ? hardness : uniform(random);
+  losses.add(hardness < decoders.candidate_flr, others < decoders.baseline_flr);
+}
+
+GateState check(const GateRule& rule, const Decoders& decoders, std::uint64_t frames,
+                Random& random, std::uint64_t points = 1) {
+  Gate gate(rule, frames, points);
+  PairedLosses losses;
+  while (gate.state() == GateState::undecided && gate.next_look() > 0) {
+    while (losses.frames < gate.next_look()) receive(losses, decoders, random);
+    gate.look(losses);
+  }
+  return gate.state();
+}
+
+/// How many of so many checks end like that.
+int count(GateState state, const GateRule& rule, const Decoders& decoders, std::uint64_t frames,
+          int checks) {
+  Random random(17);
+  int n = 0;
+  for (int i = 0; i < checks; ++i) n += check(rule, decoders, frames, random) == state;
+  return n;
+}
+
+constexpr GateRule twice{.worse_than = 2, .alpha = 1e-3, .power = 0.99};
+constexpr double flr = 0.2;
+
+TEST(GateMeta, ADecoderPassesAgainstItselfAThousandTimesOutOfAThousand) {
+  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  EXPECT_EQ(count(GateState::passed, twice, {flr, flr, 1}, frames, 1000), 1000);
+}
+
+TEST(GateMeta, EqualDecodersAreCalledWorseInLessThanOneCheckInAThousand) {
+  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  constexpr int checks = 20000;
+  for (const double alike : {0.0, 0.5, 0.9})
+    EXPECT_LE(count(GateState::worse, twice, {flr, flr, alike}, frames, checks), checks / 1000)
+        << alike;
+}
+
+TEST(GateMeta, EqualDecodersPassAsOftenAsWorseOnesAreFound) {
+  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  constexpr int checks = 5000;
+  for (const double alike : {0.0, 0.5, 0.9})
+    EXPECT_GE(count(GateState::passed, twice, {flr, flr, alike}, frames, checks), 0.99 * checks)
+        << alike;
+}
+
+TEST(GateMeta, ADecoderTwiceAsBadIsFoundInNinetyNineOfAHundredChecks) {
+  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  constexpr int checks = 5000;
+  for (const double alike : {0.0, 0.5, 1.0})
+    EXPECT_GE(count(GateState::worse, twice, {flr, 2 * flr, alike}, frames, checks), 0.99 * checks)
+        << alike;
+}
+
+// However few frames there are, and however they fail together.
+TEST(GateMeta, WhatIsThatMuchWorsePassesInLessThanOneCheckInAHundred) {
+  constexpr int checks = 10000;
+  for (const std::uint64_t frames : {64U, 200U, 1000U})
+    for (const double alike : {0.0, 0.5, 1.0})
+      EXPECT_LE(count(GateState::passed, twice, {flr, 2 * flr, alike}, frames, checks),
+                checks / 100)
+          << frames << ' ' << alike;
+}
+
+TEST(GateMeta, PowerIsWhatChecksShow) {
+  constexpr GateRule rule{.worse_than = 1.5, .alpha = 0.01, .power = 0.99};
+  constexpr std::uint64_t frames = 500;
+  constexpr int checks = 20000;
+  const double power = power_of(rule, flr, frames, 1);
+  int found = 0;
+  Random random(5);
+  for (int i = 0; i < checks; ++i) {
+    PairedLosses losses;
+    while (losses.frames < frames) receive(losses, {flr, 1.5 * flr, 0}, random);
+    found += mcnemar_p_value(losses) <= rule.alpha * gate_looks(frames).back().share;
+  }
+  EXPECT_GT(power, 0.3);
+  EXPECT_LT(power, 0.95);
+  // The number of discordant frames is taken as Poisson's, which spreads a little more.
+  EXPECT_NEAR(found / double{checks}, power, 0.02);
+}
+
+TEST(GateMeta, FalseAlarmsOfManyPointsTogetherKeepToAlpha) {
+  constexpr GateRule rule{.worse_than = 2, .alpha = 0.02, .power = 0.99};
+  constexpr int checks = 3000, points = 10;
+  Random random(23);
+  int alarms = 0;
+  for (int i = 0; i < checks; ++i) {
+    bool any = false;
+    for (int p = 0; p < points; ++p)
+      any |= check(rule, {flr, flr, 0.5}, 500, random, points) == GateState::worse;
+    alarms += any;
+  }
+  EXPECT_LE(alarms, rule.alpha * checks);
+  EXPECT_GT(alarms, 0);
+}
+
+TEST(FramesNeeded, GrowWithWhatIsAskedFor) {
+  const auto needed = [](double worse_than, double alpha, double power, std::uint64_t points = 1) {
+    return frames_needed({.worse_than = worse_than, .alpha = alpha, .power = power}, 0.05, points);
+  };
+  EXPECT_GT(needed(1.5, 1e-3, 0.99), needed(2, 1e-3, 0.99));
+  EXPECT_GT(needed(2, 1e-6, 0.99), needed(2, 1e-3, 0.99));
+  EXPECT_GT(needed(2, 1e-3, 0.999), needed(2, 1e-3, 0.99));
+  EXPECT_GT(needed(2, 1e-3, 0.99, 1000), needed(2, 1e-3, 0.99));
+  const std::uint64_t frames = needed(2, 1e-3, 0.99);
+  EXPECT_GE(power_of({.worse_than = 2}, 0.05, frames, 1), 0.99);
+  EXPECT_GE(pass_probability({.worse_than = 2}, 0.05, frames), 0.99);
+  EXPECT_LT(pass_probability({.worse_than = 2}, 0.05, frames * 9 / 10), 0.99);
+}
+
+}  // namespace
+}  // namespace sim
