@@ -9,7 +9,7 @@
 #include "sim/threads/stopwatch.hpp"
 #include "sim/trial/decision_trial.hpp"
 #include "sim/trial/drawn_trials.hpp"
-#include "sim/trial/envelope_trial.hpp"
+#include "sim/trial/heard_trials.hpp"
 #include "sim/trial/importance_trial.hpp"
 
 namespace sim {
@@ -167,36 +167,6 @@ dsp::Seconds length_at(const Link& link, double u) {
          pauses * ((1 - u) * link.interval_min + u * link.interval_max) + lead_out;
 }
 
-/// Trials after step 7, and where the time went.
-struct Heard {
-  std::vector<Transmission> sent;
-  std::vector<dsp::LogicTrace> pins;
-  Profile profile;
-};
-
-Heard hear_waveforms(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop,
-                     bool profiled) {
-  const Stopwatch watch;
-  DrawnTrials trials = draw_trials(link, first, n);
-  const double messages_s = watch.seconds();
-  channel::StageClock clock;
-  std::vector<dsp::LogicTrace> pins =
-      pins_of(link, pointers(trials.sent), trials.inputs, stop, profiled ? &clock : nullptr);
-  return {std::move(trials.sent),
-          std::move(pins),
-          {.messages_s = messages_s, .chain_s = clock.seconds()}};
-}
-
-Heard hear_envelopes(const Link& link, std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  Stopwatch watch;
-  std::vector<Transmission> sent;
-  for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-  const double messages_s = watch.lap();
-  std::vector<dsp::LogicTrace> pins = envelope_pins(link, first, sent, stop);
-  return {
-      std::move(sent), std::move(pins), {.messages_s = messages_s, .envelope_s = watch.seconds()}};
-}
-
 std::vector<GroupResult> decide_groups(const Link& link, std::uint32_t first, int n,
                                        bool profiled) {
   std::vector<GroupResult> results;
@@ -270,9 +240,14 @@ channel::BitSlots bit_slots(const Link& link, const Transmission& sent) {
 }
 
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
+  return receive(link, trial, std::move(pin), *link.uart);
+}
+
+Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin,
+                  const protocol::UartReceiver& uart) {
   const double phase = address(link, trial, Purpose::uart_phase).uniform(0);
   Reception heard{.pin = std::move(pin), .bytes = {}, .frames = {}, .frame_end = {}};
-  heard.bytes = link.uart->receive(heard.pin, link.receiver_baud, phase);
+  heard.bytes = uart.receive(heard.pin, link.receiver_baud, phase);
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : heard.bytes) {
     if (auto frame = decoder.push(byte)) {
@@ -300,8 +275,7 @@ std::vector<GroupResult> run_groups(const Link& link, std::uint32_t first, int n
                                     const std::atomic<bool>* stop, bool profiled) {
   if (link.decisions) return decide_groups(link, first, n, profiled);
   if (link.importance) return run_weighted_groups(link, first, n, stop, profiled);
-  Heard heard = link.envelope ? hear_envelopes(link, first, n, stop)
-                              : hear_waveforms(link, first, n, stop, profiled);
+  HeardTrials heard = hear_trials(link, first, n, stop, profiled);
   const Stopwatch watch;
   std::vector<GroupResult> results;
   for (const TrialSpan& group : groups_of(heard.sent.size()))
