@@ -29,7 +29,7 @@ xxhash[.]h           sim/.*[.]cpp
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
 sim_order='text threads noise counting scenario parts link loading trial result engine trace report check
-           arena guard exchange location node command'
+           arena guard exchange location serial node serve command'
 
 # shellcheck disable=SC2016 # the $ are those of awk
 find dsp channel protocol sim -name '*.[ch]pp' -print | sort | xargs -r -d '\n' \

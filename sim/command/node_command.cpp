@@ -5,9 +5,9 @@
 #include "sim/command/commands.hpp"
 #include "sim/node/node_file.hpp"
 #include "sim/node/node_session.hpp"
-#include "sim/node/pseudo_terminal.hpp"
-#include "sim/node/raw_mode.hpp"
-#include "sim/node/serial_port.hpp"
+#include "sim/serial/pseudo_terminal.hpp"
+#include "sim/serial/raw_mode.hpp"
+#include "sim/serial/serial_port.hpp"
 #include "sim/text/text_file.hpp"
 #include "sim/threads/stop_signals.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "dsp/units.hpp"
 #include "protocol/shared_node.hpp"
-#include "sim/node/line_output.hpp"
 #include "sim/node/node_file.hpp"
+#include "sim/serial/line_output.hpp"
 
 namespace sim {
 

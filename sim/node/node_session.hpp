@@ -9,12 +9,12 @@
 #include "dsp/units.hpp"
 #include "protocol/shared_node.hpp"
 #include "sim/failure.hpp"
-#include "sim/node/line_input.hpp"
-#include "sim/node/line_output.hpp"
 #include "sim/node/node_events.hpp"
 #include "sim/node/node_file.hpp"
 #include "sim/node/paced_output.hpp"
-#include "sim/node/port.hpp"
+#include "sim/serial/line_input.hpp"
+#include "sim/serial/line_output.hpp"
+#include "sim/serial/port.hpp"
 
 namespace sim {
 

@@ -4,8 +4,8 @@
 
 #include "node_process.hpp"
 #include "sim/failure.hpp"
-#include "sim/node/line_output.hpp"
 #include "sim/node/node_events.hpp"
+#include "sim/serial/line_output.hpp"
 
 namespace {
 

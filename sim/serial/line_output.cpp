@@ -1,4 +1,4 @@
-#include "sim/node/line_output.hpp"
+#include "sim/serial/line_output.hpp"
 
 #include <poll.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "sim/node/raw_mode.hpp"
+#include "sim/serial/raw_mode.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/node/serial_port.hpp"
+#include "sim/serial/serial_port.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/node/raw_mode.hpp"
+#include "sim/serial/raw_mode.hpp"
 
 namespace sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/node/pseudo_terminal.hpp"
+#include "sim/serial/pseudo_terminal.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -11,16 +11,16 @@
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/node/raw_mode.hpp"
+#include "sim/serial/raw_mode.hpp"
 
 namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refused(const std::string& what, const std::string& why) {
-  throw Failure(ExitCode::environment,
-                what + " (" + why + ") choose another name, or use --device");
+[[noreturn]] void refused(const std::string& what, const std::string& why,
+                          const std::string& remedy = "end programs that have some open") {
+  throw Failure(ExitCode::environment, what + " (" + why + ") " + remedy);
 }
 
 Descriptor open_master() {
@@ -83,7 +83,7 @@ void PseudoTerminal::make_link() const {
   if (error == std::errc::file_exists)
     throw bad_input("cannot make the link " + name(), "something else has this name",
                     "choose another name, or remove it");
-  if (error) refused("cannot make the link " + name(), error.message());
+  if (error) refused("cannot make the link " + name(), error.message(), "choose another name");
 }
 
 int PseudoTerminal::descriptor() {

@@ -1,4 +1,4 @@
-#include "sim/node/line_input.hpp"
+#include "sim/serial/line_input.hpp"
 
 #include <unistd.h>
 

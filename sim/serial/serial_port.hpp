@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "sim/node/descriptor.hpp"
-#include "sim/node/port.hpp"
+#include "sim/serial/descriptor.hpp"
+#include "sim/serial/port.hpp"
 
 namespace sim {
 

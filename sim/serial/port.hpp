@@ -1,5 +1,5 @@
 #pragma once
-// Port: where a node's bytes go to and come from. Neither reading nor writing waits. A port that is
+// Port: where bytes go to and come from. Neither reading nor writing waits. A port that is
 // gone for good throws Failure(environment), one line.
 #include <cstddef>
 #include <cstdint>

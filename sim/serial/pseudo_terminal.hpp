@@ -4,8 +4,8 @@
 // bytes are lost, as on a line with nobody at its end; so one that comes later gets nothing stale.
 #include <filesystem>
 
-#include "sim/node/descriptor.hpp"
-#include "sim/node/port.hpp"
+#include "sim/serial/descriptor.hpp"
+#include "sim/serial/port.hpp"
 
 namespace sim {
 
