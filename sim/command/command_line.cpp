@@ -141,6 +141,31 @@ void add_node(CLI::App& app, NodeRequest& request) {
       "scenarios/nodes/guard.toml --device /dev/ttyUSB0");
 }
 
+void add_serve(CLI::App& app, ServeRequest& request) {
+  auto& serve = *app.add_subcommand(
+      "serve", "Play what a link's receiver hears on a virtual serial port, in real time");
+  add_place(serve, "SCENARIO", request.scenario, "", "scenario file (.toml), one point")
+      ->required();
+  add_place(serve, "--link", request.link, "NAME", "name of the port; ttyCOSYS if not given");
+  serve.add_option("--speed", request.settings.speed, "times real time, 1e-3 to 1e6; or 1")
+      ->type_name("X")
+      ->check(between(1e-3, 1e6));
+  serve.add_flag("--start-at-once", request.settings.start_at_once,
+                 "do not wait until somebody opens the port; what comes before is lost");
+  serve.add_flag("--drop-framing-errors", request.settings.drop_framing_errors,
+                 "leave out bytes without a stop bit");
+  serve
+      .add_option("--duration", request.settings.duration.value,
+                  "end after 90s, 10min or 2h of the line's time; or at \"quit\", or a signal")
+      ->type_name("TIME")
+      ->transform(a_time());
+  add_scenario_options(serve, request.options);
+  serve.add_flag("--json", request.json, "one JSON object a line for each message on stdout");
+  serve.footer(
+      "Reads lines from stdin: KEY=VALUE as of --set changes the scenario from the next message "
+      "on, quit ends. Example: cosys-sim serve scenarios/quickstart.toml --set receiver.range_m=1");
+}
+
 void add_parts(CLI::App& app, PartsRequest& request) {
   auto& parts = *app.add_subcommand(
       "parts", "List modules, LEDs, floors and photodiodes, or show one with all its sources");
@@ -299,6 +324,7 @@ struct Requests {
   EncodeRequest encode;
   DecodeRequest decode;
   NodeRequest node;
+  ServeRequest serve;
   PartsRequest parts;
   FindRequest find;
   LocateRequest locate;
@@ -310,7 +336,7 @@ void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = from.program;
   for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts,
-                           &to.parts.parts, &to.locate.options.parts})
+                           &to.parts.parts, &to.locate.options.parts, &to.serve.options.parts})
     parts->push_back(from.shipped_parts);
 }
 
@@ -330,6 +356,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
   if (app.got_subcommand("encode")) return encode_command(requests.encode);
   if (app.got_subcommand("node")) return node_command(requests.node);
+  if (app.got_subcommand("serve")) return serve_command(requests.serve);
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
   if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("locate")) return locate_command(requests.locate);
@@ -352,6 +379,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_encode(app, requests.encode);
   add_decode(app, requests.decode);
   add_node(app, requests.node);
+  add_serve(app, requests.serve);
   add_parts(app, requests.parts);
   add_find(app, requests.find);
   add_locate(app, requests.locate);

@@ -13,6 +13,7 @@
 #include "sim/parts/parts.hpp"
 #include "sim/program_info.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/serve/serve_settings.hpp"
 
 namespace sim {
 
@@ -22,7 +23,9 @@ struct ScenarioOptions {
   PartRoots parts;                     // --parts, then the program's own
 };
 
-/// Parts beside the scenario come before all others.
+/// Folders of parts: what is beside the scenario comes before all others.
+PartRoots part_roots(const ScenarioOptions& options, const std::filesystem::path& scenario);
+
 LoadedScenario load_with(const ScenarioOptions& options, const std::filesystem::path& scenario);
 
 /// The same for commands that take nothing but links.
@@ -79,6 +82,16 @@ struct NodeRequest {
 };
 /// One end of a SharedLink, until its time is over or a signal comes.
 ExitCode node_command(const NodeRequest& request);
+
+struct ServeRequest {
+  std::filesystem::path scenario;
+  ScenarioOptions options;
+  std::filesystem::path link = "ttyCOSYS";
+  ServeSettings settings;
+  bool json = false;
+};
+/// Plays a link's line on a virtual serial port, until its time is over, "quit" or a signal comes.
+ExitCode serve_command(const ServeRequest& request);
 
 struct FindRequest {
   std::filesystem::path scenario;

@@ -203,10 +203,14 @@ std::string start_of(const std::vector<Run>& runs) {
 
 }  // namespace
 
-LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
+PartRoots part_roots(const ScenarioOptions& options, const fs::path& scenario) {
   PartRoots roots = {scenario.has_parent_path() ? scenario.parent_path() : fs::path(".")};
   roots.insert(roots.end(), options.parts.begin(), options.parts.end());
-  LoadedScenario loaded = load_scenario(scenario, options.overrides, roots);
+  return roots;
+}
+
+LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenario) {
+  LoadedScenario loaded = load_scenario(scenario, options.overrides, part_roots(options, scenario));
   check_experiment(loaded);
   return loaded;
 }

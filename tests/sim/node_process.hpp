@@ -1,160 +1,35 @@
 #pragma once
 // `cosys-sim node` from outside: processes with a stdin to write to and events to wait for, and a
 // pseudo-terminal whose other end is the test's own.
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/syscall.h>
 #include <termios.h>
 
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <string_view>
 
-#include "program.hpp"
+#include "live_process.hpp"
 #include "protocol/shared_link.hpp"
 
-/// How long a test waits for one thing, which takes no second on a machine that has time for it.
-class Patience {
- public:
-  /// Waits until there is something to read; throws if there is nothing, or the time is over.
-  void await_input(int descriptor, const std::string& what) const {
-    await(POLLIN, descriptor, what);
-  }
-  /// ... until something can be written.
-  void await_room(int descriptor, const std::string& what) const {
-    await(POLLOUT, descriptor, what);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  void await(short event, int descriptor, const std::string& what) const {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
-    pollfd one{.fd = descriptor, .events = event, .revents = 0};
-    if (left <= 0 || ::poll(&one, 1, static_cast<int>(left)) != 1)
-      throw std::runtime_error("waited in vain for " + what);
-  }
-
-  Clock::time_point end_ = Clock::now() + std::chrono::seconds(60);
-};
-
-/// What comes, up to and with this.
-inline std::string read_until(int descriptor, const std::string& end) {
-  const Patience patience;
-  std::string text;
-  for (char c = 0; !text.ends_with(end); text += c) {
-    patience.await_input(descriptor, end);
-    if (::read(descriptor, &c, 1) != 1) throw std::runtime_error("the end, behind " + text);
-  }
-  return text;
-}
-
-/// To a descriptor that is non-blocking.
-inline void write_all(int descriptor, std::string_view text) {
-  const Patience patience;
-  while (!text.empty()) {
-    patience.await_room(descriptor, "being read");
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
-
-class NodeProcess {
+class NodeProcess : public LiveProcess {
  public:
   NodeProcess(const std::filesystem::path& folder, Words arguments)
-      : err_(folder.parent_path() / ("err" + std::to_string(++n_started))) {
-    arguments.insert(arguments.begin(), "node");
-    int in[2], out[2];
-    if (::pipe2(in, O_CLOEXEC) != 0 || ::pipe2(out, O_CLOEXEC) != 0)
-      throw std::runtime_error("no pipe");
-    pid_ = ::fork();
-    if (pid_ == 0) become(folder, arguments, in[0], out[1]);
-    ::close(in[0]);
-    ::close(out[1]);
-    in_ = in[1];
-    out_ = out[0];
-  }
-  NodeProcess(const NodeProcess&) = delete;
-  NodeProcess& operator=(const NodeProcess&) = delete;
-  ~NodeProcess() {
-    if (pid_ > 0) finish(SIGKILL);
-  }
-
-  void write(const std::string& text) const {
-    ASSERT_EQ(::write(in_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
-  void close_stdin() { ::close(std::exchange(in_, -1)); }
+      : LiveProcess(folder, command(std::move(arguments))) {}
 
   /// The next event that is so; those before it are passed over.
   nlohmann::json wait_for(const std::string& event, const nlohmann::json& with = {}) {
-    const std::string what = event + " " + with.dump();
-    const Patience patience;
-    for (;;) {
-      const std::string text = line(patience, what);
-      if (text.empty()) throw std::runtime_error("no " + what + " in " + read_ + content(err_));
-      auto json = nlohmann::json::parse(text);
+    return wait_until(event + " " + with.dump(), [&](const nlohmann::json& json) {
       auto wanted = json;
       wanted.update(with.is_null() ? nlohmann::json::object() : with);
-      if (json.at("event") == event && wanted == json) return json;
-    }
+      return json.at("event") == event && wanted == json;
+    });
   }
   nlohmann::json wait_for_value(const std::string& name, const std::string& value) {
     return wait_for("changed", {{"name", name}, {"value", value}});
   }
 
-  /// Until then nobody reads its events.
-  void await_exit(int signal = 0) const {
-    if (signal != 0) ::kill(pid_, signal);
-    const auto process = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));
-    Patience().await_input(process, "its exit");
-    ::close(process);
-  }
-
-  /// All events of its life are in `out`.
-  Outcome finish(int signal = 0) {
-    if (signal != 0) ::kill(pid_, signal);
-    const Patience patience;
-    while (!line(patience, "the end").empty()) continue;
-    int status = 0;
-    ::waitpid(std::exchange(pid_, -1), &status, 0);
-    ::close(out_);
-    if (in_ >= 0) close_stdin();
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return {code, read_, content(err_)};
-  }
-
  private:
-  std::string line(const Patience& patience, const std::string& what) {
-    std::string text;
-    for (char c = 0; c != '\n'; text += c) {
-      patience.await_input(out_, what);
-      if (::read(out_, &c, 1) != 1) break;
-    }
-    read_ += text;
-    return text;
+  static Words command(Words arguments) {
+    arguments.insert(arguments.begin(), "node");
+    return arguments;
   }
-
-  [[noreturn]] void become(const std::filesystem::path& folder, const Words& arguments, int in,
-                           int out) const {
-    ::dup2(in, STDIN_FILENO);
-    ::dup2(out, STDOUT_FILENO);
-    ::dup2(::open(err_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666), STDERR_FILENO);
-    std::vector<char*> argv = {const_cast<char*>(COSYS_PROGRAM)};
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-    argv.push_back(nullptr);
-    if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
-
-  static inline int n_started = 0;
-  std::filesystem::path err_;
-  pid_t pid_ = -1;
-  int in_ = -1, out_ = -1;
-  std::string read_;
 };
 
 /// The last event of a node.
@@ -239,6 +114,3 @@ class Nodes : public CommandLine {
 
   const std::string common = "baud = 115200\nsend_period_s = 0.01\n";
 };
-
-inline const std::string stopping =
-    "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n";
