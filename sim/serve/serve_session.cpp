@@ -169,7 +169,7 @@ void ServeSession::report_lag() {
 }
 
 void ServeSession::report_end() const {
-  say(fmt::format("cosys-sim: played {} messages, {} ok; {} bytes, of which no reader took {}\n",
+  say(fmt::format("cosys-sim: played: {} messages, {} of them ok; {} bytes, {} of them lost\n",
                   n_messages_, n_ok_, n_bytes_, n_lost_ + n_lost_of_message_));
 }
 

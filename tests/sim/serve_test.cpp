@@ -92,7 +92,7 @@ TEST_F(Serve, EndsWithoutAReader) {
   EXPECT_EQ(o.code, 0);
   EXPECT_EQ(o.out, "");
   EXPECT_TRUE(
-      o.err.ends_with("cosys-sim: played 0 messages, 0 ok; 0 bytes, of which no reader took 0\n"))
+      o.err.ends_with("cosys-sim: played: 0 messages, 0 of them ok; 0 bytes, 0 of them lost\n"))
       << o.err;
 }
 
@@ -172,7 +172,7 @@ TEST_F(Serve, AnswersLinesThatAreWrongAndChangesNothing) {
   EXPECT_EQ(heard_in(o.out), heard_in(expected));
   const std::size_t first = o.err.find('\n') + 1;
   EXPECT_EQ(
-      o.err.substr(first, o.err.rfind("cosys-sim: played") - first),
+      o.err.substr(first, o.err.rfind("cosys-sim: played:") - first),
       "cosys-sim: receiver.range_m = -1 in --set (distance along the floor must be at least 0.01 "
       "m) use a value 0.01 to 1000\n"
       "cosys-sim: receiver.rage_m in --set (no such key) did you mean receiver.range_m?\n"
