@@ -147,7 +147,7 @@ void add_serve(CLI::App& app, ServeRequest& request) {
   add_place(serve, "SCENARIO", request.scenario, "", "scenario file (.toml), one point")
       ->required();
   add_place(serve, "--link", request.link, "NAME", "name of the port; ttyCOSYS if not given");
-  serve.add_option("--speed", request.settings.speed, "times real time; 1 if not given")
+  serve.add_option("--speed", request.settings.speed, "how many times real time; 1 if not given")
       ->type_name("X")
       ->check(between(1e-3, 1e6));
   serve.add_flag("--start-at-once", request.settings.start_at_once,
