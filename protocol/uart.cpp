@@ -93,6 +93,7 @@ class AtmegaReceiver {
       reading.settled = time(sample(*start, last, 9));  // the tenth may see a fall from there
       start = start_from_last_vote(*start, last);
     }
+    if (!start) reading.settled = std::max(reading.settled, last_tick());
     return reading;
   }
 
@@ -102,6 +103,10 @@ class AtmegaReceiver {
   /// Tick of sample `number` (1..16) of a bit; sample 1 of the start bit is its first low sample.
   static double sample(double start, int slot, int number) {
     return start + samples_per_bit * slot + (number - 1);
+  }
+  /// The last tick that is surely known: a later fall is seen against the level there.
+  Seconds last_tick() const {
+    return time(std::floor(line_.end().value * tick_rate_ - phase_) - 1);
   }
   Seconds time(double tick) const { return Seconds((tick + phase_) / tick_rate_); }
   bool level(double tick) const { return line_.level_at(time(tick)); }

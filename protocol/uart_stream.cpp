@@ -12,8 +12,15 @@ void UartStream::forget_before(dsp::Seconds settled) {
 }
 
 std::vector<UartByte> UartStream::take(const dsp::LogicTrace& wire) {
-  for (; next_flip_ < wire.flips().size(); ++next_flip_) part_.flip_at(wire.flips()[next_flip_]);
-  part_.observe_until(wire.end());
+  const auto flips = wire.flips().subspan(next_flip_);
+  next_flip_ += flips.size();
+  return take(flips, wire.end());
+}
+
+std::vector<UartByte> UartStream::take(std::span<const dsp::Seconds> flips,
+                                       dsp::Seconds known_until) {
+  for (const dsp::Seconds flip : flips) part_.flip_at(flip);
+  part_.observe_until(known_until);
   const UartReading reading = receiver_->read(part_, baud_, clock_phase_);
   forget_before(reading.settled);
   return reading.bytes;

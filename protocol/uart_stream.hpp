@@ -2,6 +2,7 @@
 // A UART receiver that is read while its wire goes on: byte by byte what it makes of the whole
 // wire.
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "dsp/logic_trace.hpp"
@@ -12,12 +13,16 @@ namespace protocol {
 
 class UartStream {
  public:
-  UartStream(const UartReceiver& receiver, dsp::Hertz baud, double clock_phase)
-      : receiver_(&receiver), baud_(baud), clock_phase_(clock_phase) {}
+  UartStream(const UartReceiver& receiver, dsp::Hertz baud, double clock_phase, bool initial = true)
+      : receiver_(&receiver), baud_(baud), clock_phase_(clock_phase), part_(initial) {}
 
   /// Bytes that are whole in `wire`, an idle one that has grown since the last call, and were not
   /// given yet.
   std::vector<UartByte> take(const dsp::LogicTrace& wire);
+
+  /// The same of a wire that nobody keeps: its flips since the last call, and until when it is
+  /// known now. Memory is that of the flips since the last character.
+  std::vector<UartByte> take(std::span<const dsp::Seconds> flips, dsp::Seconds known_until);
 
  private:
   void forget_before(dsp::Seconds settled);
@@ -25,8 +30,8 @@ class UartStream {
   const UartReceiver* receiver_;
   dsp::Hertz baud_;
   double clock_phase_;
-  std::size_t next_flip_ = 0;   // of the wire, not in the part yet
-  dsp::LogicTrace part_{true};  // the wire since what was settled
+  std::size_t next_flip_ = 0;  // of the wire, not in the part yet
+  dsp::LogicTrace part_;       // the wire since what was settled
 };
 
 }  // namespace protocol

@@ -24,11 +24,12 @@ CLI/.*               sim/command/command_(line|options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp
+(zip|sndfile)[.]h    sim/(capture|trace)/.*[.]cpp
 (sys/)?[a-z]+[.]h    sim/.*
 '
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
-sim_order='text threads noise counting scenario parts link loading trial result engine trace report check
+sim_order='text threads noise counting scenario parts link loading capture trial result engine trace report check
            arena guard exchange location serial node serve command'
 
 # shellcheck disable=SC2016 # the $ are those of awk

@@ -1,9 +1,11 @@
 #include "sim/command/command_line.hpp"
 
+#include "sim/capture/capture_file.hpp"
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/engine/team.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
@@ -73,8 +75,9 @@ void add_trace(CLI::App& app, TraceRequest& request) {
       ->type_name("N")
       ->check(an_index);
   add_place(trace, "-o,--output", request.output, "FILE",
-            "file to write; its ending is the format: .vcd, the wires tx and rx; .csv, all taps, a "
-            "row a sample; .h5, the same in HDF5, and spectra")
+            "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same and "
+            "all taps, for sigrok; .ook, the pulses of rx, for rtl_433; .csv, all taps, a row a "
+            "sample; .h5, the same in HDF5, and spectra")
       ->required();
   add_scenario_options(trace, request.options);
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
@@ -96,13 +99,26 @@ void add_encode(CLI::App& app, EncodeRequest& request) {
 
 void add_decode(CLI::App& app, DecodeRequest& request) {
   auto& decode = *app.add_subcommand(
-      "decode", "Print the messages in a logic capture: when, accepted or why not, and their text");
-  add_place(decode, "CAPTURE", request.capture, "", "logic capture of the receiver's output (.vcd)")
+      "decode",
+      "Print the messages in a capture: when, accepted or why not, and their text; and "
+      "how well the line keeps to its bit rate");
+  add_place(decode, "CAPTURE", request.capture, "",
+            "capture of the receiver's output or of its light: .vcd, .sr, .ook, .csv, .wav, "
+            ".sigmf-meta or .bin")
       ->required();
   decode
-      .add_option("--wire", request.wire,
-                  "wire to decode; if not given, rx, or the first where there is none")
+      .add_option("--wire,--channel", request.wire,
+                  "wire, channel or column to decode; if not given, rx, or the first where there "
+                  "is none")
       ->type_name("NAME");
+  decode.add_option("--format", request.format, "of the capture, where its name does not say it")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(capture_format_names()).description(""));
+  decode
+      .add_option("--sample-rate", request.sample_rate_hz,
+                  "samples a second, for a capture that does not say it")
+      ->type_name("RATE")
+      ->check(between(1, 1e12));
   decode
       .add_option(
           "--uart", request.uart,
@@ -110,11 +126,28 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
           "(Arduino's) or edge-timing (widths of pulses); atmega if not given")
       ->type_name("NAME")
       ->check(CLI::IsMember(find_key("uart.receiver")->choices).description(""));
-  decode.add_option("--baud", request.baud, "bits per second, 1 to 1000000; 600 if not given")
+  decode
+      .add_option_function<std::string>(
+          "--baud", [&request](const std::string& text) { request.baud = parse_number(text); },
+          "bits per second, 1 to 1000000; if not given or auto, found in the capture")
       ->type_name("RATE")
-      ->check(between(1, 1e6));
+      ->check(auto_or_between(1, 1e6));
+  decode
+      .add_option_function<std::string>(
+          "--carrier",
+          [&request](const std::string& text) { request.carrier_hz = parse_number(text); },
+          "of a sampled light, or of a baseband its distance from the middle, in Hz; 0 for a "
+          "voltage; if not given or auto, found in the capture")
+      ->type_name("HZ")
+      ->check(auto_or_between(0, 1e9));
+  decode
+      .add_option("--polarity", request.polarity,
+                  "idle-high (light is 0) or idle-low; if not given or auto, found in the capture")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "idle-high", "idle-low"}).description(""));
   add_protocol(decode, request.protocol);
-  decode.add_flag("--json", request.json, "one JSON object a line for each message");
+  decode.add_flag("--json", request.json,
+                  "one JSON object a line for each message, and a last one of the line");
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
 }
 

@@ -55,6 +55,13 @@ CLI::Validator between(double low, double high) {
           ""};
 }
 
+CLI::Validator auto_or_between(double low, double high) {
+  return {[number = between(low, high)](const std::string& text) {
+            return text == "auto" ? std::string() : number(text);
+          },
+          ""};
+}
+
 CLI::Validator a_time() {
   return {
       [](std::string& text) -> std::string {

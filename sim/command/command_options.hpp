@@ -14,6 +14,9 @@ extern const CLI::Validator a_name, an_index, a_shard;
 /// A number within [low, high]; CLI::Range lets NaN pass.
 CLI::Validator between(double low, double high);
 
+/// The same, or the word auto.
+CLI::Validator auto_or_between(double low, double high);
+
 /// A time with its unit: "90s", "10min", "2h", as seconds.
 CLI::Validator a_time();
 

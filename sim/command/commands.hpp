@@ -66,9 +66,13 @@ ExitCode encode_command(const EncodeRequest& request);
 
 struct DecodeRequest {
   std::filesystem::path capture;
-  std::string wire;  // empty: "rx" if there is one, else the first
+  std::string wire;                      // empty: "rx" if there is one, else the first
+  std::string format;                    // empty: by its ending or content
+  std::optional<double> sample_rate_hz;  // nothing: as the file says
   std::string uart = "atmega";
-  double baud = 600;
+  std::optional<double> baud;        // nothing: found in the capture
+  std::optional<double> carrier_hz;  // nothing: found in the capture; 0: none
+  std::string polarity = "auto";     // or "idle-high", "idle-low"
   std::string protocol = "cosys";
   bool json = false;
 };

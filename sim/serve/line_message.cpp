@@ -3,22 +3,10 @@
 #include <cassert>
 #include <utility>
 
-#include "sim/trial/decision_trial.hpp"
-#include "sim/trial/drawn_trials.hpp"
-#include "sim/trial/envelope_trial.hpp"
-#include "sim/trial/trial.hpp"
+#include "sim/trial/heard_trials.hpp"
 
 namespace sim {
 namespace {
-
-/// Steps 3-7 of a trial.
-dsp::LogicTrace pin_of(const Link& link, std::uint32_t trial, const Transmission& sent,
-                       const std::atomic<bool>& stop) {
-  if (link.decisions) return decided_pin(link, trial, sent);
-  if (link.envelope) return envelope_pins(link, trial, {&sent, 1}, &stop).front();
-  const auto unit = draw_unit(link, trial);
-  return pins_of(link, {&sent}, {chain_input(link, trial, sent, unit)}, &stop, nullptr).front();
-}
 
 /// The stop bit's middle, by the receiver's clock.
 dsp::Seconds until_read(const Link& link) {
@@ -30,7 +18,8 @@ dsp::Seconds until_read(const Link& link) {
 LineMessage make_line_message(const Link& link, std::uint32_t number,
                               const std::atomic<bool>& stop) {
   assert(link.warmup_messages > 0);
-  const Transmission sent = transmit(link, number);
+  HeardTrials heard = hear_trials(link, number, 1, &stop);
+  const Transmission& sent = heard.sent.front();
   const SentMessage& counted = sent.messages.back();
   const dsp::Seconds from = sent.messages[sent.messages.size() - 2].end;
   LineMessage message{.number = number,
@@ -38,7 +27,7 @@ LineMessage make_line_message(const Link& link, std::uint32_t number,
                       .start = counted.byte_start.front() - from,
                       .end = counted.end - from,
                       .bytes = {}};
-  for (const auto& byte : receive(link, number, pin_of(link, number, sent, stop)).bytes)
+  for (const auto& byte : receive(link, number, std::move(heard.pins.front())).bytes)
     if (byte.start >= from && byte.start < counted.end)
       message.bytes.push_back(
           {byte.start - from + until_read(link), byte.value, byte.framing_error});

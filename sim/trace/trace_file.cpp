@@ -10,6 +10,8 @@
 #include "sim/scenario/key_check.hpp"
 #include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
+#include "sim/trace/pulse_write.hpp"
+#include "sim/trace/session_write.hpp"
 #include "sim/trace/trace_netcdf.hpp"
 #include "sim/trace/vcd.hpp"
 
@@ -42,6 +44,12 @@ std::string to_csv(const TracedTrial& trial) {
   return text;
 }
 
+std::string to_pulses(const TracedTrial& trial) {
+  std::ostringstream out;
+  write_pulses(out, trial.rx);
+  return out.str();
+}
+
 bool is_own_vcd(const std::filesystem::path& path) {
   constexpr std::string_view head = "$version cosys-sim ";
   return beginning_of(path, head.size()) == head;
@@ -52,14 +60,20 @@ bool is_own_csv(const std::filesystem::path& path) {
   return beginning_of(path, head.size()) == head;
 }
 
+bool is_own_pulses(const std::filesystem::path& path) {
+  return beginning_of(path, pulses_head.size()) == pulses_head;
+}
+
 struct Format {
   const char* ending;
   std::string (*text)(const TracedTrial&);
   bool (*is_own)(const std::filesystem::path&);  // whether a file was written by `text`
-  bool has_taps;
+  bool needs_taps;
 };
 
 constexpr Format formats[] = {{".vcd", to_vcd, is_own_vcd, false},
+                              {".sr", trace_as_session, is_session_of_trace, false},
+                              {".ook", to_pulses, is_own_pulses, false},
                               {".csv", to_csv, is_own_csv, true},
                               {".h5", trace_as_netcdf, is_netcdf_trace, true}};
 
@@ -81,7 +95,7 @@ void check_trace_path(const std::filesystem::path& path) {
 }
 
 void check_traceable(const std::filesystem::path& path, const Scenario& scenario) {
-  if (!format_of(path).has_taps || fidelity_of(scenario.simulation) == Fidelity::waveform) return;
+  if (!format_of(path).needs_taps || fidelity_of(scenario.simulation) == Fidelity::waveform) return;
   throw bad_input(
       "cannot trace into " + path.string(),
       "no samples are made at simulation.fidelity = \"" + scenario.simulation.fidelity + "\"",

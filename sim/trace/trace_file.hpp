@@ -8,7 +8,8 @@
 
 namespace sim {
 
-/// .vcd: wires tx and rx; .csv: time and every tap, a row a sample; .h5: the same and spectra.
+/// .vcd: wires tx and rx; .sr: the same and every tap beside them, where there are some; .ook: the
+/// light of rx; .csv: time and every tap, a row a sample; .h5: the same and spectra.
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial);
 
 /// Throws the Failure that write_trace would throw for this name, before any work is done, and

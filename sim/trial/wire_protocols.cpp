@@ -12,8 +12,7 @@
 namespace sim {
 namespace {
 
-using Frames = std::vector<WireFrame>;
-using HeardBytes = std::span<const protocol::UartByte>;
+using HeardFrame = std::optional<WireFrame>;
 
 // ---- COSYS ----
 
@@ -25,16 +24,21 @@ protocol::Bytes encode_cosys(const std::string& message) {
   return protocol::cosys_encode(message);
 }
 
-/// What was heard behind the last newline too: one that is damaged would hide a whole message.
-Frames decode_cosys(HeardBytes bytes) {
-  Frames frames;
-  protocol::CosysDecoder decoder;
-  for (const protocol::UartByte& byte : bytes)
-    if (const auto frame = decoder.push(byte))
-      frames.push_back({frame->start, std::string(name(frame->outcome)), frame->message});
-  if (!decoder.pending().empty()) frames.push_back({{}, "no newline", decoder.pending()});
-  return frames;
-}
+class CosysWire : public WireDecoder {
+ public:
+  HeardFrame push(const protocol::UartByte& byte) override {
+    const auto frame = decoder_.push(byte);
+    if (!frame) return std::nullopt;
+    return WireFrame{frame->start, std::string(name(frame->outcome)), frame->message};
+  }
+  HeardFrame rest() const override {
+    if (decoder_.pending().empty()) return std::nullopt;
+    return WireFrame{{}, "no newline", decoder_.pending()};
+  }
+
+ private:
+  protocol::CosysDecoder decoder_;
+};
 
 // ---- SharedLink ----
 
@@ -54,18 +58,29 @@ WireFrame shared_link_frame(const protocol::SharedLinkFrame& frame) {
           ok ? protocol::shared_link_text(frame.message) : frame.text};
 }
 
-Frames decode_shared_link(HeardBytes bytes) {
-  Frames frames;
-  protocol::SharedLinkDecoder decoder;
-  for (const protocol::UartByte& byte : bytes)
-    if (const auto frame = decoder.push(byte)) frames.push_back(shared_link_frame(*frame));
-  if (const std::string* text = decoder.pending()) frames.push_back({{}, "no bracket", *text});
-  return frames;
+class SharedLinkWire : public WireDecoder {
+ public:
+  HeardFrame push(const protocol::UartByte& byte) override {
+    const auto frame = decoder_.push(byte);
+    return frame ? HeardFrame(shared_link_frame(*frame)) : std::nullopt;
+  }
+  HeardFrame rest() const override {
+    const std::string* text = decoder_.pending();
+    return text != nullptr ? HeardFrame(WireFrame{{}, "no bracket", *text}) : std::nullopt;
+  }
+
+ private:
+  protocol::SharedLinkDecoder decoder_;
+};
+
+template <class Decoder>
+std::unique_ptr<WireDecoder> make_decoder() {
+  return std::make_unique<Decoder>();
 }
 
 constexpr std::array<WireProtocol, 2> protocols{
-    {{"cosys", encode_cosys, decode_cosys},
-     {"sharedlink", encode_shared_link, decode_shared_link}}};
+    {{"cosys", encode_cosys, make_decoder<CosysWire>},
+     {"sharedlink", encode_shared_link, make_decoder<SharedLinkWire>}}};
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 #pragma once
 // The message formats that encode and decode know, a row each. A format is a pair of files in
 // protocol/; what stands here is how people write and read its messages.
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +17,25 @@ struct WireFrame {
   std::string message;                // as encode takes it if ok, else as received
 };
 
+/// Makes frames of bytes as they come, in bounded memory.
+class WireDecoder {
+ public:
+  WireDecoder() = default;
+  WireDecoder(const WireDecoder&) = delete;
+  WireDecoder& operator=(const WireDecoder&) = delete;
+  virtual ~WireDecoder() = default;
+
+  /// The frame that this byte completes, if it does.
+  virtual std::optional<WireFrame> push(const protocol::UartByte& byte) = 0;
+  /// What has begun and not ended: a newline that is damaged would hide a whole message.
+  virtual std::optional<WireFrame> rest() const = 0;
+};
+
 struct WireProtocol {
   std::string_view name;
   /// Throws bad_input for what cannot be sent.
   protocol::Bytes (*encode)(const std::string& message);
-  std::vector<WireFrame> (*decode)(std::span<const protocol::UartByte> bytes);
+  std::unique_ptr<WireDecoder> (*decoder)();
 };
 
 std::vector<std::string> wire_protocol_names();

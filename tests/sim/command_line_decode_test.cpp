@@ -19,6 +19,9 @@ void write_capture(const std::filesystem::path& path, const std::string& bytes) 
   sim::write_vcd(out, std::vector<sim::VcdWire>{{"rx", &line}}, at + dsp::Seconds(0.01));
 }
 
+/// What decode prints before its table of the line.
+std::string frames_of(const std::string& out) { return out.substr(0, out.find("\n\n") + 1); }
+
 TEST_F(CommandLine, EncodesEveryFormat) {
   EXPECT_EQ(program({"encode", "IND 011111 OK"}).out, "IND 011111 OK 46\n");
   EXPECT_EQ(program({"encode", "--protocol", "cosys", "IND 011111 OK"}).out, "IND 011111 OK 46\n");
@@ -52,7 +55,7 @@ TEST_F(CommandLine, DecodesSharedLink) {
   wrong[9] = '9';
   write_capture(path("t.vcd"), whole + wrong + "[:AB|N0|D4");
   const Words decode{"decode", "t.vcd", "--protocol", "sharedlink", "--uart", "mid-bit"};
-  EXPECT_EQ(program(decode).out,
+  EXPECT_EQ(frames_of(program(decode).out),
             "   0.010000 s  ok              AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1\n"
             "   0.910000 s  wrong_checksum  :AB|N0|D90.12345678|D-113.12345678|D85.6|D22.1|CD4\n"
             "          end  no bracket      :AB|N0|D4\n");
@@ -77,16 +80,96 @@ TEST_F(CommandLine, DecodeReadsLongCaptures) {
     capture += "#" + std::to_string(500 * i) + "\n" + std::to_string(i % 2) + "!\n";
   ASSERT_GT(capture.size(), 1U << 20U);
   write("long.vcd", capture);
-  const Outcome o = program({"decode", "long.vcd"});
+  const Outcome o = program({"decode", "long.vcd", "--baud", "600"});
   EXPECT_EQ(o.code, 0);
   EXPECT_EQ(o.err, "cosys-sim: no cosys message in 0 characters\n");
 }
 
-TEST_F(CommandLine, DecodeRefusesCapturesThatMemoryCouldNotHold) {
-  write("huge.vcd", "");
-  std::filesystem::resize_file(path("huge.vcd"), (256U << 20U) + 1);
-  expect_refused({"decode", "huge.vcd"}, 2,
-                 "huge.vcd (longer than 256 MiB) shorten it or name a capture file");
+/// Bytes as one bit a sample, bit 0 of a byte.
+std::string sampled(const dsp::LogicTrace& line, double rate, bool inverted) {
+  std::string samples;
+  dsp::TraceReader reader(line);
+  for (double i = 0; i / rate < line.end().value; ++i)
+    samples += static_cast<char>(reader.level_at(dsp::Seconds(i / rate)) != inverted);
+  return samples;
+}
+
+dsp::LogicTrace message_line(double baud) {
+  dsp::LogicTrace line;
+  dsp::Seconds at(0.02);
+  for (const char byte : std::string("IND 011111 OK 46\n"))
+    at = protocol::send_byte(line, static_cast<std::uint8_t>(byte), at, dsp::Hertz(baud));
+  line.observe_until(at + dsp::Seconds(0.02));
+  return line;
+}
+
+const std::string its_message = "   0.020000 s  ok              IND 011111 OK\n";
+
+/// The object that ends the output of decode --json.
+nlohmann::json line_facts(const std::string& out) {
+  const std::size_t at = out.rfind("{\"line\"");
+  return nlohmann::json::parse(out.substr(std::min(at, out.size()))).at("line");
+}
+
+TEST_F(CommandLine, DecodeFindsPolarityAndBaud) {
+  write("t.bin", sampled(message_line(2400 * 1.004), 1e6, true));
+  const Words decode{"decode", "t.bin", "--sample-rate", "1e6", "--uart", "mid-bit"};
+  const Outcome o = program(decode);
+  EXPECT_EQ(frames_of(o.out), its_message) << o.err;
+  for (const char* row : {"polarity                idle-low\n", "characters              17\n",
+                          "framing errors          0\n", "baud                    2400\n"})
+    EXPECT_NE(o.out.find(row), std::string::npos) << row << o.out;
+  Words json = decode;
+  json.emplace_back("--json");
+  const auto facts = line_facts(program(json).out);
+  EXPECT_NEAR(facts.at("baud_error_ppm").get<double>(), 4000, 50);
+  EXPECT_LT(facts.at("jitter_us_rms").get<double>(), 1);
+  EXPECT_LT(std::abs(facts.at("pulse_width_distortion_us").get<double>()), 1);
+  Words told = decode;
+  told.insert(told.end(), {"--polarity", "idle-high"});
+  EXPECT_EQ(program(told).out.find(" ok "), std::string::npos);
+}
+
+TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
+  write_capture(path("t.vcd"), "IND 011111 OK 46\n");
+  const std::string decode = std::string(COSYS_PROGRAM) + " decode /dev/stdin";
+  EXPECT_NE(tool("sh", {"-c", "cat t.vcd | " + decode}).find(" ok "), std::string::npos);
+  write("t.bin", sampled(message_line(600), 1e5, false));
+  EXPECT_NE(
+      tool("sh", {"-c", "cat t.bin | " + decode + " --format bin --sample-rate 1e5"}).find(" ok "),
+      std::string::npos);
+}
+
+TEST_F(CommandLine, DecodeReadsTheLightOfATrace) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.csv"}).code, 0);
+  const Words decode{"decode", "t.csv", "--json", "--channel", "irradiance_mw_per_m2"};
+  const Outcome o = program(decode);
+  EXPECT_NE(o.out.find(R"("IND 011111 OK","outcome":"ok")"), std::string::npos) << o.out << o.err;
+  EXPECT_NEAR(line_facts(o.out).at("carrier_hz").get<double>(), 59e3, 100);
+  Words told = decode;
+  told.insert(told.end(), {"--carrier", "38000"});
+  EXPECT_EQ(program(told).out.find(R"("ok")"), std::string::npos);
+}
+
+TEST_F(CommandLine, DecodeReadsMoreThanMemoryMayHold) {
+  write("huge.bin", sampled(message_line(600), 1e6, false));
+  std::ofstream(path("huge.bin"), std::ios::app) << std::string(1000, '\1');
+  std::filesystem::resize_file(path("huge.bin"), 200U << 20U);  // a break that never ends
+  const Outcome o = program({"decode", "huge.bin", "--sample-rate", "1e6", "--uart", "mid-bit",
+                             "--polarity", "idle-high"});
+  EXPECT_EQ(frames_of(o.out), its_message + "          end  no newline      \\x00\n") << o.err;
+  EXPECT_LT(o.peak_kb, 100 * 1024);
+}
+
+TEST_F(CommandLine, DecodeReadsAsManyFlipsAsThereAre) {
+  std::ofstream out(path("many.ook"));
+  out << ";pulse data\n;version 1\n;timescale 1us\n";
+  for (int i = 0; i < 1'000'000; ++i) out << "60 40\n";  // too short for any character
+  out.close();
+  const Outcome o = program({"decode", "many.ook", "--baud", "600"});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_LT(o.peak_kb, 100 * 1024);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_F(CommandLine, DecodeReadsWhatTraceWrites) {
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   const auto start_s = [&](const char* wire, const char* uart) {
     const Outcome o = program({"decode", "t.vcd", "--wire", wire, "--uart", uart, "--json"});
-    const auto json = nlohmann::json::parse(o.out);
+    const auto json = nlohmann::json::parse(o.out.substr(0, o.out.find('\n')));
     EXPECT_EQ(json.at("outcome"), "ok");
     EXPECT_EQ(json.at("message"), "IND 011111 OK");
     return json.at("time_s").get<double>();
@@ -53,7 +53,7 @@ TEST_F(CommandLine, DecodeReadsWhatTraceWrites) {
   EXPECT_LT(heard - sent, 0.5 / 600);
   EXPECT_NEAR(start_s("rx", "atmega"), heard, 2.0 / 16 / 600);  // it samples 16 times a bit
   const std::string line = program({"decode", "t.vcd"}).out;
-  EXPECT_TRUE(line.ends_with(" s  ok              IND 011111 OK\n")) << line;
+  EXPECT_NE(line.find(" s  ok              IND 011111 OK\n"), std::string::npos) << line;
 }
 
 TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
@@ -62,7 +62,9 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   expect_refused({"decode", "missing.vcd"}, bad_input, "missing.vcd (no such file) check the path");
   expect_refused({"decode", "s.toml"}, bad_input,
-                 "cannot decode s.toml (its ending names no capture format) give a .vcd file");
+                 "cannot decode s.toml (neither its ending nor its first bytes name a capture "
+                 "format) give a .vcd or .sr or .ook or .wav or .sigmf-meta or .csv or .bin file, "
+                 "or say --format");
   for (const char* baud : {"nan", "inf", "0", "1e7", "x", ""})
     EXPECT_EQ(program({"decode", "t.vcd", "--baud", baud}).code, bad_input) << baud;
   expect_refused({"decode", "t.vcd", "--wire", "tr"}, bad_input,
@@ -83,7 +85,7 @@ TEST_F(CommandLine, TraceOfDecisionsHasTheWires) {
   };
   ASSERT_EQ(program(trace("t.vcd")).code, 0);
   const std::string line = program({"decode", "t.vcd"}).out;
-  EXPECT_TRUE(line.ends_with(" s  ok              IND 011111 OK\n")) << line;
+  EXPECT_NE(line.find(" s  ok              IND 011111 OK\n"), std::string::npos) << line;
   for (const char* file : {"t.csv", "t.h5"})
     expect_refused(trace(file), bad_input,
                    std::string("cannot trace into ") + file +

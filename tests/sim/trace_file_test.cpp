@@ -96,13 +96,14 @@ TEST_F(TraceFile, ColumnsKeepEveryFlipOfThePin) {
 
 TEST_F(TraceFile, LeavesNothingButTheFile) {
   const TracedTrial traced = short_trial();
-  for (const char* name : {"t.vcd", "t.csv", "t.h5"}) write_trace(path(name), traced);
-  EXPECT_EQ(files(), 3u);
+  for (const char* name : {"t.vcd", "t.sr", "t.ook", "t.csv", "t.h5"})
+    write_trace(path(name), traced);
+  EXPECT_EQ(files(), 5u);
 }
 
 TEST_F(TraceFile, ReplacesOnlyItsOwn) {
   const TracedTrial traced = short_trial();
-  for (const char* name : {"t.vcd", "t.csv", "t.h5"}) {
+  for (const char* name : {"t.vcd", "t.sr", "t.ook", "t.csv", "t.h5"}) {
     write_trace(path(name), traced);
     EXPECT_EQ(failure_of(path(name)), "no failure");
     std::ofstream(path(name)) << "time_s,voltage\n";
@@ -116,8 +117,8 @@ TEST_F(TraceFile, ReplacesOnlyItsOwn) {
 
 TEST_F(TraceFile, NamesTheFormatsThatItKnows) {
   EXPECT_EQ(failure_of("x.txt"),
-            "cannot trace into x.txt (its ending names no format) end the name in .vcd or .csv or "
-            ".h5");
+            "cannot trace into x.txt (its ending names no format) end the name in .vcd or .sr or "
+            ".ook or .csv or .h5");
   EXPECT_EQ(failure_of(path("missing") / "t.h5"),
             "cannot write " + (path("missing") / "t.h5").string() +
                 " (its folder does not exist) create the folder or choose another");

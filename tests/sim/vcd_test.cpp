@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "protocol/uart.hpp"
+#include "sim/capture/vcd_capture.hpp"
 #include "sim/failure.hpp"
 
 namespace sim {
@@ -25,9 +26,9 @@ std::string written(const std::vector<VcdWire>& wires, Seconds duration) {
   return out.str();
 }
 
-std::vector<VcdTrace> read(const std::string& text) {
+std::vector<NamedTrace> read(const std::string& text) {
   std::istringstream in(text);
-  return read_vcd(in, "a.vcd");
+  return read_whole(*open_vcd(in, "a.vcd"));
 }
 
 /// A file with one wire `rx` of code `!` and this body.
@@ -189,7 +190,7 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains(one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
   contains(one_wire("#5 $comment 1!"), "$end is missing");
   std::istringstream garbage("garbage");
-  EXPECT_EQ(failure_of([&] { read_vcd(garbage, "a\nb.vcd"); }),
+  EXPECT_EQ(failure_of([&] { open_vcd(garbage, "a\nb.vcd"); }),
             "'garbage' in a?b.vcd:1 (not a VCD declaration) give a complete text VCD file, as "
             "sigrok-cli -O vcd or PulseView write it");
 }

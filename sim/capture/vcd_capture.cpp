@@ -1,3 +1,5 @@
+#include "sim/capture/vcd_capture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,19 +11,18 @@
 #include <optional>
 #include <utility>
 
+#include "sim/capture/text_lines.hpp"
 #include "sim/failure.hpp"
-#include "sim/trace/vcd.hpp"
 
 namespace sim {
 namespace {
 
-using dsp::LogicTrace;
 using dsp::Seconds;
 
 /// White-space separated words of a file, with the line each is on.
 class Words {
  public:
-  Words(std::istream& in, std::string_view file) : in_(in), file_(file) {}
+  Words(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}
 
   /// Empty at the end of the file.
   std::string next() {
@@ -55,38 +56,23 @@ class Words {
   static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   std::istream& in_;
-  std::string_view file_;
+  std::string file_;
   std::size_t line_ = 1;
 };
 
-/// A word as a message may show it: short and printable.
-std::string shown(std::string_view word) {
-  std::string text(word.substr(0, 40));
-  std::ranges::replace_if(
-      text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
-
-/// One wire being read: its first value is its initial level if it comes at the file's first time.
-struct Wire {
-  std::string name;
-  std::optional<LogicTrace> trace;
-};
-
-class VcdReader {
+class VcdCapture : public LogicCapture {
  public:
-  VcdReader(std::istream& in, std::string_view file) : words_(in, file) {}
-
-  std::vector<VcdTrace> read() {
+  VcdCapture(std::istream& in, std::string file) : words_(in, std::move(file)) {
     read_declarations();
-    for (std::string word = words_.next(); !word.empty(); word = words_.next()) read_change(word);
-    std::vector<VcdTrace> traces;
-    for (Wire& wire : wires_) {
-      LogicTrace trace = wire.trace.value_or(LogicTrace(true));
-      trace.observe_until(now_);
-      traces.push_back({std::move(wire.name), std::move(trace)});
-    }
-    return traces;
+  }
+
+  const std::vector<std::string>& wires() const override { return wires_; }
+  Seconds now() const override { return now_; }
+
+  std::optional<WireLevel> next() override {
+    for (std::string word = words_.next(); !word.empty(); word = words_.next())
+      if (const auto change = read_change(word)) return change;
+    return std::nullopt;
   }
 
  private:
@@ -138,25 +124,27 @@ class VcdReader {
     }
     const bool scalar = size == "1" && std::ranges::find(not_wires, type) == std::end(not_wires);
     if (!ids_.try_emplace(id, scalar ? wires_.size() : skipped).second || !scalar) return;
-    wires_.push_back({std::move(name), std::nullopt});
+    wires_.push_back(std::move(name));
+    seen_.push_back(false);
   }
 
-  void read_change(const std::string& word) {
+  std::optional<WireLevel> read_change(const std::string& word) {
     const char kind = word.front();
     if (kind == '#') {
       read_time(word);
     } else if (word == "$comment") {
       skip_section();
     } else if (kind == 'b' || kind == 'B') {
-      set_wire(words_.need("a vector's code"), word.back());  // some programs write a bit as b1
+      return level(words_.need("a vector's code"), word.back());  // some programs write a bit as b1
     } else if (kind == 'r' || kind == 'R' || kind == 's' || kind == 'S') {
       words_.need("a value's code");
     } else if (kind != '$') {  // $dumpvars, $dumpon, ... and their $end only wrap changes
       if (levels.find(kind) == std::string_view::npos) {
         words_.fail("'" + shown(word) + "'", "not a VCD value change");
       }
-      set_wire(word.substr(1), kind);
+      return level(word.substr(1), kind);
     }
+    return std::nullopt;
   }
 
   void read_time(const std::string& word) {
@@ -168,19 +156,20 @@ class VcdReader {
     }
     const Seconds time = static_cast<double>(ticks) * tick_;
     if (time < now_) words_.fail("time " + shown(word), "it is before the time that it follows");
-    if (time > longest) words_.fail("time " + shown(word), "it is after more than 30 years");
+    if (time > longest_capture)
+      words_.fail("time " + shown(word), "it is after more than 30 years");
     if (!first_time_) first_time_ = time;
     now_ = time;
   }
 
-  void set_wire(const std::string& id, char value) {
+  std::optional<WireLevel> level(const std::string& id, char value) {
     const auto found = ids_.find(id);
     if (found == ids_.end()) words_.fail("value of '" + shown(id) + "'", "no $var declares it");
-    if (found->second == skipped || (value != '0' && value != '1')) return;
-    const bool level = value == '1';
-    std::optional<LogicTrace>& trace = wires_[found->second].trace;
-    if (!trace) trace.emplace(now_ == first_time_.value_or(now_) ? level : true);
-    trace->set_at(now_, level);
+    const std::size_t wire = found->second;
+    if (wire == skipped || (value != '0' && value != '1')) return std::nullopt;
+    const bool first = !seen_[wire];
+    seen_[wire] = true;
+    return WireLevel{wire, now_, value == '1', first && now_ == first_time_.value_or(now_)};
   }
 
   static inline const std::map<std::string, double, std::less<>> units = {
@@ -188,20 +177,20 @@ class VcdReader {
   static constexpr std::string_view not_wires[] = {"real", "realtime", "string", "event"};
   static constexpr std::string_view levels = "01xXzZ";
   static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
-  static constexpr Seconds longest{1e9};  // keeps every receiver's sample count exact in a double
 
   Words words_;
   Seconds tick_;
   Seconds now_;
   std::optional<Seconds> first_time_;
   std::map<std::string, std::size_t, std::less<>> ids_;
-  std::vector<Wire> wires_;
+  std::vector<std::string> wires_;
+  std::vector<bool> seen_;  // whether a wire had a level
 };
 
 }  // namespace
 
-std::vector<VcdTrace> read_vcd(std::istream& in, std::string_view file) {
-  return VcdReader(in, file).read();
+std::unique_ptr<LogicCapture> open_vcd(std::istream& in, std::string file) {
+  return std::make_unique<VcdCapture>(in, std::move(file));
 }
 
 }  // namespace sim

@@ -1,0 +1,16 @@
+#pragma once
+// CSV captures: columns of 0 and 1 are wires, others are analogue channels; a column that is the
+// time, by its name ("Time [s]", time_s) or, where nothing is named, by its place, gives the
+// instants. Logic rows may be changes alone; analogue ones are evenly spaced. Without a time the
+// sample rate is that of sigrok's header, or is to be said. Where time begins below 0, as behind an
+// oscilloscope's trigger, instants are told from the first row.
+#include <string>
+
+#include "sim/capture/capture_file.hpp"
+
+namespace sim {
+
+/// Fills in `logic`, or `samples` where settings.wire is an analogue column or there is no other.
+void open_csv(const std::string& file, const CaptureSettings& settings, Capture& capture);
+
+}  // namespace sim

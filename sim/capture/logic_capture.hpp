@@ -1,0 +1,78 @@
+#pragma once
+// LogicCapture: the wires of a logic analyser's capture, level by level in the order of time and in
+// memory that does not grow with the file. What cannot be read is thrown as Failure(bad_input) with
+// the file's name, and the line where there are lines.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsp/logic_trace.hpp"
+#include "dsp/units.hpp"
+
+namespace sim {
+
+struct WireLevel {
+  std::size_t wire = 0;  // its place in wires()
+  dsp::Seconds at;       // does not decrease
+  bool level = true;
+  bool initial = false;  // the wire was so from the start: no flip
+};
+
+class LogicCapture {
+ public:
+  LogicCapture() = default;
+  LogicCapture(const LogicCapture&) = delete;
+  LogicCapture& operator=(const LogicCapture&) = delete;
+  virtual ~LogicCapture() = default;
+
+  virtual const std::vector<std::string>& wires() const = 0;
+  /// A level may repeat the one before. A wire of which no initial level comes was 1, as an idle
+  /// line is. Nothing: the capture is over.
+  virtual std::optional<WireLevel> next() = 0;
+  /// Until when the wires were observed, as far as it was read.
+  virtual dsp::Seconds now() const = 0;
+};
+
+/// One wire, flip by flip in the order of time; no two flips are at one instant.
+class FlipSource {
+ public:
+  FlipSource() = default;
+  FlipSource(const FlipSource&) = delete;
+  FlipSource& operator=(const FlipSource&) = delete;
+  virtual ~FlipSource() = default;
+
+  virtual bool initial() const = 0;
+  virtual std::optional<dsp::Seconds> next() = 0;
+  /// Every flip before it was given.
+  virtual dsp::Seconds known_until() const = 0;
+};
+
+/// One wire of a capture. Two flips at one instant cancel.
+class WireFlips : public FlipSource {
+ public:
+  /// The capture must outlive it.
+  WireFlips(LogicCapture& capture, std::size_t wire);
+
+  bool initial() const override { return initial_; }
+  std::optional<dsp::Seconds> next() override;
+  dsp::Seconds known_until() const override;
+
+ private:
+  void read_initial();
+
+  LogicCapture& capture_;
+  std::size_t wire_;
+  bool initial_ = true, level_ = true;
+  std::optional<dsp::Seconds> held_;  // a flip that another at its instant may cancel
+};
+
+struct NamedTrace {
+  std::string name;
+  dsp::LogicTrace trace;
+};
+
+/// All wires in memory: for captures known to be short.
+std::vector<NamedTrace> read_whole(LogicCapture& capture);
+
+}  // namespace sim

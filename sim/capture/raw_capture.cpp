@@ -1,0 +1,84 @@
+#include "sim/capture/raw_capture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+
+using dsp::Seconds;
+
+LogicSamples::LogicSamples(std::vector<std::string> wires, std::size_t unit_bytes,
+                           dsp::Hertz sample_rate, Blocks blocks)
+    : wires_(std::move(wires)),
+      unit_bytes_(unit_bytes),
+      sample_rate_(sample_rate),
+      blocks_(std::move(blocks)) {}
+
+Seconds LogicSamples::at(std::uint64_t sample) const {
+  return Seconds(static_cast<double>(sample) / sample_rate_.value);
+}
+
+bool LogicSamples::read_unit(std::uint64_t& unit) {
+  unit = 0;
+  for (std::size_t i = 0; i < unit_bytes_; ++i) {
+    if (block_.empty()) block_ = blocks_();
+    if (block_.empty()) return false;
+    unit |= std::uint64_t{block_.front()} << (8 * i);
+    block_ = block_.subspan(1);
+  }
+  ++samples_;
+  return true;
+}
+
+/// Most samples are as the one before: those of one byte are passed over in one go.
+void LogicSamples::skip_equal() {
+  if (unit_bytes_ != 1) return;
+  const auto equal = [&](std::uint8_t byte) { return byte == unit_; };
+  const auto other = std::ranges::find_if_not(block_, equal);
+  const auto count = static_cast<std::size_t>(other - block_.begin());
+  samples_ += count;
+  block_ = block_.subspan(count);
+}
+
+bool LogicSamples::read_change() {
+  const std::uint64_t wired =
+      wires_.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << wires_.size()) - 1;
+  first_ = samples_ == 0;
+  std::uint64_t unit = 0;
+  while (read_unit(unit)) {
+    changed_ = (first_ ? ~std::uint64_t{0} : unit ^ unit_) & wired;
+    unit_ = unit;
+    if (changed_ != 0) return true;
+    skip_equal();
+  }
+  return false;
+}
+
+std::optional<WireLevel> LogicSamples::next() {
+  if (changed_ == 0 && !read_change()) return std::nullopt;
+  const auto wire = static_cast<std::size_t>(std::countr_zero(changed_));
+  changed_ &= changed_ - 1;
+  return WireLevel{wire, at(samples_ - 1), ((unit_ >> wire) & 1U) != 0, first_};
+}
+
+std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
+                                       std::optional<dsp::Hertz> sample_rate) {
+  if (!sample_rate)
+    throw bad_input(file + " has no sample rate", "raw samples do not say theirs",
+                    "say --sample-rate");
+  auto chunk = std::make_shared<std::array<std::uint8_t, 65536>>();
+  const auto blocks = [&in, chunk]() -> std::span<const std::uint8_t> {
+    constexpr std::streamsize size = 65536;
+    const auto n = in.rdbuf()->sgetn(reinterpret_cast<char*>(chunk->data()), size);
+    return std::span(*chunk).first(static_cast<std::size_t>(n));
+  };
+  std::vector<std::string> wires;
+  for (int channel = 0; channel < 8; ++channel) wires.push_back(std::to_string(channel));
+  return std::make_unique<LogicSamples>(wires, 1, *sample_rate, blocks);
+}
+
+}  // namespace sim

@@ -1,0 +1,54 @@
+#pragma once
+// Logic samples as logic analysers store them: a unit of some bytes a sample, bit 0 of its first
+// byte being the first channel. Raw files (.bin) have one byte a sample and no header, as sigrok's
+// `binary` output of up to eight channels.
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/capture/logic_capture.hpp"
+
+namespace sim {
+
+/// Levels of wires, one sample after the other.
+class LogicSamples : public LogicCapture {
+ public:
+  /// The next bytes, any number; none at the end.
+  using Blocks = std::function<std::span<const std::uint8_t>()>;
+
+  /// A unit of 1 to 8 bytes has room for all wires.
+  LogicSamples(std::vector<std::string> wires, std::size_t unit_bytes, dsp::Hertz sample_rate,
+               Blocks blocks);
+
+  const std::vector<std::string>& wires() const override { return wires_; }
+  std::optional<WireLevel> next() override;
+  /// To the end of the last sample. Bytes of a unit that was cut short are none.
+  dsp::Seconds now() const override { return at(samples_); }
+
+ private:
+  dsp::Seconds at(std::uint64_t sample) const;
+  bool read_change();
+  bool read_unit(std::uint64_t& unit);
+  void skip_equal();
+
+  std::vector<std::string> wires_;
+  std::size_t unit_bytes_;
+  dsp::Hertz sample_rate_;
+  Blocks blocks_;
+  std::span<const std::uint8_t> block_;
+  std::uint64_t samples_ = 0;  // read
+  std::uint64_t unit_ = 0;     // the last one
+  std::uint64_t changed_ = 0;  // bits of it that were not given yet
+  bool first_ = true;          // they are those of the first sample
+};
+
+/// Throws Failure(bad_input) without a sample rate.
+std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
+                                       std::optional<dsp::Hertz> sample_rate);
+
+}  // namespace sim

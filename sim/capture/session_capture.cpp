@@ -1,0 +1,221 @@
+#include "sim/capture/session_capture.hpp"
+
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "sim/capture/raw_capture.hpp"
+#include "sim/capture/text_lines.hpp"
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_metadata = 65536, most_wires = 64;
+static_assert(std::endian::native == std::endian::little, "samples are read as they are stored");
+
+/// The zip, read member by member in bounded memory.
+class Archive {
+ public:
+  explicit Archive(const fs::path& path) : name_(path.string()) {
+    zip_ = zip_open(path.c_str(), ZIP_RDONLY, nullptr);
+    if (zip_ == nullptr) fail("no zip that can be read");
+  }
+  ~Archive() {
+    if (member_ != nullptr) zip_fclose(member_);
+    zip_discard(zip_);
+  }
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+
+  bool open(const std::string& member) {
+    if (member_ != nullptr) zip_fclose(std::exchange(member_, nullptr));
+    if (zip_name_locate(zip_, member.c_str(), 0) < 0) return false;
+    member_ = zip_fopen(zip_, member.c_str(), 0);
+    if (member_ == nullptr) fail("its member " + member + " cannot be read");
+    return true;
+  }
+
+  /// Bytes of the open member; 0 at its end.
+  std::size_t read(void* to, std::size_t size) {
+    const zip_int64_t n = zip_fread(member_, to, size);
+    if (n < 0) fail("a member is damaged");
+    return static_cast<std::size_t>(n);
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw bad_input("cannot read " + name_, why, "give a session as sigrok or PulseView save it");
+  }
+
+ private:
+  std::string name_;
+  zip_t* zip_ = nullptr;
+  zip_file_t* member_ = nullptr;
+};
+
+/// One stream of bytes out of all chunks: NAME-1, NAME-2, ..., or NAME alone.
+class Chunks {
+ public:
+  Chunks(std::shared_ptr<Archive> archive, std::string name)
+      : archive_(std::move(archive)), name_(std::move(name)) {
+    open_ = archive_->open(name_) || archive_->open(name_ + "-1");
+  }
+
+  std::size_t read(void* to, std::size_t size) {
+    while (open_) {
+      if (const std::size_t n = archive_->read(to, size)) return n;
+      open_ = archive_->open(fmt::format("{}-{}", name_, ++chunk_));
+    }
+    return 0;
+  }
+
+ private:
+  std::shared_ptr<Archive> archive_;
+  std::string name_;
+  std::size_t chunk_ = 1;
+  bool open_ = false;
+};
+
+struct Metadata {
+  std::string logic_name = "logic-1";
+  std::size_t unit_bytes = 1;
+  std::optional<dsp::Hertz> sample_rate;
+  std::vector<std::string> wires;
+  std::map<std::string, std::size_t> analogue;  // channel numbers by name
+};
+
+using Entries = std::map<std::string, std::string, std::less<>>;
+
+Entries read_entries_of(Archive& archive) {
+  if (!archive.open("metadata")) archive.fail("it has no member metadata");
+  std::array<char, longest_metadata> text;
+  std::size_t size = 0;
+  while (const std::size_t n = archive.read(text.data() + size, text.size() - size)) size += n;
+  std::istringstream lines(std::string(text.data(), size));
+  Entries entries;
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t equal = line.find('='); equal != std::string::npos)
+      entries.emplace(line.substr(0, equal), line.substr(equal + 1));
+  return entries;
+}
+
+/// `number` of a key like probe3; nothing for other keys.
+std::optional<std::size_t> number_behind(std::string_view prefix, std::string_view key) {
+  if (!key.starts_with(prefix)) return std::nullopt;
+  std::size_t number = 0;
+  const std::string_view digits = key.substr(prefix.size());
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = end.ec == std::errc() && end.ptr == digits.data() + digits.size();
+  if (!whole || number == 0 || number > 1000) return std::nullopt;
+  return number;
+}
+
+std::vector<std::string> wires_of(const Archive& archive, const Entries& entries) {
+  std::vector<std::string> wires;
+  for (const auto& [key, value] : entries) {
+    const auto probe = number_behind("probe", key);
+    if (!probe) continue;
+    if (*probe > most_wires) archive.fail("it has more than 64 logic channels");
+    if (*probe > wires.size()) wires.resize(*probe);
+    wires[*probe - 1] = value;
+  }
+  return wires;
+}
+
+Metadata parse(const Archive& archive, const Entries& entries) {
+  const auto entry = [&](const char* key, const std::string& otherwise) {
+    const auto found = entries.find(key);
+    return found == entries.end() ? otherwise : found->second;
+  };
+  Metadata metadata;
+  metadata.logic_name = entry("capturefile", "logic-1");
+  metadata.sample_rate = parse_sample_rate(entry("samplerate", ""));
+  metadata.wires = wires_of(archive, entries);
+  metadata.unit_bytes = number_behind("", entry("unitsize", "1")).value_or(0);
+  if (metadata.unit_bytes < (metadata.wires.size() + 7) / 8 || metadata.unit_bytes > 8 ||
+      metadata.unit_bytes == 0)
+    archive.fail("its unitsize does not fit its channels");
+  for (const auto& [key, value] : entries)
+    if (const auto number = number_behind("analog", key)) metadata.analogue[value] = *number;
+  return metadata;
+}
+
+class SessionSamples : public SampleCapture {
+ public:
+  SessionSamples(std::shared_ptr<Archive> archive, const std::string& name, dsp::Hertz rate)
+      : archive_(archive), chunks_(std::move(archive), name), rate_(rate) {}
+
+  dsp::Hertz sample_rate() const override { return rate_; }
+  bool is_complex() const override { return false; }
+
+  std::size_t read(std::span<std::complex<float>> to) override {
+    std::size_t count = 0;
+    for (float sample = 0; count < to.size() && read_float(sample); ++count) {
+      if (!std::isfinite(sample)) archive_->fail("a sample is not finite");
+      to[count] = sample;
+    }
+    return count;
+  }
+
+ private:
+  bool read_float(float& sample) {
+    while (bytes_ - next_ < sizeof(float)) {
+      std::memmove(buffer_.data(), buffer_.data() + next_, bytes_ - next_);
+      bytes_ -= std::exchange(next_, 0);
+      const std::size_t n = chunks_.read(buffer_.data() + bytes_, buffer_.size() - bytes_);
+      if (n == 0) return false;
+      bytes_ += n;
+    }
+    std::memcpy(&sample, buffer_.data() + next_, sizeof(float));
+    next_ += sizeof(float);
+    return true;
+  }
+
+  std::shared_ptr<Archive> archive_;
+  Chunks chunks_;
+  dsp::Hertz rate_;
+  std::array<char, 65536> buffer_{};
+  std::size_t bytes_ = 0, next_ = 0;
+};
+
+std::unique_ptr<LogicCapture> open_logic(const std::shared_ptr<Archive>& archive,
+                                         const Metadata& metadata) {
+  const auto chunks = std::make_shared<Chunks>(archive, metadata.logic_name);
+  const auto block = std::make_shared<std::array<std::uint8_t, 65536>>();
+  const auto blocks = [chunks, block]() -> std::span<const std::uint8_t> {
+    return std::span(*block).first(chunks->read(block->data(), block->size()));
+  };
+  return std::make_unique<LogicSamples>(metadata.wires, metadata.unit_bytes, *metadata.sample_rate,
+                                        blocks);
+}
+
+}  // namespace
+
+void open_session(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  const auto archive = std::make_shared<Archive>(path);
+  Metadata metadata = parse(*archive, read_entries_of(*archive));
+  if (settings.sample_rate) metadata.sample_rate = settings.sample_rate;
+  if (!metadata.sample_rate) archive->fail("its metadata has no samplerate");
+  const auto analogue = metadata.wires.empty() && settings.wire.empty()
+                            ? metadata.analogue.begin()
+                            : metadata.analogue.find(settings.wire);
+  if (analogue == metadata.analogue.end()) {
+    capture.logic = open_logic(archive, metadata);
+  } else {
+    capture.samples = std::make_unique<SessionSamples>(
+        archive, fmt::format("analog-1-{}", analogue->second), *metadata.sample_rate);
+  }
+}
+
+}  // namespace sim

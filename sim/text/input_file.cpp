@@ -1,0 +1,59 @@
+#include "sim/text/input_file.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+
+namespace fs = std::filesystem;
+
+void refuse_no_file(const fs::path& path, const std::string& what) {
+  const std::string name = path.generic_string();
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status))
+    throw bad_input(name, "a folder, not a " + what + " file", "name a file in it");
+  if (!fs::exists(status)) throw bad_input(name, "no such file", "check the path");
+}
+
+InputFile::InputFile(const fs::path& path)
+    : name_(path.generic_string()),
+      number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+
+InputFile::~InputFile() {
+  if (number_ >= 0) ::close(number_);
+}
+
+std::size_t InputFile::read(char* to, std::size_t size) const {
+  for (;;) {
+    const ssize_t n = ::read(number_, to, size);
+    if (n >= 0) return static_cast<std::size_t>(n);
+    if (errno != EAGAIN && errno != EINTR)
+      throw bad_input(name_, "cannot be read", "check its permissions");
+    pollfd wait{number_, POLLIN, 0};
+    ::poll(&wait, 1, -1);
+  }
+}
+
+InputStream::InputStream(const fs::path& path, const std::string& what)
+    : std::istream(nullptr), bytes_((refuse_no_file(path, what), path)) {
+  rdbuf(&bytes_);
+}
+
+std::string_view InputStream::Bytes::at_hand() {
+  if (gptr() == egptr()) underflow();
+  return {gptr(), egptr()};
+}
+
+InputStream::Bytes::int_type InputStream::Bytes::underflow() {
+  const std::size_t n = file_.read(chunk_.data(), chunk_.size());
+  setg(chunk_.data(), chunk_.data(), chunk_.data() + n);
+  return n == 0 ? traits_type::eof() : traits_type::to_int_type(chunk_.front());
+}
+
+}  // namespace sim

@@ -1,0 +1,135 @@
+// Polarity and bit rate found in random lines, and what the edges say of them.
+#include "sim/capture/line_survey.hpp"
+
+#include <gtest/gtest.h>
+
+#include "capture_lines.hpp"
+#include "sim/capture/line_statistics.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Hertz;
+using dsp::LogicTrace;
+using dsp::Seconds;
+using test::Random;
+using test::uniform;
+
+LineFacts facts_of(const LogicTrace& line, bool inverted) {
+  return survey_line({line.initial() != inverted, line.flips(), line.end()}, {}, {});
+}
+
+TEST(LineSurvey, FindsPolarityAndRateOfAnyLine) {
+  Random random(31);
+  for (int trial = 0; trial < 300; ++trial) {
+    const double baud = 200 * std::pow(1000, uniform(random, 0, 1));
+    const test::LineFaults faults{uniform(random, -0.25, 0.25) / baud,
+                                  uniform(random, 0, 0.03) / baud};
+    const bool inverted = random() % 2 == 0;
+    const LogicTrace line =
+        test::bent_line(random, 1 + static_cast<int>(random() % 5), baud, faults);
+    const LineFacts facts = facts_of(line, inverted);
+    EXPECT_EQ(facts.inverted, inverted) << trial;
+    EXPECT_NEAR(facts.baud.value / baud, 1, 0.026) << trial << ' ' << baud;
+  }
+}
+
+// Alternating bits alone: two bits look as good as one, but for the pulses of light.
+TEST(LineSurvey, DoesNotTakeTwoBitsForOne) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (int i = 0; i < 20; ++i) at = protocol::send_byte(line, 'U', at, Hertz(1200));
+  line.observe_until(at + Seconds(0.05));
+  EXPECT_EQ(facts_of(line, false).baud, Hertz(1200));
+}
+
+TEST(LineSurvey, TakesAStandardRateThatIsNear) {
+  Random random(32);
+  for (const double error : {-0.02, -0.003, 0.0, 0.01, 0.02})
+    EXPECT_EQ(facts_of(test::bent_line(random, 3, 600 * (1 + error), {}), false).baud, Hertz(600));
+  const double odd = facts_of(test::bent_line(random, 3, 777, {}), false).baud.value;
+  EXPECT_NEAR(odd, 777, 0.01);
+}
+
+TEST(LineSurvey, KeepsWhatIsTold) {
+  Random random(33);
+  const LogicTrace line = test::bent_line(random, 3, 600, {});
+  const LineFacts told = survey_line({true, line.flips(), line.end()}, true, Hertz(1234));
+  EXPECT_TRUE(told.inverted);
+  EXPECT_EQ(told.baud, Hertz(1234));
+}
+
+TEST(LineSurvey, SilenceIsAnIdleLineOf600Baud) {
+  for (const bool initial : {true, false}) {
+    const LineFacts facts = survey_line({initial, {}, Seconds(1)}, {}, {});
+    EXPECT_FALSE(facts.inverted);
+    EXPECT_EQ(facts.baud, Hertz(600));
+  }
+}
+
+TEST(LineSurvey, AnyFlipsAtAllGiveARate) {
+  Random random(34);
+  for (int trial = 0; trial < 200; ++trial) {
+    const LogicTrace line = test::random_trace(random, trial % 2 == 0, random() % 60);
+    const double baud = facts_of(line, false).baud.value;
+    EXPECT_TRUE(std::isfinite(baud) && baud > 0) << baud;
+  }
+}
+
+/// Of the line read with a clock of 600 Bd.
+LineStatistics statistics_of(const LogicTrace& line, std::size_t batch) {
+  LineStatistics statistics(Hertz(600), line.initial());
+  const auto bytes = protocol::receive_mid_bit(line, Hertz(600));
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < line.flips().size(); i += batch) {
+    const auto flips = line.flips().subspan(i, std::min(batch, line.flips().size() - i));
+    std::size_t whole = given;
+    while (whole < bytes.size() && bytes[whole].start + Seconds(10 / 600.0) <= flips.back())
+      ++whole;
+    statistics.add(flips, std::span(bytes).subspan(given, whole - given));
+    given = whole;
+  }
+  statistics.add({}, std::span(bytes).subspan(given));
+  return statistics;
+}
+
+// Standard errors: jitter / sqrt(2 edges) of the jitter, and of the others as much or less.
+TEST(LineStatistics, MeasuresRateDistortionAndJitter) {
+  Random random(35);
+  for (const double error : {-0.01, 0.0, 0.013})
+    for (const double distortion : {-120e-6, 0.0, 80e-6})
+      for (const double jitter : {0.0, 5e-6, 30e-6}) {
+        const LogicTrace line =
+            test::bent_line(random, 60, 600 * (1 + error), {distortion, jitter});
+        const auto fit = statistics_of(line, 100).fit();
+        ASSERT_TRUE(fit);
+        const double four_sigma = 4 * jitter / std::sqrt(2.0 * 60 * 15 * 3);
+        EXPECT_NEAR(fit->baud.value / 600 - 1, error, four_sigma * 600 + 1e-9);
+        EXPECT_NEAR(fit->distortion.value, distortion, 2 * four_sigma + 1e-10);
+        EXPECT_NEAR(fit->jitter.value, jitter, four_sigma + 1e-9);
+      }
+}
+
+TEST(LineStatistics, AreThoseOfTheWholeLineHoweverItComes) {
+  Random random(36);
+  const LogicTrace line = test::bent_line(random, 10, 603, {50e-6, 10e-6});
+  const auto whole = statistics_of(line, 1'000'000);
+  for (const std::size_t batch : {1U, 7U, 64U}) {
+    const auto parts = statistics_of(line, batch);
+    EXPECT_EQ(parts.characters(), whole.characters());
+    EXPECT_DOUBLE_EQ(parts.fit()->jitter.value, whole.fit()->jitter.value);
+  }
+}
+
+TEST(LineStatistics, SaysNothingOfWhatEdgesDoNotDetermine) {
+  LogicTrace line;
+  Seconds at(0.01);
+  for (int i = 0; i < 30; ++i)  // falls in slot 0 and rises in slot 9 alone
+    at = protocol::send_byte(line, 0, at, Hertz(600)) + Seconds(0.01);
+  line.observe_until(at);
+  EXPECT_FALSE(statistics_of(line, 1000).fit());
+  EXPECT_EQ(statistics_of(line, 1000).characters(), 30U);
+}
+
+}  // namespace
+}  // namespace sim
