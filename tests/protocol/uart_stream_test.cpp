@@ -92,6 +92,28 @@ TEST(UartStream, GivesTheBytesOfTheWholeWireWheneverItIsRead) {
   EXPECT_GT(framing_errors, 1000U);
 }
 
+/// Pulses and pauses of about one sample of the ATmega's, many of them between two samples.
+dsp::LogicTrace glitchy_wire(Random& random) {
+  dsp::LogicTrace line;
+  dsp::Seconds at(0.002);
+  for (int i = 0; i < 600; ++i) {
+    line.flip_at(at);
+    at += uniform(random, 0.005, 0.12) * dsp::period(baud);
+  }
+  line.observe_until(at + dsp::Seconds(0.05));
+  return line;
+}
+
+TEST(UartStream, ForgetsNoLevelThatASampleSaw) {
+  Random random(13);
+  for (int trial = 0; trial < 200; ++trial) {
+    const dsp::LogicTrace wire = glitchy_wire(random);
+    for (const UartReceiver& receiver : uart_receivers())
+      ASSERT_EQ(read_often(receiver, wire, 0.3, 0.0005, random), receiver.receive(wire, baud, 0.3))
+          << receiver.name << ' ' << trial;
+  }
+}
+
 const UartReceiver* counted = nullptr;
 std::size_t flips_read = 0;
 
@@ -110,7 +132,7 @@ std::size_t times_read(double longest_pulse, double longest_pause) {
   for (dsp::Seconds at(0.002); wire.flips().size() < 20000; stream.take(wire))
     for (const double longest : {longest_pulse, longest_pause}) {
       wire.flip_at(at);
-      at += uniform(random, 0.01, longest) * dsp::period(baud);
+      at += uniform(random, longest / 300, longest) * dsp::period(baud);
     }
   return flips_read / wire.flips().size();
 }
@@ -120,6 +142,7 @@ TEST(UartStream, ReadsAWireThatIsNeverIdleAFewTimesOnly) {
   for (const UartReceiver& receiver : uart_receivers()) {
     counted = &receiver;
     EXPECT_LT(times_read(3, 3), 12U) << "bytes, " << receiver.name;
+    EXPECT_LT(times_read(0.0005, 3), 12U) << "glitches between samples, " << receiver.name;
     EXPECT_LT(times_read(0.4, 3), 12U) << "false starts alone, " << receiver.name;
   }
 }

@@ -139,6 +139,21 @@ TEST_F(CaptureFormat, OneWireFlipByFlipIsThatWireOfTheWhole) {
   }
 }
 
+TEST_F(CaptureFormat, FlipsAtOneInstantCancel) {
+  const std::string vcd =
+      "$timescale 1 us $end $var wire 1 ! rx $end $enddefinitions $end\n"
+      "#0 1! #5 0! 1! #9 0! #9 1! 0! #12 1! #12 0! #20";
+  const Capture capture = open(vcd, "vcd");
+  WireFlips line(*capture.logic, 0);
+  LogicTrace trace(line.initial());
+  while (const auto flip = line.next()) {
+    EXPECT_TRUE(trace.flips().empty() || trace.end() < *flip);
+    trace.flip_at(*flip);
+  }
+  EXPECT_EQ(flips_us(trace), (std::vector<long>{9}));
+  EXPECT_EQ(flips_us(wires(vcd, "vcd").at(0).trace), (std::vector<long>{9}));
+}
+
 bool begins(const std::vector<long>& whole, const std::vector<long>& part) {
   return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
 }

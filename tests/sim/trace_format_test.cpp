@@ -94,6 +94,7 @@ TEST_F(Session, ReadingUndoesWriting) {
       std::vector<std::complex<float>> samples(readings + 10);
       ASSERT_EQ(capture.samples->read(samples), readings + 1);
       const std::vector<float>& written = traced.taps.*tap.samples;
+      EXPECT_EQ(samples[0].real(), written[0]);
       for (std::size_t i = 0; i < readings; ++i) ASSERT_EQ(samples[i + 1].real(), written[i]);
     }
   }
