@@ -10,6 +10,7 @@
 #include "sim/capture/pulse_capture.hpp"
 #include "sim/trace/pulse_write.hpp"
 #include "sim/trace/session_write.hpp"
+#include "sim/trace/vcd.hpp"
 
 namespace {
 
@@ -142,6 +143,38 @@ TEST_F(CommandLine, SigrokReadsWiresAndTapsOfASession) {
   const std::string shown = tool("sigrok-cli", {"-i", "t.sr", "--show"});
   for (const char* fact : {"irradiance_mw_per_m2: analog", "agc_gain: analog", "rx: logic"})
     EXPECT_NE(shown.find(fact), std::string::npos) << fact << " in " << shown;
+}
+
+TEST_F(CommandLine, SigrokReadsTheColumnsOfWires) {
+  if (!is_there("sigrok-cli")) GTEST_SKIP() << "sigrok-cli is not installed";
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.csv"}).code, 0);
+  for (const char* wire : {"rx", "tx"})
+    EXPECT_EQ(tool("sigrok-cli",
+                   {"-i", "t.csv", "-I", "csv:column_formats=-,l,5-,l:header=yes:samplerate=250000",
+                    "-P", std::string("uart:rx=") + wire + ":baudrate=600", "-B", "uart=rx"}),
+              on_the_wire);
+}
+
+// Noise, of which a UART makes characters, framing errors and breaks.
+TEST_F(Session, SigrokSaysTheSameOfItAsOfAVcd) {
+  if (!is_there("sigrok-cli")) GTEST_SKIP() << "sigrok-cli is not installed";
+  Random random(64);
+  sim::TracedTrial trial;
+  trial.rx = sim::test::random_trace(random, true, 2000);
+  trial.tx.observe_until(trial.rx.end());
+  std::ofstream(path("t.sr"), std::ios::binary) << sim::trace_as_session(trial);
+  std::ofstream vcd(path("t.vcd"));
+  sim::write_vcd(vcd, std::vector<sim::VcdWire>{{"rx", &trial.rx}}, trial.tx.end());
+  vcd.close();
+  const auto said = [&](const char* file) {
+    return tool("sigrok-cli",
+                {"-i", file, "-P", "uart:rx=rx:baudrate=2400", "-A",
+                 "uart=rx-data:rx-warnings:rx-break", "--protocol-decoder-samplenum"});
+  };
+  const std::string of_session = said("t.sr");
+  EXPECT_EQ(of_session, said("t.vcd"));
+  EXPECT_NE(of_session.find("Frame error"), std::string::npos) << of_session;
 }
 
 TEST_F(CommandLine, Rtl433ReadsThePulses) {
