@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "sim/failure.hpp"
@@ -19,12 +20,11 @@ constexpr std::size_t frames_a_read = 8192;
 class WavCapture : public SampleCapture {
  public:
   WavCapture(const std::filesystem::path& path, const std::string& channel) : name_(path.string()) {
-    file_ = sf_open(path.c_str(), SFM_READ, &info_);
+    file_.reset(sf_open(path.c_str(), SFM_READ, &info_));
     if (file_ == nullptr) throw bad_input("cannot read " + name_, sf_strerror(nullptr), give);
     channel_ = number_of(channel);
     frames_.resize(frames_a_read * channels());
   }
-  ~WavCapture() override { sf_close(file_); }
 
   dsp::Hertz sample_rate() const override { return dsp::Hertz(info_.samplerate); }
   bool is_complex() const override { return false; }
@@ -52,7 +52,8 @@ class WavCapture : public SampleCapture {
   }
 
   std::size_t read_frames(std::size_t count) {
-    const sf_count_t n = sf_readf_float(file_, frames_.data(), static_cast<sf_count_t>(count));
+    const sf_count_t n =
+        sf_readf_float(file_.get(), frames_.data(), static_cast<sf_count_t>(count));
     const auto values = std::span(frames_).first(static_cast<std::size_t>(n) * channels());
     if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); }))
       throw bad_input("cannot read " + name_, "a sample is not finite", give);
@@ -60,7 +61,7 @@ class WavCapture : public SampleCapture {
   }
 
   std::string name_;
-  SNDFILE* file_ = nullptr;
+  std::unique_ptr<SNDFILE, decltype(&sf_close)> file_{nullptr, sf_close};
   SF_INFO info_{};
   std::size_t channel_ = 0;
   std::vector<float> frames_;
