@@ -11,6 +11,7 @@
 
 #include "sim/command/command_line.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/shell_text.hpp"
 
 namespace {
 
@@ -23,18 +24,9 @@ fs::path shipped_parts() {
   return program.parent_path().parent_path() / "share" / "cosys-sim";
 }
 
-std::string quoted(const std::string& argument) {
-  if (!argument.empty() &&
-      argument.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos)
-    return argument;
-  std::string text = "'";
-  for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string typed_command(int argc, char** argv) {
   std::string text = "cosys-sim";
-  for (int i = 1; i < argc; ++i) text += " " + quoted(argv[i]);
+  for (int i = 1; i < argc; ++i) text += " " + sim::shell_word(argv[i]);
   return text;
 }
 

@@ -20,17 +20,18 @@ Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)|dsp/truncated_orthant[.][ch]p
 armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/result/(netcdf[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/scenario/entries[.]cpp
-CLI/.*               sim/command/command_(line|options)[.].pp
+CLI/.*               sim/command/(command_line|commands_added|.*_options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp
-(zip|sndfile)[.]h    sim/(capture|trace)/.*[.]cpp
+pugixml[.]hpp        sim/.*[.]cpp
+(zip|sndfile)[.]h    sim/(capture|trace|check)/.*[.]cpp
 (sys/)?[a-z]+[.]h    sim/.*
 '
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
-sim_order='text threads noise counting scenario parts link loading capture trial result engine trace report check
-           arena guard exchange location serial node serve command'
+sim_order='text threads noise counting scenario parts link loading capture trial result engine trace report serial
+           check arena guard exchange location node serve command'
 
 # shellcheck disable=SC2016 # the $ are those of awk
 find dsp channel protocol sim -name '*.[ch]pp' -print | sort | xargs -r -d '\n' \

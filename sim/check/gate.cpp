@@ -7,11 +7,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/counting/statistics.hpp"
+
 namespace sim {
 namespace {
 
 constexpr std::uint64_t fewest_in_a_look = 64, most_looks = 8;
 constexpr double share_of_last_look = 0.5;
+constexpr std::uint64_t most_frames = 1'000'000'000;
 
 /// Stakes of the martingale, equally weighted: small ones for decoders that fail apart, large ones
 /// for those that fail together.
@@ -24,8 +27,8 @@ double log_gain(const PairedLosses& losses, double worse_than, double stake) {
          static_cast<double>(losses.baseline_only) * std::log1p(stake * worse_than);
 }
 
-/// The part of 1 - power for the evidence, and that for the last look.
-double half_of_misses(const GateRule& rule) { return (1 - rule.power) / 2; }
+/// The part of 1 - power for each of three ways to pass.
+double third_of_misses(const GateRule& rule) { return (1 - rule.power) / 3; }
 
 /// The expectation of `probability(n)`, n being Poisson's.
 template <class Probability>
@@ -52,6 +55,18 @@ std::vector<GateLook> gate_looks(std::uint64_t frames) {
   return looks;
 }
 
+bool is_negligible(std::uint64_t lost, std::uint64_t frames, const GateRule& rule) {
+  const double level = 1 - 2 * third_of_misses(rule);
+  return clopper_pearson(static_cast<double>(lost), static_cast<double>(frames), level).high <=
+         rule.negligible;
+}
+
+std::uint64_t frames_to_be_negligible(const GateRule& rule) {
+  if (rule.negligible <= 0) return 0;
+  return static_cast<std::uint64_t>(
+      std::ceil(std::log(third_of_misses(rule)) / std::log1p(-rule.negligible)));
+}
+
 double evidence_of_being_no_worse(const PairedLosses& losses, double worse_than) {
   double sum = 0;
   for (const double stake : stakes) sum += std::exp(log_gain(losses, worse_than, stake));
@@ -65,11 +80,11 @@ std::uint64_t Gate::next_look() const { return next_ < looks_.size() ? looks_[ne
 
 void Gate::look(const PairedLosses& losses) {
   p_value_ = std::min(p_value_, mcnemar_p_value(losses) / looks_.at(next_++).share);
-  const bool by_evidence =
-      evidence_of_being_no_worse(losses, rule_.worse_than) >= 1 / half_of_misses(rule_);
-  const bool by_last_look =
-      next_ == looks_.size() && no_worse_p_value(losses, rule_.worse_than) <= half_of_misses(rule_);
-  passed_ = passed_ || by_evidence || by_last_look;
+  const double miss = third_of_misses(rule_);
+  const bool last = next_ == looks_.size();
+  passed_ = passed_ || evidence_of_being_no_worse(losses, rule_.worse_than) >= 1 / miss ||
+            (last && no_worse_p_value(losses, rule_.worse_than) <= miss) ||
+            (last && is_negligible(losses.lost_by_candidate(), losses.frames, rule_));
   if (p_value_ <= rule_.alpha / points_)
     state_ = GateState::worse;
   else if (passed_)
@@ -106,7 +121,7 @@ double pass_probability(const GateRule& rule, double flr, std::uint64_t frames) 
   const double mean = static_cast<double>(frames) * 2 * flr * (1 - flr);
   return mean_over_discordant(mean, [&](double n) {
     const auto critical = static_cast<double>(
-        no_worse_critical(static_cast<std::uint64_t>(n), rule.worse_than, half_of_misses(rule)));
+        no_worse_critical(static_cast<std::uint64_t>(n), rule.worse_than, third_of_misses(rule)));
     const boost::math::binomial lost(n, 0.5);
     return critical < 1 ? 0 : cdf(lost, critical - 1);
   });
@@ -119,6 +134,7 @@ std::uint64_t frames_needed(const GateRule& rule, double flr, std::uint64_t poin
   };
   std::uint64_t too_few = 0, many = fewest_in_a_look;
   while (!enough(many)) {
+    if (many > most_frames) return many;
     too_few = many;
     many *= 2;
   }

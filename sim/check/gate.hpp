@@ -4,10 +4,12 @@
 // all looks together:
 //   * a candidate that loses no more than the baseline fails with probability alpha at most: at
 //     each look McNemar's exact test with its share of alpha;
-//   * one that loses `worse_than` times as much or more passes with probability 1 - power at most,
-//     half of it at any look, where its losses are that much evidence against it (a test
-//     martingale: Ville 1939; Ramdas et al., Statistical Science 38 (2023) 576), be they lost by
-//     both or by one; half at the last, by the exact test of the discordant frames;
+//   * one that loses `worse_than` times as much or more, and more than is negligible, passes with
+//     probability 1 - power at most: a third of it at any look, where its losses are that much
+//     evidence against it (a test martingale: Ville 1939; Ramdas et al., Statistical Science 38
+//     (2023) 576), be they lost by both or by one; a third at the last, by the exact test of the
+//     discordant frames; a third there, where its loss is shown to be negligible (Clopper &
+//     Pearson);
 //   * between the two either may come, or neither: undecided.
 #include <cstdint>
 #include <vector>
@@ -20,6 +22,7 @@ struct GateRule {
   double worse_than = 1.5;  // times as many lost frames; more than 1
   double alpha = 1e-3;      // of a false alarm, all points together
   double power = 0.99;      // of not passing what is that much worse
+  double negligible = 0;    // frame loss that is worse than nothing else
 };
 
 /// After how many frames it is looked, and which part of alpha each look has.
@@ -31,6 +34,11 @@ struct GateLook {
 /// Looks on the way to `frames`, each at twice the frames of the one before; the last is there and
 /// has half of alpha.
 std::vector<GateLook> gate_looks(std::uint64_t frames);
+
+/// Whether so many lost frames show that the loss is negligible.
+bool is_negligible(std::uint64_t lost, std::uint64_t frames, const GateRule& rule);
+/// How many are enough for that where none is lost; 0: none are, as nothing is negligible.
+std::uint64_t frames_to_be_negligible(const GateRule& rule);
 
 /// Evidence against a candidate that loses at least `worse_than` times what the baseline loses: if
 /// it does, the expectation is at most 1 however long one goes on.
@@ -78,7 +86,7 @@ std::vector<bool> worse_points(const std::vector<double>& p_values, double alpha
 double power_of(const GateRule& rule, double flr, std::uint64_t frames, std::uint64_t points);
 double pass_probability(const GateRule& rule, double flr, std::uint64_t frames);
 
-/// Frames with which both are at least `power`.
+/// Frames with which both are at least `power`; more than 1e9 if so many are not enough.
 std::uint64_t frames_needed(const GateRule& rule, double flr, std::uint64_t points);
 
 }  // namespace sim

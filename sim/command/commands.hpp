@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/check/gate.hpp"
+#include "sim/check/program_decoder.hpp"
 #include "sim/counting/shard.hpp"
 #include "sim/failure.hpp"
 #include "sim/parts/parts.hpp"
@@ -127,6 +129,42 @@ struct DiffRequest {
 };
 /// Whether two results say the same; check_failed if not.
 ExitCode diff_command(const DiffRequest& request);
+
+struct CheckRequest {
+  std::vector<std::filesystem::path> scenarios;
+  ScenarioOptions options;
+  std::filesystem::path baseline;
+  std::string decoder;  // a name, or a command; empty: the baseline's
+  ProgramSettings program_settings;
+  GateRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+  std::uint64_t frames = 0;            // of each point at most; 0: as many as the baseline has
+  std::optional<std::uint64_t> point;  // of each scenario; nothing: all
+  bool golden = false;                 // no frame may come out otherwise
+  // One frame in place of the check.
+  std::optional<std::uint32_t> explain;   // say what was sent, seen and read of it
+  std::optional<std::uint32_t> minimise;  // look for the least that only the candidate loses it by
+  std::optional<std::filesystem::path> junit;
+  int threads = 0;  // 0: one per processor
+  bool quiet = false, json = false;
+};
+/// Whether a decoder is worse than its baseline: check_failed if it is, inconclusive if the frames
+/// do not tell.
+ExitCode check_command(const CheckRequest& request);
+
+struct BaselineRequest {
+  std::vector<std::filesystem::path> scenarios;  // none: those of the baseline that is there
+  ScenarioOptions options;
+  std::filesystem::path output;
+  std::string decoder;  // a name, or a command; empty: as the baseline has it, else the scenario
+  ProgramSettings program_settings;
+  int threads = 0;  // 0: one per processor
+  bool quiet = false;
+  std::string command;  // as the user typed it
+  ProgramInfo program;
+};
+/// Writes what a decoder makes of scenarios, to judge others by, and says what is other than in the
+/// baseline that it replaces.
+ExitCode baseline_command(const BaselineRequest& request);
 
 struct PartsRequest {
   std::string name;    // of the part to show; empty: list all

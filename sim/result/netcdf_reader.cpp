@@ -41,6 +41,21 @@ std::vector<T> cells_of(hid_t file, const std::string& variable, hid_t type) {
   return cells;
 }
 
+/// Of any length each.
+std::vector<std::string> texts_of(hid_t file, const std::string& variable) {
+  const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type(H5Dget_type(data), H5Tclose);
+  const Handle space(H5Dget_space(data), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || checked(H5Tis_variable_str(type)) == 0)
+    throw Hdf5Failure();
+  std::vector<char*> cells(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space))));
+  checked(H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()));
+  std::vector<std::string> texts;
+  for (const char* cell : cells) texts.emplace_back(cell == nullptr ? "" : cell);
+  checked(H5Dvlen_reclaim(type, space, H5P_DEFAULT, cells.data()));
+  return texts;
+}
+
 }  // namespace
 
 std::string filetype_of(const std::filesystem::path& path) {
@@ -96,6 +111,10 @@ std::vector<std::int64_t> NetcdfReader::integers(const std::string& variable) co
 std::vector<double> NetcdfReader::reals(const std::string& variable) const {
   return state_->get(
       variable, [&](hid_t file) { return cells_of<double>(file, variable, H5T_NATIVE_DOUBLE); });
+}
+
+std::vector<std::string> NetcdfReader::texts(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) { return texts_of(file, variable); });
 }
 
 std::string NetcdfReader::text(const char* name) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Reads what NetcdfFile wrote: numbers of a variable, attributes of the file. One thread at a time.
+// Reads what NetcdfFile wrote: cells of a variable, attributes of the file. One thread at a time.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -26,6 +26,7 @@ class NetcdfReader {
   /// All cells of a variable, row-major.
   std::vector<std::int64_t> integers(const std::string& variable) const;
   std::vector<double> reals(const std::string& variable) const;
+  std::vector<std::string> texts(const std::string& variable) const;
 
   /// An attribute of the file: ours, or a text of the user's.
   std::string text(const char* name) const;

@@ -15,4 +15,6 @@ std::string digest_of(const std::string& bytes) {
   return hex;
 }
 
+std::uint64_t hash_of(const std::string& bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
 }  // namespace sim

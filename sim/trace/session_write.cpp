@@ -109,6 +109,22 @@ std::string trace_as_session(const TracedTrial& trial) {
   return zip.bytes();
 }
 
+std::string wire_as_session(const dsp::LogicTrace& wire, dsp::Hertz rate) {
+  dsp::TraceReader reader(wire);
+  std::string samples(static_cast<std::size_t>(std::ceil(dsp::cycles(wire.end(), rate))), '\0');
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = reader.level_at(dsp::Seconds(static_cast<double>(i) / rate.value)) ? '\1' : '\0';
+  ZipImage zip;
+  zip.add("version", "2");
+  zip.add("metadata",
+          fmt::format("[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\n"
+                      "total probes=1\nsamplerate={:.0f} Hz\ntotal analog=0\nprobe1=rx\n"
+                      "unitsize=1\n",
+                      rate.value));
+  zip.add("logic-1-1", std::move(samples));
+  return zip.bytes();
+}
+
 bool is_session_of_trace(const std::filesystem::path& path) {
   constexpr std::size_t name_at = 30;  // of a zip's first member
   const std::string head = beginning_of(path, name_at + first_member.size());

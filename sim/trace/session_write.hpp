@@ -13,6 +13,9 @@ namespace sim {
 /// The whole file: equal traces give equal bytes.
 std::string trace_as_session(const TracedTrial& trial);
 
+/// One wire alone, called rx, at that many samples a second.
+std::string wire_as_session(const dsp::LogicTrace& wire, dsp::Hertz rate);
+
 /// Whether a file is such a session, not one of somebody's logic analyser.
 bool is_session_of_trace(const std::filesystem::path& path);
 

@@ -240,14 +240,9 @@ channel::BitSlots bit_slots(const Link& link, const Transmission& sent) {
 }
 
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
-  return receive(link, trial, std::move(pin), *link.uart);
-}
-
-Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin,
-                  const protocol::UartReceiver& uart) {
   const double phase = address(link, trial, Purpose::uart_phase).uniform(0);
   Reception heard{.pin = std::move(pin), .bytes = {}, .frames = {}, .frame_end = {}};
-  heard.bytes = uart.receive(heard.pin, link.receiver_baud, phase);
+  heard.bytes = link.uart->receive(heard.pin, link.receiver_baud, phase);
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : heard.bytes) {
     if (auto frame = decoder.push(byte)) {

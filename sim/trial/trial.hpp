@@ -119,9 +119,6 @@ channel::BitSlots bit_slots(const Link& link, const Transmission& sent);
 
 /// Steps 8-9: what the decoder makes of the pin.
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin);
-/// The same by another receiver.
-Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin,
-                  const protocol::UartReceiver& uart);
 
 /// Step 10: the last message sent against what was heard.
 Tally count(const Link& link, const Transmission& sent, const Reception& heard);

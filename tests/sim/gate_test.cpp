@@ -188,6 +188,19 @@ TEST(GateMeta, FalseAlarmsOfManyPointsTogetherKeepToAlpha) {
   EXPECT_GT(alarms, 0);
 }
 
+TEST(GateMeta, WhatIsNegligiblePassesAndWhatIsNotDoesNot) {
+  constexpr GateRule rule{.worse_than = 2, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+  const std::uint64_t frames = frames_to_be_negligible(rule);
+  EXPECT_TRUE(is_negligible(0, frames, rule));
+  EXPECT_FALSE(is_negligible(0, frames - 1, rule));
+  EXPECT_FALSE(is_negligible(1, frames, rule));
+  constexpr int checks = 5000;
+  EXPECT_EQ(count(GateState::passed, rule, {0, 0, 0}, frames, 100), 100);
+  EXPECT_EQ(count(GateState::passed, twice, {0, 0, 0}, frames, 100), 0);
+  EXPECT_GE(count(GateState::passed, rule, {0.003, 0.003, 0}, 4000, checks), 0.99 * checks);
+  EXPECT_LE(count(GateState::passed, rule, {0.004, 0.0101, 0}, 1000, checks), checks / 100);
+}
+
 TEST(FramesNeeded, GrowWithWhatIsAskedFor) {
   const auto needed = [](double worse_than, double alpha, double power, std::uint64_t points = 1) {
     return frames_needed({.worse_than = worse_than, .alpha = alpha, .power = power}, 0.05, points);

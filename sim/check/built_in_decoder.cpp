@@ -1,0 +1,49 @@
+#include "protocol/cosys.hpp"
+#include "protocol/uart_receivers.hpp"
+#include "sim/check/decoder.hpp"
+
+namespace sim {
+namespace {
+
+/// A UART and the plain decoder behind it.
+class UartDecoder : public Decoder {
+ public:
+  explicit UartDecoder(const protocol::UartReceiver& uart) : uart_(uart), name_(uart.name) {}
+
+  const std::string& name() const override { return name_; }
+
+  Decoded decode(const MarkedLine& line) const override {
+    Decoded decoded;
+    protocol::CosysDecoder decoder;
+    for (const protocol::UartByte& byte : characters(line)) {
+      auto frame = decoder.push(byte);
+      if (frame && frame->outcome == protocol::CosysOutcome::ok)
+        decoded.accepted.push_back(std::move(frame->message));
+    }
+    return decoded;
+  }
+
+  std::vector<protocol::UartByte> characters(const MarkedLine& line) const override {
+    return uart_.receive(line.wire, line.baud, 0);
+  }
+
+ private:
+  const protocol::UartReceiver& uart_;
+  std::string name_;
+};
+
+}  // namespace
+
+std::vector<std::string> built_in_decoders() {
+  std::vector<std::string> names;
+  for (const protocol::UartReceiver& uart : protocol::uart_receivers())
+    names.emplace_back(uart.name);
+  return names;
+}
+
+std::unique_ptr<Decoder> make_built_in_decoder(const std::string& name) {
+  const protocol::UartReceiver* uart = protocol::find_uart_receiver(name);
+  return uart == nullptr ? nullptr : std::make_unique<UartDecoder>(*uart);
+}
+
+}  // namespace sim

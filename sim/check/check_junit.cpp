@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "sim/check/check_report.hpp"
+
+namespace sim {
+namespace {
+
+/// What XML 1.0 cannot hold becomes a question mark.
+std::string xml_text(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c > 0x7e; }, '?');
+  return text;
+}
+
+/// `kind`: failure, error or skipped.
+void add_outcome(pugi::xml_node test, const char* kind, const std::string& message,
+                 const std::string& body) {
+  pugi::xml_node node = test.append_child(kind);
+  node.append_attribute("message") = xml_text(message).c_str();
+  node.append_attribute("type") = kind;
+  node.text() = xml_text(body).c_str();
+}
+
+std::string message_of(const CheckReport& report, const PointCheck& check) {
+  if (check.fault) return "the decoder failed: " + check.fault->what;
+  return report.setup.candidate.name() + " is " + name(check.verdict) + ": " +
+         std::to_string(check.candidate.lost) + " frames lost for " +
+         std::to_string(check.baseline.lost) + " of " + report.baseline.decoder;
+}
+
+void add_point(pugi::xml_node suite, const CheckReport& report, const PointCheck& check) {
+  pugi::xml_node test = suite.append_child("testcase");
+  test.append_attribute("name") = xml_text(check.point.name).c_str();
+  test.append_attribute("classname") =
+      xml_text("cosys-sim." + check.point.file.stem().string()).c_str();
+  const std::string details = point_details(report, check);
+  if (check.verdict == Verdict::worse)
+    add_outcome(test, "failure", message_of(report, check), details);
+  if (check.verdict == Verdict::broken)
+    add_outcome(test, "error", message_of(report, check), details);
+  if (check.verdict == Verdict::inconclusive)
+    add_outcome(test, "skipped", message_of(report, check), details);
+  if (check.verdict == Verdict::passed)
+    test.append_child("system-out").text() = xml_text(details).c_str();
+}
+
+auto count(const CheckReport& report, Verdict verdict) {
+  return std::ranges::count(report.checks, verdict, &PointCheck::verdict);
+}
+
+}  // namespace
+
+std::string check_junit(const CheckReport& report) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node suite = document.append_child("testsuite");
+  suite.append_attribute("name") =
+      xml_text("cosys-sim check of " + report.setup.candidate.name()).c_str();
+  suite.append_attribute("tests") = report.checks.size();
+  suite.append_attribute("failures") = count(report, Verdict::worse);
+  suite.append_attribute("errors") = count(report, Verdict::broken);
+  suite.append_attribute("skipped") = count(report, Verdict::inconclusive);
+  for (const PointCheck& check : report.checks) add_point(suite, report, check);
+  std::ostringstream out;
+  document.save(out, "  ");
+  return out.str();
+}
+
+}  // namespace sim

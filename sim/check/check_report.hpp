@@ -1,0 +1,31 @@
+#pragma once
+// What a check says: to people, to programs (JSON), and to CI servers (JUnit).
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/check/point_check.hpp"
+
+namespace sim {
+
+struct CheckReport {
+  const std::vector<PointCheck>& checks;
+  const CheckSetup& setup;
+  const Baseline& baseline;
+  std::filesystem::path baseline_file;
+  // Of the command, as a shell takes them: all but scenarios and --point; those that change
+  // scenarios.
+  std::string options, scenario_options;
+};
+
+std::string check_text(const CheckReport& report);
+std::string check_json(const CheckReport& report);
+/// A test case a point; valid by the schema of Jenkins' xunit plugin, junit-10.xsd.
+std::string check_junit(const CheckReport& report);
+
+const char* name(Verdict verdict);
+
+/// What is known of a point, in some lines of text, the commands among them.
+std::string point_details(const CheckReport& report, const PointCheck& check);
+
+}  // namespace sim

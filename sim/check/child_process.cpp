@@ -1,0 +1,148 @@
+#include "sim/check/child_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "sim/failure.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::size_t most_output = std::size_t{64} << 20U;
+constexpr std::size_t most_words = 4096;
+constexpr int pause_ms = 50;  // between looks at whether all shall stop
+
+[[noreturn]] void fail(int error) {
+  throw Failure(ExitCode::environment, std::string("cannot start a decoder (") +
+                                           std::strerror(error) +
+                                           ") use fewer threads, or end other programs");
+}
+
+/// Ours does not wait; theirs is an end like any other.
+struct Pipe {
+  Descriptor ours, theirs;
+
+  static Pipe make(bool we_write) {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) fail(errno);
+    Pipe pipe{Descriptor(ends[we_write ? 1 : 0]), Descriptor(ends[we_write ? 0 : 1])};
+    ::fcntl(pipe.ours.get(), F_SETFL, O_NONBLOCK);
+    return pipe;
+  }
+};
+
+/// Appends what is there; false at the end of all.
+bool read_some(int from, std::string& to) {
+  std::array<char, 65536> chunk;
+  for (;;) {
+    const ssize_t n = ::read(from, chunk.data(), chunk.size());
+    if (n < 0) return errno == EAGAIN || errno == EINTR;
+    if (n == 0) return false;
+    to.append(chunk.data(), static_cast<std::size_t>(n));
+    if (to.size() > most_output) return true;
+  }
+}
+
+pollfd wait_for(const std::optional<Descriptor>& descriptor, short event) {
+  return {.fd = descriptor ? descriptor->get() : -1, .events = event, .revents = 0};
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& command) {
+  Pipe in = Pipe::make(true), out = Pipe::make(false), err = Pipe::make(false);
+  start(command, {in.theirs.get(), out.theirs.get(), err.theirs.get()});
+  in_.emplace(std::move(in.ours));
+  out_.emplace(std::move(out.ours));
+  err_.emplace(std::move(err.ours));
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ < 0) return;
+  ::kill(-pid_, SIGKILL);
+  if (process_) ::waitpid(pid_, nullptr, 0);
+}
+
+void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (int i = 0; i < 3; ++i) posix_spawn_file_actions_adddup2(&actions, ends[i], i);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  sigset_t ours;  // what we ignore or heed is not theirs
+  sigfillset(&ours);
+  posix_spawnattr_setsigdefault(&attributes, &ours);
+  const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
+  const int error = ::posix_spawn(&pid_, "/bin/sh", &actions, &attributes,
+                                  const_cast<char* const*>(arguments), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    pid_ = -1;
+    fail(error);
+  }
+  process_.emplace(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
+}
+
+Waited ChildProcess::run(Exchange exchange, std::string& output) {
+  using Clock = std::chrono::steady_clock;
+  const auto end_of_patience = Clock::now() + exchange.timeout;
+  for (;;) {
+    if (exchange.close && exchange.input.empty()) in_.reset();
+    const bool ended = serve(exchange.input, output);
+    if (output.size() > most_output) return Waited::too_much;
+    if (exchange.is_complete && exchange.is_complete(output)) return Waited::done;
+    if (ended) return Waited::ended;
+    if (exchange.stop != nullptr && *exchange.stop) return Waited::stopped;
+    if (Clock::now() > end_of_patience) return Waited::timeout;
+  }
+}
+
+/// Waits a little, and does what there is to do; true once the process has ended and all that it
+/// printed was read. What it started itself may go on; nobody waits for that.
+bool ChildProcess::serve(std::string_view& input, std::string& output) {
+  std::array<pollfd, 4> waits{wait_for(process_, POLLIN), wait_for(out_, POLLIN),
+                              wait_for(err_, POLLIN),
+                              input.empty() ? pollfd{-1, 0, 0} : wait_for(in_, POLLOUT)};
+  if (::poll(waits.data(), waits.size(), pause_ms) <= 0) return false;
+  if (waits[3].revents != 0) write_some(input);
+  if (waits[2].revents != 0) read_words();
+  if (waits[1].revents != 0 && !read_some(out_->get(), output)) out_.reset();
+  if (waits[0].revents == 0) return false;
+  end(output);
+  return true;
+}
+
+void ChildProcess::write_some(std::string_view& input) {
+  const ssize_t n = ::write(in_->get(), input.data(), input.size());
+  if (n >= 0) input.remove_prefix(static_cast<std::size_t>(n));
+  if (n >= 0 || errno == EAGAIN || errno == EINTR) return;
+  in_.reset();  // it does not want more
+  input = {};
+}
+
+void ChildProcess::read_words() {
+  if (!read_some(err_->get(), words_)) err_.reset();
+  if (words_.size() > most_words) words_.erase(0, words_.size() - most_words);
+}
+
+void ChildProcess::end(std::string& output) {
+  if (out_) read_some(out_->get(), output);
+  if (err_) read_words();
+  ::waitpid(pid_, &status_, 0);
+  ::kill(-pid_, SIGKILL);  // what it left behind
+  pid_ = -1;
+}
+
+}  // namespace sim

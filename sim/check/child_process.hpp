@@ -1,0 +1,59 @@
+#pragma once
+// Somebody's program under way: a shell command that is given bytes and whose output is read as it
+// comes, so that neither waits for the other for ever. It is in a process group of its own, which
+// is killed with it.
+#include <sys/types.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/serial/descriptor.hpp"
+
+namespace sim {
+
+/// Why an exchange is over.
+enum class Waited { done, ended, timeout, stopped, too_much };
+
+struct Exchange {
+  std::string_view input;  // for its stdin
+  bool close = true;       // its stdin behind that
+  /// Whether it has printed all that is wanted; without one it goes on until it has ended.
+  std::function<bool(const std::string&)> is_complete{};
+  std::chrono::duration<double> timeout{60};
+  const std::atomic<bool>* stop = nullptr;
+};
+
+class ChildProcess {
+ public:
+  /// Throws Failure(environment) where the machine starts no more processes.
+  explicit ChildProcess(const std::string& command);
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess();
+
+  /// Appends what it prints to `output`; no more than some 64 MiB.
+  Waited run(Exchange exchange, std::string& output);
+
+  /// As of waitpid, once run() said that it has ended.
+  int status() const { return status_; }
+  /// The end of what it said on stderr.
+  const std::string& words() const { return words_; }
+
+ private:
+  void start(const std::string& command, const int (&ends)[3]);
+  bool serve(std::string_view& input, std::string& output);
+  void write_some(std::string_view& input);
+  void read_words();
+  void end(std::string& output);
+
+  pid_t pid_ = -1;
+  std::optional<Descriptor> process_, in_, out_, err_;
+  int status_ = 0;
+  std::string words_;
+};
+
+}  // namespace sim

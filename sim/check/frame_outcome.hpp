@@ -1,0 +1,26 @@
+#pragma once
+// What a decoder made of one frame.
+#include <cstdint>
+
+namespace sim {
+
+/// As bits, so that files hold them as they are.
+struct FrameOutcome {
+  bool delivered = false;  // intact, whatever else came
+  bool deceived = false;   // another message was accepted in its time
+  bool unknown = false;    // the decoder failed, or lost a marker beside it
+
+  bool lost() const { return !delivered && !unknown; }
+  bool operator==(const FrameOutcome&) const = default;
+};
+
+constexpr std::uint8_t as_bits(const FrameOutcome& outcome) {
+  return static_cast<std::uint8_t>((outcome.delivered ? 1U : 0U) | (outcome.deceived ? 2U : 0U) |
+                                   (outcome.unknown ? 4U : 0U));
+}
+
+constexpr FrameOutcome outcome_of_bits(unsigned bits) {
+  return {.delivered = (bits & 1U) != 0, .deceived = (bits & 2U) != 0, .unknown = (bits & 4U) != 0};
+}
+
+}  // namespace sim

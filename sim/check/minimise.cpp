@@ -1,0 +1,167 @@
+#include "sim/check/minimise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <span>
+
+#include "protocol/cosys.hpp"
+#include "protocol/uart.hpp"
+#include "sim/text/escaped_text.hpp"
+
+namespace sim {
+namespace {
+
+using protocol::bits_per_byte;
+using Indices = std::vector<std::size_t>;
+
+/// A stop bit lasts until the next character.
+std::vector<Stretch> stretches_of(const OneFrame& frame) {
+  const FrameOnLine& place = frame.frame();
+  std::vector<Stretch> all{{place.from, place.byte_start.front(), true}};
+  for (std::size_t i = 0; i < place.byte_start.size(); ++i)
+    for (int slot = 0; slot < bits_per_byte; ++slot) {
+      const dsp::Seconds from = place.byte_start[i] + place.bit * slot;
+      all.back().to = from;
+      all.push_back({from, from + place.bit, protocol::line_bit(frame.judged.link.bytes[i], slot)});
+    }
+  all.push_back({all.back().to, place.to, true});
+  return all;
+}
+
+std::span<const dsp::Seconds> flips_inside(const dsp::LogicTrace& wire, const Stretch& stretch) {
+  const auto flips = wire.flips();
+  const auto first = std::ranges::upper_bound(flips, stretch.from);
+  return {first, std::ranges::lower_bound(first, flips.end(), stretch.to)};
+}
+
+bool is_disturbed(const dsp::LogicTrace& wire, const Stretch& stretch) {
+  return wire.level_at(stretch.from) != stretch.sent || !flips_inside(wire, stretch).empty();
+}
+
+/// The wire with all but some stretches as they were sent.
+dsp::LogicTrace mended(const OneFrame& frame, const std::vector<Stretch>& stretches,
+                       const Indices& disturbed) {
+  const dsp::LogicTrace& old = frame.line.wire;
+  dsp::LogicTrace wire(old.initial());
+  for (const dsp::Seconds flip : old.flips())
+    if (flip < frame.frame().from) wire.flip_at(flip);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& stretch = stretches[i];
+    const bool as_it_was = std::ranges::binary_search(disturbed, i);
+    wire.set_at(stretch.from, as_it_was ? old.level_at(stretch.from) : stretch.sent);
+    if (as_it_was)
+      for (const dsp::Seconds flip : flips_inside(old, stretch)) wire.flip_at(flip);
+  }
+  wire.set_at(frame.frame().to, true);
+  for (const dsp::Seconds flip : old.flips())
+    if (flip > frame.frame().to) wire.flip_at(flip);
+  wire.observe_until(old.end());
+  return wire;
+}
+
+/// `set` without its `chunk`th part of `chunks`.
+Indices without(const Indices& set, std::size_t chunk, std::size_t chunks) {
+  const std::size_t from = set.size() * chunk / chunks, to = set.size() * (chunk + 1) / chunks;
+  Indices rest(set.begin(), set.begin() + static_cast<std::ptrdiff_t>(from));
+  rest.insert(rest.end(), set.begin() + static_cast<std::ptrdiff_t>(to), set.end());
+  return rest;
+}
+
+/// `breaks(set)` is true; so it is for what comes back, and for nothing with one index less.
+Indices least(Indices set, const std::function<bool(const Indices&)>& breaks) {
+  std::size_t chunks = 2;
+  while (!set.empty()) {
+    chunks = std::min(chunks, set.size());
+    bool smaller = false;
+    for (std::size_t chunk = 0; chunk < chunks && !smaller; ++chunk) {
+      Indices rest = without(set, chunk, chunks);
+      smaller = breaks(rest);
+      if (smaller) set = std::move(rest);
+    }
+    if (!smaller && chunks == set.size()) break;
+    chunks = smaller ? std::max<std::size_t>(chunks - 1, 2) : 2 * chunks;
+  }
+  return set;
+}
+
+std::string level_text(const dsp::LogicTrace& wire, const Stretch& stretch) {
+  std::string text;
+  dsp::Seconds from = stretch.from;
+  bool level = wire.level_at(from);
+  const auto add = [&](dsp::Seconds to) {
+    text += fmt::format("{}{:d} for {:.0f} us", text.empty() ? "" : ", ", level,
+                        (to - from).value * 1e6);
+    from = to;
+    level = !level;
+  };
+  for (const dsp::Seconds flip : flips_inside(wire, stretch)) add(flip);
+  add(stretch.to);
+  return text;
+}
+
+/// What a stretch is of the message.
+std::string place_text(const Minimised& least, std::size_t index) {
+  if (index == 0) return "before the message";
+  if (index + 1 == least.stretches.size()) return "behind the message";
+  const std::size_t character = (index - 1) / bits_per_byte, slot = (index - 1) % bits_per_byte;
+  const char c = static_cast<char>(least.frame.judged.link.bytes[character]);
+  const std::string bit = slot == 0                     ? "start bit"
+                          : slot == protocol::stop_slot ? "stop bit"
+                                                        : fmt::format("data bit {}", slot - 1);
+  return fmt::format("character {} '{}', {}", character, escaped({&c, 1}), bit);
+}
+
+std::string vector_text(const Minimised& least) {
+  const FrameOnLine& place = least.frame.frame();
+  std::vector<long> changes;
+  for (const dsp::Seconds flip : least.frame.line.wire.flips())
+    if (flip >= place.from && flip <= place.to)
+      changes.push_back(std::lround((flip - place.from).value * 1e6));
+  std::string numbers;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    numbers += fmt::format("{}{}", i == 0 ? "    " : i % 12 == 0 ? ",\n    " : ", ", changes[i]);
+  return "static const unsigned long changes_us[] = {\n" + numbers + "};\n";
+}
+
+}  // namespace
+
+std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidate,
+                                  const Decoder& baseline) {
+  Minimised result{.frame = frame, .stretches = stretches_of(frame), .disturbed = {}};
+  for (std::size_t i = 0; i < result.stretches.size(); ++i)
+    if (is_disturbed(frame.line.wire, result.stretches[i])) result.disturbed.push_back(i);
+  result.at_first = result.disturbed.size();
+  const auto breaks = [&](const Indices& disturbed) {
+    result.frame.line.wire = mended(frame, result.stretches, disturbed);
+    return outcome_of(candidate, result.frame).lost() &&
+           outcome_of(baseline, result.frame).delivered;
+  };
+  if (!breaks(result.disturbed)) return std::nullopt;
+  result.disturbed = least(result.disturbed, breaks);
+  result.frame.line.wire = mended(frame, result.stretches, result.disturbed);
+  return result;
+}
+
+std::string minimised_text(const Minimised& least, const Decoder& candidate,
+                           const Decoder& baseline) {
+  const Link& link = least.frame.judged.link;
+  std::string text =
+      fmt::format("of {} disturbed bits {} {} enough: {} loses the frame, {} does not\n",
+                  least.at_first, least.disturbed.size(),
+                  least.disturbed.size() == 1 ? "is" : "are", candidate.name(), baseline.name());
+  for (const std::size_t i : least.disturbed)
+    text += fmt::format("  {}: {:d} was sent; {}\n", place_text(least, i), least.stretches[i].sent,
+                        level_text(least.frame.line.wire, least.stretches[i]));
+  return text +
+         fmt::format(
+             "\n/* \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "
+             "microseconds. */\n",
+             escaped(link.message), protocol::cosys_checksum(link.message),
+             least.frame.judged.baud.value) +
+         vector_text(least);
+}
+
+}  // namespace sim

@@ -1,0 +1,36 @@
+#pragma once
+// The least that a decoder does not survive: of all that noise and the module did to a frame's
+// bits, the smallest part which still makes the candidate lose it, and the baseline not. By delta
+// debugging (Zeller & Hildebrandt, IEEE TSE 28 (2002) 183, ddmin): no bit of the part can be
+// mended without the candidate hearing the frame, or the baseline losing it too.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/check/frame_story.hpp"
+
+namespace sim {
+
+/// A stretch of the wire: a bit, or what is before and behind the message.
+struct Stretch {
+  dsp::Seconds from, to;
+  bool sent;  // its level, had nothing happened
+};
+
+struct Minimised {
+  OneFrame frame;                      // with nothing but these disturbed
+  std::vector<Stretch> stretches;      // of the frame, in order
+  std::vector<std::size_t> disturbed;  // of stretches: what is left
+  std::size_t at_first = 0;            // how many were disturbed
+};
+
+/// Nothing where the candidate does not lose the frame, or the baseline does.
+std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidate,
+                                  const Decoder& baseline);
+
+/// As text: which bits these are, and the wire as a test vector in C.
+std::string minimised_text(const Minimised& least, const Decoder& candidate,
+                           const Decoder& baseline);
+
+}  // namespace sim

@@ -1,0 +1,177 @@
+// `cosys-sim check`: is a decoder still as good as its baseline?
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/check/baseline.hpp"
+#include "sim/check/check_report.hpp"
+#include "sim/check/minimise.hpp"
+#include "sim/check/point_check.hpp"
+#include "sim/check/program_decoder.hpp"
+#include "sim/command/commands.hpp"
+#include "sim/command/judging.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/failure.hpp"
+#include "sim/text/new_file.hpp"
+#include "sim/text/shell_text.hpp"
+#include "sim/text/standard_output.hpp"
+#include "sim/threads/stop_signals.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<JudgedPoint> points_of(const CheckRequest& request) {
+  std::vector<JudgedPoint> points =
+      judged_points(load_links(request.scenarios, request.options, "check"));
+  if (!request.point) return points;
+  std::erase_if(points, [&](const JudgedPoint& p) { return p.number != *request.point; });
+  if (points.empty())
+    throw bad_input(fmt::format("--point {}", *request.point), "no scenario has so many points",
+                    "points are counted from 0");
+  return points;
+}
+
+/// ` --key value`, as a shell takes it.
+std::string option(const std::string& name, const std::string& value) {
+  return " " + name + " " + shell_word(value);
+}
+
+std::string scenario_options(const ScenarioOptions& options) {
+  std::string text;
+  for (const std::string& change : options.overrides) text += option("--set", change);
+  return text;
+}
+
+std::string repeated_options(const CheckRequest& request) {
+  const GateRule defaults = CheckRequest().rule;
+  std::string text = option("--baseline", request.baseline.string());
+  if (!request.decoder.empty()) text += option("--decoder", request.decoder);
+  const ProgramSettings& program = request.program_settings;
+  if (program.serves) text += " --decoder-mode serve";
+  if (program.prints_frames) text += " --decoder-output frames";
+  if (program.timeout != ProgramSettings().timeout)
+    text += option("--decoder-timeout", fmt::format("{:g}s", program.timeout.count()));
+  const std::pair<const char*, double GateRule::*> rules[] = {
+      {"--worse-than", &GateRule::worse_than},
+      {"--alpha", &GateRule::alpha},
+      {"--power", &GateRule::power},
+      {"--negligible", &GateRule::negligible}};
+  for (const auto& [name, member] : rules)
+    if (request.rule.*member != defaults.*member)
+      text += option(name, fmt::format("{:g}", request.rule.*member));
+  if (request.frames > 0) text += option("-n", std::to_string(request.frames));
+  if (request.golden) text += " --golden";
+  return text + scenario_options(request.options);
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  NewFile file(path);
+  file.write(text);
+  file.take_place();
+}
+
+ExitCode exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::passed:
+      return ExitCode::done;
+    case Verdict::inconclusive:
+      return ExitCode::inconclusive;
+    case Verdict::worse:
+    case Verdict::broken:
+      break;
+  }
+  return ExitCode::check_failed;
+}
+
+std::vector<const BaselinePoint*> counterparts_of(const CheckRequest& request,
+                                                  const Baseline& baseline,
+                                                  const std::vector<JudgedPoint>& points) {
+  std::vector<const BaselinePoint*> counterparts;
+  for (const JudgedPoint& point : points)
+    counterparts.push_back(&counterpart(baseline, point, request.baseline));
+  return counterparts;
+}
+
+/// Fewer after an interrupt.
+std::vector<PointCheck> check_points(const CheckRequest& request, const CheckSetup& setup,
+                                     const std::vector<JudgedPoint>& points,
+                                     const std::vector<const BaselinePoint*>& counterparts,
+                                     const Workers& workers) {
+  std::vector<PointCheck> checks;
+  for (std::size_t i = 0; i < points.size() && !workers.interrupted(); ++i) {
+    checks.push_back(check_point(setup, points[i], *counterparts[i], workers));
+    show_progress(request.quiet, "check", i + 1, points.size());
+  }
+  return checks;
+}
+
+/// The one point that a frame is of.
+const JudgedPoint& only_point(const std::vector<JudgedPoint>& points) {
+  if (points.size() == 1) return points.front();
+  throw bad_input("--explain and --minimise", "they are of one frame of one point",
+                  "say which by --point");
+}
+
+/// Throws where the baseline's decoder cannot be run.
+const Decoder& must_run(const Decoder* baseline, const std::string& name) {
+  if (baseline != nullptr) return *baseline;
+  throw bad_input("--minimise with a baseline of " + name,
+                  "it is a program, which only its user may run",
+                  "make a baseline of a built-in decoder");
+}
+
+ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
+                       const CheckSetup& setup, const Baseline& baseline) {
+  const OneFrame frame = hear_frame(point, request.explain ? *request.explain : *request.minimise);
+  std::vector<const Decoder*> decoders{&setup.candidate};
+  if (setup.baseline != nullptr && setup.baseline->name() != setup.candidate.name())
+    decoders.insert(decoders.begin(), setup.baseline);
+  if (request.explain) print(point.name + ", " + frame_story(frame, decoders));
+  if (!request.minimise) return ExitCode::done;
+  const Decoder& other = must_run(setup.baseline, baseline.decoder);
+  const auto least = minimise(frame, setup.candidate, other);
+  if (!least)
+    throw bad_input(fmt::format("--minimise {}", *request.minimise),
+                    fmt::format("it is no frame that {} loses and {} does not",
+                                setup.candidate.name(), other.name()),
+                    "take one that the check lists as lost by the candidate alone");
+  print(minimised_text(*least, setup.candidate, other));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckRequest& request) {
+  const Baseline baseline = read_baseline(request.baseline);
+  const std::vector<JudgedPoint> points = points_of(request);
+  const auto counterparts = counterparts_of(request, baseline, points);
+  const auto candidate = make_decoder(request.decoder.empty() ? baseline.decoder : request.decoder,
+                                      request.program_settings);
+  const auto again = make_built_in_decoder(baseline.decoder);
+  if (request.junit) const NewFile probe(*request.junit);
+  const CheckSetup setup{.rule = request.rule,
+                         .frames = request.frames,
+                         .candidate = *candidate,
+                         .baseline = again.get(),
+                         .points = points.size(),
+                         .golden = request.golden};
+  if (request.explain || request.minimise)
+    return look_at_frame(request, only_point(points), setup, baseline);
+  const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
+  std::vector<PointCheck> checks = check_points(request, setup, points, counterparts, workers);
+  if (workers.interrupted()) return end_interrupted();
+  judge(checks, setup);
+  const CheckReport report{.checks = checks,
+                           .setup = setup,
+                           .baseline = baseline,
+                           .baseline_file = request.baseline,
+                           .options = repeated_options(request),
+                           .scenario_options = scenario_options(request.options)};
+  if (request.junit) write_text(*request.junit, check_junit(report));
+  print(request.json ? check_json(report) : check_text(report));
+  return exit_code(verdict_of(checks));
+}
+
+}  // namespace sim

@@ -1,0 +1,25 @@
+#include "sim/command/judging.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/text/standard_output.hpp"
+
+namespace sim {
+
+std::vector<LoadedScenario> load_links(const std::vector<std::filesystem::path>& scenarios,
+                                       const ScenarioOptions& options, const std::string& command) {
+  std::vector<LoadedScenario> loaded;
+  for (const auto& path : scenarios) loaded.push_back(load_link(options, path, command));
+  return loaded;
+}
+
+void show_progress(bool quiet, const std::string& command, std::size_t done, std::size_t of) {
+  if (!quiet) say(fmt::format("cosys-sim {}: point {} of {} done\n", command, done, of));
+}
+
+ExitCode end_interrupted() {
+  say("cosys-sim: interrupted (by a signal) nothing was written; the same command begins anew\n");
+  return ExitCode::interrupted;
+}
+
+}  // namespace sim

@@ -1,0 +1,139 @@
+// Options of baseline and check.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/check/decoder.hpp"
+#include "sim/command/command_options.hpp"
+#include "sim/command/commands_added.hpp"
+
+namespace sim {
+namespace {
+
+void add_gate_rule(CLI::App& check, GateRule& rule) {
+  check
+      .add_option("--worse-than", rule.worse_than,
+                  "how many times as many lost frames must not pass; 1.5 if not given")
+      ->type_name("X")
+      ->check(between(1.01, 100));
+  check
+      .add_option("--alpha", rule.alpha,
+                  "probability of calling a decoder worse that is not, all points together; 0.001 "
+                  "if not given")
+      ->type_name("P")
+      ->check(between(1e-12, 0.1));
+  check
+      .add_option("--power", rule.power,
+                  "probability of not passing one that is so much worse; 0.99 if not given")
+      ->type_name("P")
+      ->check(between(0.5, 1 - 1e-9));
+  check
+      .add_option(
+          "--negligible", rule.negligible,
+          "frame loss ratio below which a decoder passes, whatever the baseline loses; 0.01 "
+          "if not given")
+      ->type_name("P")
+      ->check(between(0, 0.5));
+}
+
+void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& settings,
+                 const std::string& otherwise) {
+  command
+      .add_option("--decoder", decoder,
+                  fmt::format("the decoder: {}, or a command, in which {{vcd}}, {{sr}}, {{edges}}, "
+                              "{{csv}}, {{bytes}}, {{ook}} or {{wav}} stands for a capture's file; "
+                              "without, it gets edges on stdin; {}",
+                              fmt::join(built_in_decoders(), ", "), otherwise))
+      ->type_name("NAME|CMD")
+      ->check(a_name);
+  command
+      .add_option_function<std::string>(
+          "--decoder-mode",
+          [&settings](const std::string& mode) { settings.serves = mode == "serve"; },
+          "a command is run once for each capture, or serves all of them; once if not given")
+      ->type_name("once|serve")
+      ->check(CLI::IsMember({"once", "serve"}).description(""));
+  command
+      .add_option_function<std::string>(
+          "--decoder-output",
+          [&settings](const std::string& output) { settings.prints_frames = output == "frames"; },
+          "what a command prints: the bytes that it received, or the messages that it accepted, a "
+          "line each; bytes if not given")
+      ->type_name("bytes|frames")
+      ->check(CLI::IsMember({"bytes", "frames"}).description(""));
+  command
+      .add_option_function<double>(
+          "--decoder-timeout",
+          [&settings](double seconds) {
+            settings.timeout = std::chrono::duration<double>(seconds);
+          },
+          "how long a command may take for a capture of 128 frames; 60s if not given")
+      ->type_name("TIME")
+      ->transform(a_time());
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, CheckRequest& request) {
+  auto& check = *app.add_subcommand(
+      "check",
+      "Say whether a decoder is worse than its baseline, frame by frame on the same light");
+  add_place(check, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
+  add_place(check, "--baseline", request.baseline, "B.h5", "what cosys-sim baseline made of them")
+      ->required();
+  add_decoder(check, request.decoder, request.program_settings,
+              "that of the baseline if not given");
+  add_gate_rule(check, request.rule);
+  check.add_flag("--golden", request.golden,
+                 "fail if one frame comes out otherwise than in the baseline");
+  check.add_option("--point", request.point, "only this point of each scenario, counted from 0")
+      ->type_name("K")
+      ->check(an_index);
+  check
+      .add_option("-n,--max-frames", request.frames,
+                  "frames of each point at most; as many as the baseline has if not given")
+      ->type_name("N")
+      ->check(an_index);
+  auto* explain =
+      check
+          .add_option(
+              "--explain", request.explain,
+              "in place of the check: what was sent, seen and read of this frame of a point")
+          ->type_name("N")
+          ->check(an_index);
+  check
+      .add_option("--minimise", request.minimise,
+                  "in place of the check: the fewest disturbed bits by which only the candidate "
+                  "loses this frame of a point, as a test vector")
+      ->type_name("N")
+      ->check(an_index)
+      ->excludes(explain);
+  add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to write");
+  add_scenario_options(check, request.options);
+  add_threads(check, request.threads);
+  check.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  check.add_flag("--json", request.json, "one JSON object on stdout, not the table");
+  check.footer(
+      "Exit code 1 if it is worse or fails, 4 if more frames are needed to tell. Example: "
+      "cosys-sim "
+      "check scenarios/quickstart.toml --baseline quickstart-baseline.h5 --decoder mid-bit");
+}
+
+void add_baseline(CLI::App& app, BaselineRequest& request) {
+  auto& baseline = *app.add_subcommand(
+      "baseline", "Write what a decoder makes of each frame of scenarios, to judge others by");
+  add_place(baseline, "SCENARIO", request.scenarios, "",
+            "scenario files (.toml); if none is given, those that OUT.h5 was made of");
+  add_place(baseline, "-o,--output", request.output, "OUT.h5", "baseline to write, or to renew")
+      ->required();
+  add_decoder(baseline, request.decoder, request.program_settings,
+              "if not given, that of OUT.h5, else uart.receiver of the scenario");
+  add_scenario_options(baseline, request.options);
+  add_threads(baseline, request.threads);
+  add_max_frames(baseline, request.options);
+  baseline.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  baseline.footer(
+      "Each point has as many frames as stop.max_frames says. Example: cosys-sim baseline "
+      "scenarios/quickstart.toml -o quickstart-baseline.h5");
+}
+
+}  // namespace sim

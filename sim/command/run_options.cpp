@@ -1,0 +1,126 @@
+// Options of run, trace, find, merge and diff.
+#include "sim/command/command_options.hpp"
+#include "sim/command/commands_added.hpp"
+
+namespace sim {
+
+void add_run(CLI::App& app, RunRequest& request) {
+  auto& run = *app.add_subcommand(
+      "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
+  add_place(run, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
+  add_place(run, "-o,--output", request.output, "OUT.h5|DIR/",
+            "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
+            "scenario's name ending in .h5, in the current folder");
+  add_scenario_options(run, request.options);
+  add_threads(run, request.threads);
+  add_max_frames(run, request.options);
+  add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
+                 "lost frames after which a point is finished, 0 for no such limit");
+  add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
+                 "relative half width of the bit error ratio's interval at which a point is "
+                 "finished, such as 0.1; 0 for no such rule");
+  run.add_option_function<std::string>(
+         "--method",
+         [&request](const std::string& name) {
+           request.options.overrides.push_back("simulation.method=" + name);
+         },
+         "brute-force, or importance for errors too rare to wait for (the key simulation.method)")
+      ->type_name("METHOD");
+  add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
+                 "frame loss ratio; a point is finished when its own is surely below or above");
+  run.add_flag("--resume", request.resume,
+               "go on with what an interrupted run of the same command left in its result file; "
+               "the counts are those of a run without interrupt");
+  run.add_option_function<std::string>(
+         "--shard", [&request](const std::string& text) { request.shard = *parse_shard(text); },
+         "run the Kth of N shares of each point's trials, to be added up by merge; the result file "
+         "is SCENARIO-KofN.h5 if not given")
+      ->type_name("K/N")
+      ->check(a_shard);
+  run.add_flag("--profile", request.profile,
+               "say on stderr where the time went, stage by stage; looking costs some of it")
+      ->excludes("--resume");
+  auto* plan = run.add_flag("--plan", request.plan,
+                            "say how many frames and how much time each point is expected to take, "
+                            "from a few trials of it, and stop there")
+                   ->excludes("--resume");
+  run.add_option("--time-budget", request.time_budget_s,
+                 "choose --max-frames so that a scenario takes about so long: 90s, 10min, 2h")
+      ->type_name("TIME")
+      ->transform(a_time())
+      ->excludes("--max-frames")
+      ->excludes("--resume")
+      ->excludes("--shard")
+      ->excludes(plan);
+  run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table")
+      ->excludes(plan);
+  run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");
+}
+
+void add_trace(CLI::App& app, TraceRequest& request) {
+  auto& trace = *app.add_subcommand(
+      "trace", "Run one trial of a scenario again and write every tap of the receiver to a file");
+  add_place(trace, "SCENARIO", request.scenario, "", "scenario file (.toml)")->required();
+  trace.add_option("--point", request.point, "point of the sweep, counted from 0; 0 if not given")
+      ->type_name("K")
+      ->check(an_index);
+  trace.add_option("--trial", request.trial, "trial, counted from 0; 0 if not given")
+      ->type_name("N")
+      ->check(an_index);
+  add_place(trace, "-o,--output", request.output, "FILE",
+            "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same and "
+            "all taps, for sigrok; .ook, the pulses of rx, for rtl_433; .csv, all taps, a row a "
+            "sample; .h5, the same in HDF5, and spectra")
+      ->required();
+  add_scenario_options(trace, request.options);
+  trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
+}
+
+void add_find(CLI::App& app, FindRequest& request) {
+  auto& find = *app.add_subcommand(
+      "find", "Find where along a key the frame loss passes a level, in fewer frames than a sweep");
+  add_place(find, "SCENARIO", request.scenario, "", "scenario file (.toml)")->required();
+  find.add_option("--over", request.over,
+                  "the key and its range, receiver.range_m=1:40, or the key alone if the scenario "
+                  "sweeps it; other sweeps of the scenario are a search each")
+      ->type_name("KEY=LOW:HIGH")
+      ->required()
+      ->check(a_name);
+  find.add_option("--flr", request.flr, "frame loss ratio to be found; 0.01 if not given")
+      ->type_name("P")
+      ->check(between(1e-9, 0.99));
+  find.add_option("--tolerance", request.tolerance,
+                  "width of the bracket at which to stop, over its upper end; 0.01 if not given")
+      ->type_name("R")
+      ->check(between(1e-9, 1));
+  add_place(find, "-o,--output", request.output, "OUT.h5",
+            "result file (HDF5) of all points looked at; SCENARIO-find.h5 if not given");
+  add_scenario_options(find, request.options);
+  add_threads(find, request.threads);
+  add_max_frames(find, request.options);
+  find.add_flag("--json", request.json, "one JSON object on stdout, not the table");
+  find.footer("Example: cosys-sim find scenarios/quickstart.toml --over receiver.range_m");
+}
+
+void add_merge(CLI::App& app, MergeRequest& request) {
+  auto& merge = *app.add_subcommand(
+      "merge", "Add results of other trials of the same command up: those of run --shard");
+  add_place(merge, "RESULT", request.results, "", "result files (.h5)")->required();
+  add_place(merge, "-o,--output", request.output, "OUT.h5", "result file to write")->required();
+  merge.footer("Example: cosys-sim merge quickstart-1of2.h5 quickstart-2of2.h5 -o quickstart.h5");
+}
+
+void add_diff(CLI::App& app, DiffRequest& request) {
+  auto& diff = *app.add_subcommand(
+      "diff", "Say whether two results of the same sweep are equal, compatible or different");
+  add_place(diff, "A", request.one, "", "result file")->required();
+  add_place(diff, "B", request.other, "", "result file to compare it with")->required();
+  diff.add_option("--alpha", request.alpha,
+                  "probability of calling equals different, all points together; 0.01 if not given")
+      ->type_name("P")
+      ->check(between(1e-12, 0.5));
+  diff.footer("Exit code 1 if they are different. Example: cosys-sim diff yesterday.h5 today.h5");
+}
+
+}  // namespace sim

@@ -1,0 +1,107 @@
+// One frame explained, and the least that breaks a decoder.
+#include "sim/check/frame_story.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenarios.hpp"
+#include "sim/check/decoded_frames.hpp"
+#include "sim/check/minimise.hpp"
+
+namespace sim {
+namespace {
+
+JudgedPoint weak_point() {
+  return judged_points(loaded("[receiver]\nmodule = 'TSSP4056'\nrange_m = 12.4\n[simulation]\n"
+                              "fidelity = 'envelope'\nwarmup_messages = 1\n"))
+      .front();
+}
+
+struct Rivals {
+  std::unique_ptr<Decoder> atmega = make_built_in_decoder("atmega"),
+                           edges = make_built_in_decoder("edge-timing");
+};
+
+/// Trials of the first 200 that only edge-timing loses.
+std::vector<std::uint32_t> lost_by_edges_alone(const Rivals& rivals) {
+  const auto decoded =
+      decode_frames(judged_link(weak_point()), {rivals.edges.get(), rivals.atmega.get()}, 0, 200,
+                    {.threads = 2, .interrupt = nullptr});
+  std::vector<std::uint32_t> trials;
+  for (std::uint32_t i = 0; i < 200; ++i)
+    if (decoded[0].frames[i].outcome.lost() && decoded[1].frames[i].outcome.delivered)
+      trials.push_back(i);
+  return trials;
+}
+
+TEST(FrameStory, IsOfTheFrameThatWasJudged) {
+  const Rivals rivals;
+  const auto trials = lost_by_edges_alone(rivals);
+  ASSERT_GT(trials.size(), 10U);
+  for (const std::uint32_t trial : trials) {
+    const OneFrame frame = hear_frame(weak_point(), trial);
+    EXPECT_EQ(frame.trial(), trial);
+    EXPECT_TRUE(outcome_of(*rivals.edges, frame).lost()) << trial;
+    EXPECT_TRUE(outcome_of(*rivals.atmega, frame).delivered) << trial;
+  }
+  const std::string story = frame_story(hear_frame(weak_point(), trials.front()),
+                                        {rivals.atmega.get(), rivals.edges.get()});
+  EXPECT_NE(story.find("\natmega: delivered\n    \"IND 011111 OK\": ok\n"), std::string::npos)
+      << story;
+  EXPECT_NE(story.find("\nedge-timing: lost\n"), std::string::npos) << story;
+}
+
+TEST(FrameStory, SaysWhatWasSentSeenAndRead) {
+  const JudgedPoint clear = judged_points(loaded("device.message = 'A B'", clear_link())).front();
+  const auto mid_bit = make_built_in_decoder("mid-bit");
+  const std::string story = frame_story(hear_frame(clear, 3), {mid_bit.get()});
+  EXPECT_EQ(story.find("trial 3: \"A B\" at 82.98 mW/m2, bits of 1666.7 us"), 0U) << story;
+  for (const char* part :
+       {"'A'     0100000101  0100000101", "' '     0000001001  0000001001",
+        "'\\x0a'  0010100001  0010100001", "mid-bit: delivered\n    \"A B\": ok\n"})
+    EXPECT_NE(story.find(part), std::string::npos) << part << " in\n" << story;
+}
+
+TEST(Minimise, FindsTheLeastThatOnlyTheCandidateLosesBy) {
+  const Rivals rivals;
+  const auto trials = lost_by_edges_alone(rivals);
+  ASSERT_GT(trials.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const OneFrame frame = hear_frame(weak_point(), trials[i]);
+    const auto least = minimise(frame, *rivals.edges, *rivals.atmega);
+    ASSERT_TRUE(least.has_value());
+    EXPECT_TRUE(outcome_of(*rivals.edges, least->frame).lost());
+    EXPECT_TRUE(outcome_of(*rivals.atmega, least->frame).delivered);
+    EXPECT_GE(least->disturbed.size(), 1U);
+    EXPECT_LT(least->disturbed.size(), least->at_first / 4);
+    // Other frames of the line are as they were.
+    const FrameOnLine& next = frame.line.frames[frame.index + 1];
+    for (double t = next.from.value; t < next.to.value; t += 1e-4)
+      ASSERT_EQ(least->frame.line.wire.level_at(dsp::Seconds(t)),
+                frame.line.wire.level_at(dsp::Seconds(t)));
+  }
+}
+
+TEST(Minimise, CannotLeaveOutOneMore) {
+  const Rivals rivals;
+  const OneFrame frame = hear_frame(weak_point(), lost_by_edges_alone(rivals).front());
+  const auto least = minimise(frame, *rivals.edges, *rivals.atmega);
+  ASSERT_TRUE(least.has_value());
+  // What is left is found again whole from itself.
+  const auto again = minimise(least->frame, *rivals.edges, *rivals.atmega);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_LE(again->at_first, least->disturbed.size());
+  EXPECT_EQ(again->disturbed.size(), least->disturbed.size());
+}
+
+TEST(Minimise, GivesNothingWhereThereIsNothingToTell) {
+  const Rivals rivals;
+  const auto trials = lost_by_edges_alone(rivals);
+  const OneFrame frame = hear_frame(weak_point(), trials.front());
+  EXPECT_FALSE(minimise(frame, *rivals.atmega, *rivals.edges).has_value());
+  EXPECT_FALSE(minimise(frame, *rivals.edges, *rivals.edges).has_value());
+}
+
+}  // namespace
+}  // namespace sim

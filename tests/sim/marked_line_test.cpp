@@ -1,0 +1,119 @@
+// Frames between markers: what decoders that say nothing but messages are judged by.
+#include "sim/check/marked_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include "protocol/cosys.hpp"
+#include "protocol/uart.hpp"
+#include "scenarios.hpp"
+#include "sim/check/decoder.hpp"
+
+namespace sim {
+namespace {
+
+constexpr FrameOutcome delivered{.delivered = true}, lost{}, unknown{.unknown = true},
+    deceived{.deceived = true};
+
+std::vector<FrameOutcome> outcomes(const std::vector<std::string>& accepted) {
+  return outcomes_between_markers(accepted, "A", 7, 3);
+}
+
+TEST(Markers, TellWhoseMessagesTheseAre) {
+  EXPECT_EQ(outcomes({"MARK #7", "A", "MARK #8", "MARK #9", "B", "MARK #10"}),
+            (std::vector{delivered, lost, deceived}));
+  EXPECT_EQ(outcomes({"A", "MARK #7", "A", "B", "A", "MARK #8", "MARK #9", "A", "MARK #10", "A"}),
+            (std::vector{FrameOutcome{.delivered = true, .deceived = true}, lost, delivered}));
+}
+
+TEST(Markers, ThatAreMissingLeaveTheFramesBesideThemUnknown) {
+  EXPECT_EQ(outcomes({}), (std::vector{unknown, unknown, unknown}));
+  EXPECT_EQ(outcomes({"MARK #7", "A", "MARK #9", "A", "MARK #10"}),
+            (std::vector{unknown, unknown, delivered}));
+  EXPECT_EQ(outcomes({"A", "MARK #8", "A", "MARK #9", "A"}),
+            (std::vector{unknown, delivered, unknown}));
+}
+
+TEST(Markers, OutOfTurnAreNone) {
+  EXPECT_EQ(outcomes({"MARK #7", "MARK #8", "MARK #7", "A", "MARK #9", "MARK #6", "MARK #99",
+                      "MARK #10"}),
+            (std::vector{lost, delivered, lost}));
+}
+
+// "MARK 15" would be: 0x15 is the checksum of "MARK".
+TEST(Markers, AreNeverTakenForAMessageWithItsChecksum) {
+  for (std::uint32_t number = 0; number < 2000; ++number) {
+    protocol::CosysDecoder decoder;
+    for (const char c : marker(number) + "\n")
+      if (const auto line = decoder.push({dsp::Seconds(0), static_cast<std::uint8_t>(c), false})) {
+        EXPECT_NE(line->outcome, protocol::CosysOutcome::ok) << number;
+      }
+  }
+}
+
+TEST(Markers, AreNoMessagesOfDevices) {
+  EXPECT_TRUE(is_like_marker(marker(0)));
+  EXPECT_TRUE(is_like_marker(marker(4'000'000'000U)));
+  for (const char* message :
+       {"IND 011111 OK", "MARK", "MARK #", "MARK 15", "MARK #x", "MARK #1 2", "MARK #-1"})
+    EXPECT_FALSE(is_like_marker(message)) << message;
+}
+
+JudgedLink judged(const std::vector<std::string>& set) { return {link_of(set), dsp::Hertz(600)}; }
+
+std::vector<FrameOutcome> decoded(const JudgedLink& link, const std::string& decoder,
+                                  std::uint32_t first, int n) {
+  const MarkedLine line = hear_marked(link, first, n);
+  return outcomes_between_markers(make_built_in_decoder(decoder)->decode(line).accepted,
+                                  link.link.message, first, static_cast<std::size_t>(n));
+}
+
+TEST(MarkedLine, GivesEveryDecoderEveryFrameOfAClearLink) {
+  const JudgedLink link = judged(clear_link());
+  for (const std::string& decoder : built_in_decoders())
+    EXPECT_EQ(decoded(link, decoder, 40, 20), std::vector(20, delivered)) << decoder;
+}
+
+TEST(MarkedLine, GivesNothingOfALinkInTheDark) {
+  const JudgedLink link = judged({"receiver.range_m=100"});
+  for (const std::string& decoder : built_in_decoders())
+    EXPECT_EQ(decoded(link, decoder, 0, 9), std::vector(9, lost)) << decoder;
+}
+
+// The receiver's clock makes a link's times longer or shorter, not the markers'.
+TEST(MarkedLine, IsOnTheClockOfTheReceiver) {
+  for (const char* error : {"uart.clock_error_ppm=40000", "uart.clock_error_ppm=-40000"})
+    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, delivered));
+  for (const char* error : {"uart.clock_error_ppm=80000", "uart.clock_error_ppm=-80000"})
+    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, lost));
+}
+
+std::vector<std::uint64_t> light(const MarkedLine& line) {
+  std::vector<std::uint64_t> all;
+  for (const FrameOnLine& frame : line.frames) all.push_back(frame.light);
+  return all;
+}
+
+TEST(MarkedLine, HashesTheLightOfEachFrameWhateverIsBesideIt) {
+  const JudgedLink link = judged({"receiver.range_m=2.1"});
+  const auto many = light(hear_marked(link, 8, 16)), few = light(hear_marked(link, 16, 3));
+  EXPECT_EQ(std::vector(many.begin() + 8, many.begin() + 11), few);
+  EXPECT_NE(many[0], many[1]);
+  EXPECT_NE(light(hear_marked(judged({"receiver.range_m=2.11"}), 16, 3)), few);
+}
+
+TEST(MarkedLine, SaysWhereEachCharacterIs) {
+  const JudgedLink link = judged(clear_link({"uart.clock_error_ppm=20000"}));
+  const MarkedLine line = hear_marked(link, 0, 3);
+  for (const FrameOnLine& frame : line.frames) {
+    ASSERT_EQ(frame.byte_start.size(), link.link.bytes.size());
+    for (std::size_t i = 0; i < frame.byte_start.size(); ++i)
+      for (int slot = 0; slot < protocol::bits_per_byte; ++slot)
+        EXPECT_EQ(line.wire.level_at(frame.byte_start[i] + frame.bit * (slot + 0.5)),
+                  protocol::line_bit(link.link.bytes[i], slot));
+    EXPECT_LT(frame.from, frame.byte_start.front());
+    EXPECT_GT(frame.to, frame.byte_start.back() + frame.bit * 10);
+  }
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,198 @@
+// Decoders that are programs: every format and mode, and every way to fail.
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace {
+
+/// One sample a bit, by edges on stdin; argument 1: where in the bit, argument 2: serve.
+constexpr const char* edge_decoder = R"(
+import bisect, sys
+part = float(sys.argv[1])
+bit = 1e6 / 600
+
+def decode(text):
+    edges = [tuple(map(int, line.split())) for line in text.splitlines()]
+    times = [time for time, _ in edges]
+    level = lambda time: edges[bisect.bisect_right(times, time) - 1][1]
+    received, now = bytearray(), -1
+    for (_, before), (time, after) in zip(edges, edges[1:]):
+        if time <= now or not before or after:
+            continue
+        if level(time + bit * part):
+            continue
+        received.append(sum(level(time + bit * (1 + i + part)) << i for i in range(8)))
+        now = time + bit * (9 + part)
+    return bytes(received)
+
+if sys.argv[2:] == ['serve']:
+    while head := sys.stdin.buffer.readline():
+        answer = decode(sys.stdin.buffer.read(int(head)).decode())
+        sys.stdout.buffer.write(b'%d\n' % len(answer) + answer)
+        sys.stdout.buffer.flush()
+else:
+    sys.stdout.buffer.write(decode(sys.stdin.read()))
+)";
+
+class ProgramDecoder : public CommandLine {
+ protected:
+  void SetUp() override {
+    write("weak.toml",
+          "[receiver]\nmodule = 'TSSP4056'\nrange_m = 12.4\n[device]\nclock_error_ppm = 40000\n"
+          "[simulation]\nfidelity = 'envelope'\nwarmup_messages = 1\n[stop]\nmax_frames = 300\n");
+    write("edges.py", edge_decoder);
+    baseline("mid-bit");
+  }
+
+  void baseline(const std::string& decoder) const {
+    const Outcome o = program({"baseline", "weak.toml", "-q", "-o", "b.h5", "--decoder", decoder});
+    ASSERT_EQ(o.code, 0) << o.err;
+  }
+
+  Outcome check(const std::string& command, Words more = {}) const {
+    more.insert(more.begin(),
+                {"check", "weak.toml", "--baseline", "b.h5", "-q", "--json", "--decoder", command});
+    return program(more);
+  }
+
+  static nlohmann::json point_of(const Outcome& o) {
+    if (o.out.empty()) throw std::runtime_error("nothing but " + o.err);
+    return nlohmann::json::parse(o.out)["points"][0];
+  }
+
+  /// Frame by frame what the built-in decoder of the baseline makes of them.
+  void expect_same(const std::string& command, const Words& more = {}) const {
+    Words golden = more;
+    golden.push_back("--golden");
+    const Outcome o = check(command, golden);
+    EXPECT_EQ(o.code, 0) << command << o.err << o.out;
+    EXPECT_EQ(point_of(o)["candidate"]["n_frames"], 300);
+    EXPECT_GT(point_of(o)["candidate"]["n_frames_lost"], 30);
+  }
+
+  void expect_fault(const std::string& command, const std::string& kind, const std::string& what,
+                    const Words& more = {}) const {
+    const Outcome o = check(command, more);
+    EXPECT_EQ(o.code, 1) << command << o.err;
+    const auto point = point_of(o);
+    EXPECT_EQ(point["verdict"], "failed");
+    EXPECT_EQ(point["fault"]["kind"], kind);
+    EXPECT_EQ(point["fault"]["what"], what);
+    EXPECT_EQ(point["candidate"]["n_frames"], 0) << "that is no frame loss";
+  }
+
+  bool is_there(const std::string& tool) const {
+    return start_tool("sh", {"-c", "command -v " + tool}).finish().code == 0;
+  }
+};
+
+TEST_F(ProgramDecoder, InAnotherLanguageIsJudgedLikeOursByEdges) {
+  expect_same("python3 edges.py 0.5");
+  expect_same("python3 edges.py 0.5 < {edges}");
+}
+
+TEST_F(ProgramDecoder, MayServeAllCaptures) {
+  expect_same("python3 edges.py 0.5 serve", {"--decoder-mode", "serve"});
+  const Outcome late = check("python3 edges.py 0.6 serve", {"--decoder-mode", "serve"});
+  EXPECT_EQ(late.code, 1);
+  EXPECT_EQ(point_of(late)["verdict"], "worse");
+}
+
+TEST_F(ProgramDecoder, ThatSamplesTenPercentLateIsCaught) {
+  EXPECT_EQ(point_of(check("python3 edges.py 0.6"))["verdict"], "worse");
+}
+
+TEST_F(ProgramDecoder, OfSigrokReadsVcdAndSessions) {
+  if (!is_there("sigrok-cli")) GTEST_SKIP() << "needs sigrok-cli";
+  const std::string uart = " -P uart:rx=rx:baudrate=600 -B uart=rx";
+  expect_same("sigrok-cli -i {vcd} -I vcd" + uart);
+  // 200 000 samples a second move an edge by 5 us at most, of bits of 1667.
+  const auto point = point_of(check("sigrok-cli -i {sr}" + uart, {"--golden"}));
+  EXPECT_LE(point["lost_by_candidate_alone"].size() + point["lost_by_baseline_alone"].size(), 6U);
+}
+
+TEST_F(ProgramDecoder, MayPrintFramesOfAnyFormat) {
+  const std::string decode = std::string(COSYS_PROGRAM) + " decode --baud 600 --uart mid-bit ";
+  const std::string frames = " | sed -n 's/^ *[0-9.]* s *ok *//p'";
+  for (const char* format : {"{vcd}", "{csv}"})
+    expect_same(decode + format + frames, {"--decoder-output", "frames"});
+  const auto point =
+      point_of(check(decode + "{wav}" + frames, {"--decoder-output", "frames", "--golden"}));
+  EXPECT_TRUE(point["fault"].is_null()) << point;
+}
+
+TEST_F(ProgramDecoder, MayTakeTheBytesOfTheScenariosUart) {
+  baseline("atmega");
+  expect_same("cat {bytes}");
+}
+
+TEST_F(ProgramDecoder, ThatFailsIsSaidToHaveFailed) {
+  expect_fault("sleep 60", "timeout", "no answer within 0.3 s", {"--decoder-timeout", "0.3s"});
+  expect_fault("kill -9 $$", "killed", "killed by signal 9 (Killed)");
+  expect_fault("echo oops >&2; exit 3", "exit code", "exit code 3");
+  expect_fault("head -c 100000 /dev/urandom", "garbage",
+               "it lost undisturbed messages, beside 128 of 128 frames");
+  expect_fault("yes", "garbage", "more than 64 MiB of output");
+  expect_fault("true", "garbage", "it lost undisturbed messages, beside 128 of 128 frames");
+  const Words serve{"--decoder-mode", "serve", "--decoder-timeout", "20s"};
+  expect_fault("true", "garbage", "it ended without an answer", serve);
+  expect_fault("echo hello; cat", "garbage", "its answer does not begin with a number of bytes",
+               serve);
+  expect_fault("echo -5; cat", "garbage", "its answer does not begin with a number of bytes",
+               serve);
+}
+
+TEST_F(ProgramDecoder, IsQuotedWhereItFails) {
+  EXPECT_EQ(point_of(check("echo oops >&2; exit 3"))["fault"]["stderr"], "oops\n");
+  const Outcome o = program(
+      {"check", "weak.toml", "--baseline", "b.h5", "-q", "--decoder", "echo oops >&2; exit 3"});
+  EXPECT_NE(o.out.find("the decoder failed: exit code 3\nit said: oops"), std::string::npos)
+      << o.out;
+  EXPECT_NE(o.out.find("--decoder 'echo oops >&2; exit 3'"), std::string::npos);
+}
+
+TEST_F(ProgramDecoder, ThatIsNotThereIsTheMachinesFault) {
+  const Outcome o = check("no-such-decoder --fast");
+  EXPECT_EQ(o.code, 3);
+  EXPECT_EQ(o.err.find("cosys-sim: the decoder cannot be started (sh: "), 0U) << o.err;
+  EXPECT_EQ(o.out, "");
+  expect_refused({"check", "weak.toml", "--baseline", "b.h5", "--decoder", "no-such-decoder"}, 2,
+                 "--decoder no-such-decoder (no decoder of that name, and no program) did you mean "
+                 "software-serial?");
+}
+
+TEST_F(ProgramDecoder, MakesNoBaselineIfItFails) {
+  const Outcome o = program({"baseline", "weak.toml", "-q", "-o", "new.h5", "--decoder", "exit 3"});
+  EXPECT_EQ(o.code, 3);
+  EXPECT_FALSE(std::filesystem::exists(path("new.h5")));
+}
+
+TEST_F(ProgramDecoder, RefusesWhatCannotBeGiven) {
+  const std::string head = "cosys-sim: --decoder ";
+  EXPECT_EQ(check("cat {vcd} {sr}").err,
+            head + "cat {vcd} {sr} (it asks for two formats) ask for one\n");
+  EXPECT_EQ(check("cat {vcd}", {"--decoder-mode", "serve"}).err,
+            head + "cat {vcd} (one that serves gets edges on its stdin) leave {vcd} out\n");
+}
+
+TEST_F(ProgramDecoder, LeavesNothingBehind) {
+  ::setenv("TMPDIR", path("tmp").c_str(), 1);
+  std::filesystem::create_directory(path("tmp"));
+  expect_same("cat {edges} | python3 edges.py 0.5");
+  EXPECT_TRUE(std::filesystem::is_empty(path("tmp")));
+  // One that hangs, and what it started, is gone when the check is.
+  expect_fault("sleep 61.7 & sleep 61.7", "timeout", "no answer within 0.3 s",
+               {"--decoder-timeout", "0.3s"});
+  EXPECT_NE(start_tool("pgrep", {"-f", "^sleep 61.7"}).finish().code, 0);
+  ::unsetenv("TMPDIR");
+}
+
+TEST_F(ProgramDecoder, IsEndedByASignal) {
+  Running run =
+      start_program({"check", "weak.toml", "--baseline", "b.h5", "--decoder", "sleep 62.3"});
+  ::usleep(500'000);
+  EXPECT_EQ(run.finish(SIGINT).code, 130);
+  EXPECT_NE(start_tool("pgrep", {"-f", "^sleep 62.3"}).finish().code, 0);
+}
+
+}  // namespace
