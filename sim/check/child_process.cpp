@@ -95,16 +95,16 @@ void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
   process_.emplace(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
 }
 
-Waited ChildProcess::run(Exchange exchange, std::string& output) {
+Waited ChildProcess::run(ChildTask task, std::string& output) {
   using Clock = std::chrono::steady_clock;
-  const auto end_of_patience = Clock::now() + exchange.timeout;
+  const auto end_of_patience = Clock::now() + task.timeout;
   for (;;) {
-    if (exchange.close && exchange.input.empty()) in_.reset();
-    const bool ended = serve(exchange.input, output);
+    if (task.close && task.input.empty()) in_.reset();
+    const bool ended = serve(task.input, output);
     if (output.size() > most_output) return Waited::too_much;
-    if (exchange.is_complete && exchange.is_complete(output)) return Waited::done;
+    if (task.is_complete && task.is_complete(output)) return Waited::done;
     if (ended) return Waited::ended;
-    if (exchange.stop != nullptr && *exchange.stop) return Waited::stopped;
+    if (task.stop != nullptr && *task.stop) return Waited::stopped;
     if (Clock::now() > end_of_patience) return Waited::timeout;
   }
 }

@@ -15,10 +15,10 @@
 
 namespace sim {
 
-/// Why an exchange is over.
+/// Why a task is over.
 enum class Waited { done, ended, timeout, stopped, too_much };
 
-struct Exchange {
+struct ChildTask {
   std::string_view input;  // for its stdin
   bool close = true;       // its stdin behind that
   /// Whether it has printed all that is wanted; without one it goes on until it has ended.
@@ -36,7 +36,7 @@ class ChildProcess {
   ~ChildProcess();
 
   /// Appends what it prints to `output`; no more than some 64 MiB.
-  Waited run(Exchange exchange, std::string& output);
+  Waited run(ChildTask task, std::string& output);
 
   /// As of waitpid, once run() said that it has ended.
   int status() const { return status_; }

@@ -18,9 +18,9 @@ using protocol::bits_per_byte;
 using Indices = std::vector<std::size_t>;
 
 /// A stop bit lasts until the next character.
-std::vector<Stretch> stretches_of(const OneFrame& frame) {
+std::vector<WirePiece> pieces_of(const OneFrame& frame) {
   const FrameOnLine& place = frame.frame();
-  std::vector<Stretch> all{{place.from, place.byte_start.front(), true}};
+  std::vector<WirePiece> all{{place.from, place.byte_start.front(), true}};
   for (std::size_t i = 0; i < place.byte_start.size(); ++i)
     for (int slot = 0; slot < bits_per_byte; ++slot) {
       const dsp::Seconds from = place.byte_start[i] + place.bit * slot;
@@ -31,29 +31,29 @@ std::vector<Stretch> stretches_of(const OneFrame& frame) {
   return all;
 }
 
-std::span<const dsp::Seconds> flips_inside(const dsp::LogicTrace& wire, const Stretch& stretch) {
+std::span<const dsp::Seconds> flips_inside(const dsp::LogicTrace& wire, const WirePiece& piece) {
   const auto flips = wire.flips();
-  const auto first = std::ranges::upper_bound(flips, stretch.from);
-  return {first, std::ranges::lower_bound(first, flips.end(), stretch.to)};
+  const auto first = std::ranges::upper_bound(flips, piece.from);
+  return {first, std::ranges::lower_bound(first, flips.end(), piece.to)};
 }
 
-bool is_disturbed(const dsp::LogicTrace& wire, const Stretch& stretch) {
-  return wire.level_at(stretch.from) != stretch.sent || !flips_inside(wire, stretch).empty();
+bool is_disturbed(const dsp::LogicTrace& wire, const WirePiece& piece) {
+  return wire.level_at(piece.from) != piece.sent || !flips_inside(wire, piece).empty();
 }
 
-/// The wire with all but some stretches as they were sent.
-dsp::LogicTrace mended(const OneFrame& frame, const std::vector<Stretch>& stretches,
+/// The wire with all but some pieces as they were sent.
+dsp::LogicTrace mended(const OneFrame& frame, const std::vector<WirePiece>& pieces,
                        const Indices& disturbed) {
   const dsp::LogicTrace& old = frame.line.wire;
   dsp::LogicTrace wire(old.initial());
   for (const dsp::Seconds flip : old.flips())
     if (flip < frame.frame().from) wire.flip_at(flip);
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& stretch = stretches[i];
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const WirePiece& piece = pieces[i];
     const bool as_it_was = std::ranges::binary_search(disturbed, i);
-    wire.set_at(stretch.from, as_it_was ? old.level_at(stretch.from) : stretch.sent);
+    wire.set_at(piece.from, as_it_was ? old.level_at(piece.from) : piece.sent);
     if (as_it_was)
-      for (const dsp::Seconds flip : flips_inside(old, stretch)) wire.flip_at(flip);
+      for (const dsp::Seconds flip : flips_inside(old, piece)) wire.flip_at(flip);
   }
   wire.set_at(frame.frame().to, true);
   for (const dsp::Seconds flip : old.flips())
@@ -87,9 +87,9 @@ Indices least(Indices set, const std::function<bool(const Indices&)>& breaks) {
   return set;
 }
 
-std::string level_text(const dsp::LogicTrace& wire, const Stretch& stretch) {
+std::string level_text(const dsp::LogicTrace& wire, const WirePiece& piece) {
   std::string text;
-  dsp::Seconds from = stretch.from;
+  dsp::Seconds from = piece.from;
   bool level = wire.level_at(from);
   const auto add = [&](dsp::Seconds to) {
     text += fmt::format("{}{:d} for {:.0f} us", text.empty() ? "" : ", ", level,
@@ -97,15 +97,15 @@ std::string level_text(const dsp::LogicTrace& wire, const Stretch& stretch) {
     from = to;
     level = !level;
   };
-  for (const dsp::Seconds flip : flips_inside(wire, stretch)) add(flip);
-  add(stretch.to);
+  for (const dsp::Seconds flip : flips_inside(wire, piece)) add(flip);
+  add(piece.to);
   return text;
 }
 
-/// What a stretch is of the message.
+/// What a piece is of the message.
 std::string place_text(const Minimised& least, std::size_t index) {
   if (index == 0) return "before the message";
-  if (index + 1 == least.stretches.size()) return "behind the message";
+  if (index + 1 == least.pieces.size()) return "behind the message";
   const std::size_t character = (index - 1) / bits_per_byte, slot = (index - 1) % bits_per_byte;
   const char c = static_cast<char>(least.frame.judged.link.bytes[character]);
   const std::string bit = slot == 0                     ? "start bit"
@@ -130,18 +130,18 @@ std::string vector_text(const Minimised& least) {
 
 std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidate,
                                   const Decoder& baseline) {
-  Minimised result{.frame = frame, .stretches = stretches_of(frame), .disturbed = {}};
-  for (std::size_t i = 0; i < result.stretches.size(); ++i)
-    if (is_disturbed(frame.line.wire, result.stretches[i])) result.disturbed.push_back(i);
+  Minimised result{.frame = frame, .pieces = pieces_of(frame), .disturbed = {}};
+  for (std::size_t i = 0; i < result.pieces.size(); ++i)
+    if (is_disturbed(frame.line.wire, result.pieces[i])) result.disturbed.push_back(i);
   result.at_first = result.disturbed.size();
   const auto breaks = [&](const Indices& disturbed) {
-    result.frame.line.wire = mended(frame, result.stretches, disturbed);
+    result.frame.line.wire = mended(frame, result.pieces, disturbed);
     return outcome_of(candidate, result.frame).lost() &&
            outcome_of(baseline, result.frame).delivered;
   };
   if (!breaks(result.disturbed)) return std::nullopt;
   result.disturbed = least(result.disturbed, breaks);
-  result.frame.line.wire = mended(frame, result.stretches, result.disturbed);
+  result.frame.line.wire = mended(frame, result.pieces, result.disturbed);
   return result;
 }
 
@@ -153,8 +153,8 @@ std::string minimised_text(const Minimised& least, const Decoder& candidate,
                   least.at_first, least.disturbed.size(),
                   least.disturbed.size() == 1 ? "is" : "are", candidate.name(), baseline.name());
   for (const std::size_t i : least.disturbed)
-    text += fmt::format("  {}: {:d} was sent; {}\n", place_text(least, i), least.stretches[i].sent,
-                        level_text(least.frame.line.wire, least.stretches[i]));
+    text += fmt::format("  {}: {:d} was sent; {}\n", place_text(least, i), least.pieces[i].sent,
+                        level_text(least.frame.line.wire, least.pieces[i]));
   return text +
          fmt::format(
              "\n/* \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "

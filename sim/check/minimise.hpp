@@ -12,16 +12,16 @@
 
 namespace sim {
 
-/// A stretch of the wire: a bit, or what is before and behind the message.
-struct Stretch {
+/// A piece of the wire: a bit, or what is before and behind the message.
+struct WirePiece {
   dsp::Seconds from, to;
   bool sent;  // its level, had nothing happened
 };
 
 struct Minimised {
   OneFrame frame;                      // with nothing but these disturbed
-  std::vector<Stretch> stretches;      // of the frame, in order
-  std::vector<std::size_t> disturbed;  // of stretches: what is left
+  std::vector<WirePiece> pieces;       // of the frame, in order
+  std::vector<std::size_t> disturbed;  // of pieces: what is left
   std::size_t at_first = 0;            // how many were disturbed
 };
 

@@ -69,19 +69,20 @@ std::size_t numbers_of(const std::vector<Reading>& readings) {
 }
 
 /// The same minimum reached from two starts: nearer than a millimetre or a tenth of a deviation.
-bool is_same(const Place& a, const Place& b) {
+bool is_same(const LocatedPlace& a, const LocatedPlace& b) {
   const double dx = a.at.at.x - b.at.at.x, dy = a.at.at.y - b.at.at.y;
   if (std::hypot(dx, dy) < 1e-3) return true;
   return a.covariance && squared_deviations(*a.covariance, dx, dy) < 0.01;
 }
 
-void add_distinct(std::vector<Place>& places, const Place& place) {
-  if (std::ranges::none_of(places, [&](const Place& other) { return is_same(other, place); }))
+void add_distinct(std::vector<LocatedPlace>& places, const LocatedPlace& place) {
+  if (std::ranges::none_of(places,
+                           [&](const LocatedPlace& other) { return is_same(other, place); }))
     places.push_back(place);
 }
 
 /// Whether the linear picture that the covariance is holds inside of the area.
-bool is_determined(const Place& place, const Area& area) {
+bool is_determined(const LocatedPlace& place, const Area& area) {
   if (!place.covariance) return false;
   const double diagonal = std::hypot(area.x_max - area.x_min, area.y_max - area.y_min);
   return error_ellipse(*place.covariance).semi_major_m < diagonal;
@@ -103,9 +104,9 @@ double least_chi_square(const LeastSquares& problem, const Unknowns& at) {
 }
 
 /// Leaves the best and those of about its chi-square; the places are sorted by it.
-void keep_as_good(std::vector<Place>& places, double limit) {
+void keep_as_good(std::vector<LocatedPlace>& places, double limit) {
   std::erase_if(places, [best = places.empty() ? 0 : places.front().chi_square,
-                         limit](const Place& p) { return p.chi_square > best + limit; });
+                         limit](const LocatedPlace& p) { return p.chi_square > best + limit; });
 }
 
 double chance(double chi_square, int freedom) {
@@ -139,7 +140,7 @@ Locator::Locator(const LocateSettings& settings, const std::vector<Reading>& rea
       grid_(settings.model, readings, area_) {}
 
 void Locator::prepare(const std::vector<Reading>& readings) {
-  for (const Place& place : places_by_rays(problem_of(readings)))
+  for (const LocatedPlace& place : places_by_rays(problem_of(readings)))
     prepared_.push_back(scattered_light(settings_.model, readings, place.at.at));
 }
 
@@ -151,14 +152,14 @@ Location Locator::locate(const std::vector<Reading>& readings) const {
   const LeastSquares problem = problem_of(readings);
   Location location;
   double best = std::numeric_limits<double>::infinity();
-  for (const Place& by_rays : places_by_rays(problem)) {
+  for (const LocatedPlace& by_rays : places_by_rays(problem)) {
     if (least_chi_square(problem, by_rays.at) > best + settings_.ambiguous_chi_square) continue;
     const auto place = polished(problem, by_rays);
     if (!place) continue;
     best = std::min(best, place->chi_square);
     add_distinct(location.places, *place);
   }
-  std::ranges::stable_sort(location.places, {}, &Place::chi_square);
+  std::ranges::stable_sort(location.places, {}, &LocatedPlace::chi_square);
   location.degrees_of_freedom =
       static_cast<int>(numbers_of(readings)) - (settings_.intensity_unknown ? 3 : 2);
   keep_as_good(location.places, settings_.ambiguous_chi_square);
@@ -169,19 +170,20 @@ Location Locator::locate(const std::vector<Reading>& readings) const {
   return location;
 }
 
-std::vector<Place> Locator::places_by_rays(const LeastSquares& problem) const {
+std::vector<LocatedPlace> Locator::places_by_rays(const LeastSquares& problem) const {
   const ScatteredLight none = no_scattered_light(problem.readings);
-  std::vector<Place> places;
+  std::vector<LocatedPlace> places;
   for (const Unknowns& start : grid_.starts(problem.readings, problem.intensity_unknown)) {
     const Minimum minimum = descend(problem, none, start);
     if (minimum.converged) add_distinct(places, place_of(problem, minimum, none));
   }
-  std::ranges::stable_sort(places, {}, &Place::chi_square);
+  std::ranges::stable_sort(places, {}, &LocatedPlace::chi_square);
   return places;
 }
 
 /// The same with scattered light, which is taken anew until the place stays where that is linear.
-std::optional<Place> Locator::polished(const LeastSquares& problem, const Place& by_rays) const {
+std::optional<LocatedPlace> Locator::polished(const LeastSquares& problem,
+                                              const LocatedPlace& by_rays) const {
   Unknowns at = by_rays.at;
   for (int i = 0; i < most_polishes; ++i) {
     const ScatteredLight scattered = scattered_near(problem.readings, at.at);
@@ -195,8 +197,8 @@ std::optional<Place> Locator::polished(const LeastSquares& problem, const Place&
   return std::nullopt;
 }
 
-Place Locator::place_of(const LeastSquares& problem, const Minimum& minimum,
-                        const ScatteredLight& scattered) const {
+LocatedPlace Locator::place_of(const LeastSquares& problem, const Minimum& minimum,
+                               const ScatteredLight& scattered) const {
   const auto rows = misfit_rows(problem.model, problem.readings, scattered, minimum.at);
   return {minimum.at, minimum.chi_square, position_covariance(rows, problem.intensity_unknown)};
 }

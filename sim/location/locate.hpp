@@ -31,7 +31,7 @@ struct LocateSettings {
   double poor_fit_probability = 1e-3;
 };
 
-struct Place {
+struct LocatedPlace {
   Unknowns at;
   double chi_square = 0;
   std::optional<PositionCovariance> covariance;  // nothing where it is not determined
@@ -39,9 +39,9 @@ struct Place {
 
 struct Location {
   LocateOutcome outcome = LocateOutcome::not_converged;
-  std::vector<Place> places;   // the best first; several if ambiguous, none if not converged
-  int degrees_of_freedom = 0;  // numbers measured less unknowns
-  double probability = 1;      // of so large a chi-square by chance; 1 without freedom
+  std::vector<LocatedPlace> places;  // the best first; several if ambiguous, none if not converged
+  int degrees_of_freedom = 0;        // numbers measured less unknowns
+  double probability = 1;            // of so large a chi-square by chance; 1 without freedom
 };
 
 /// Throws bad_input for readings that cannot be.
@@ -62,11 +62,12 @@ class Locator {
 
  private:
   ScatteredLight scattered_near(const std::vector<Reading>& readings, const Position& at) const;
-  Place place_of(const LeastSquares& problem, const Minimum& minimum,
-                 const ScatteredLight& scattered) const;
+  LocatedPlace place_of(const LeastSquares& problem, const Minimum& minimum,
+                        const ScatteredLight& scattered) const;
   LeastSquares problem_of(const std::vector<Reading>& readings) const;
-  std::vector<Place> places_by_rays(const LeastSquares& problem) const;
-  std::optional<Place> polished(const LeastSquares& problem, const Place& by_rays) const;
+  std::vector<LocatedPlace> places_by_rays(const LeastSquares& problem) const;
+  std::optional<LocatedPlace> polished(const LeastSquares& problem,
+                                       const LocatedPlace& by_rays) const;
 
   LocateSettings settings_;
   Area area_;

@@ -25,14 +25,14 @@ const char* meaning(LocateOutcome outcome) {
   return "no place in the area explains the readings better than all around it";
 }
 
-std::string ellipse_text(const Place& place) {
+std::string ellipse_text(const LocatedPlace& place) {
   if (!place.covariance) return "95 % ellipse unbounded";
   const ErrorEllipse e = error_ellipse(*place.covariance);
   return fmt::format("95 % ellipse {:.2g} m by {:.2g} m, the longer at {:.0f} deg from +x",
                      e.semi_major_m, e.semi_minor_m, dsp::in_degrees(e.direction));
 }
 
-std::string place_text(const Place& place) {
+std::string place_text(const LocatedPlace& place) {
   const auto& [at, intensity] = place.at;
   const std::string brightness =
       intensity == 1 ? "" : fmt::format(", intensity {:.3g} of the model's", intensity);
@@ -40,7 +40,7 @@ std::string place_text(const Place& place) {
                      brightness, place.chi_square, ellipse_text(place));
 }
 
-Json ellipse_json(const Place& place) {
+Json ellipse_json(const LocatedPlace& place) {
   if (!place.covariance) return nullptr;
   const ErrorEllipse e = error_ellipse(*place.covariance);
   return {{"semi_major_m", e.semi_major_m},
@@ -48,7 +48,7 @@ Json ellipse_json(const Place& place) {
           {"direction_deg", dsp::in_degrees(e.direction)}};
 }
 
-Json covariance_json(const Place& place) {
+Json covariance_json(const LocatedPlace& place) {
   if (!place.covariance) return nullptr;
   return {{"xx", place.covariance->xx}, {"xy", place.covariance->xy}, {"yy", place.covariance->yy}};
 }
@@ -61,7 +61,7 @@ const std::string& outcome_name(const Location& location) {
 
 std::string location_text(const Location& location) {
   std::string text = fmt::format("{}: {}\n", outcome_name(location), meaning(location.outcome));
-  for (const Place& place : location.places) text += place_text(place);
+  for (const LocatedPlace& place : location.places) text += place_text(place);
   if (!location.places.empty() && location.degrees_of_freedom > 0)
     text += fmt::format("so large a chi-square of {} degrees of freedom has probability {:.2g}\n",
                         location.degrees_of_freedom, location.probability);
@@ -70,7 +70,7 @@ std::string location_text(const Location& location) {
 
 std::string location_json(const Location& location) {
   Json places = Json::array();
-  for (const Place& place : location.places)
+  for (const LocatedPlace& place : location.places)
     places.push_back({{"x_m", place.at.at.x},
                       {"y_m", place.at.at.y},
                       {"intensity", place.at.intensity},

@@ -43,7 +43,7 @@ struct Judged {
 
 Judged judged(const Location& location, const Position& truth) {
   if (location.outcome != LocateOutcome::located) return {location.outcome};
-  const Place& best = location.places.front();
+  const LocatedPlace& best = location.places.front();
   const double dx = best.at.at.x - truth.x, dy = best.at.at.y - truth.y;
   return {location.outcome, dx * dx + dy * dy,
           squared_deviations(*best.covariance, dx, dy) <= chi_square_95};

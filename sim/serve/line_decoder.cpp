@@ -23,7 +23,7 @@ std::string outcome_of(const std::vector<CosysFrame>& frames, const LineMessage&
 
 }  // namespace
 
-Verdict LineDecoder::hear(const LineMessage& message) {
+LineVerdict LineDecoder::hear(const LineMessage& message) {
   std::string heard;
   std::vector<CosysFrame> frames;
   for (const LineByte& byte : message.bytes) {

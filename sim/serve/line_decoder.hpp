@@ -9,7 +9,7 @@
 
 namespace sim {
 
-struct Verdict {
+struct LineVerdict {
   std::string heard;  // all bytes since the end of the message before, as text::escaped shows them
   std::string outcome;  // "ok"; "undetected": a wrong one passed; else why not, as of `decode`
 };
@@ -18,7 +18,7 @@ class LineDecoder {
  public:
   /// Of several lines the one that was sent counts, then one that passed, then the first. "no
   /// newline" where none has ended, "nothing" where no byte came.
-  Verdict hear(const LineMessage& message);
+  LineVerdict hear(const LineMessage& message);
 
  private:
   protocol::CosysDecoder decoder_;

@@ -10,8 +10,8 @@ namespace sim {
 
 using Json = nlohmann::ordered_json;
 
-std::string message_line(const LineMessage& message, dsp::Seconds origin, const Verdict& verdict,
-                         std::uint64_t bytes_lost) {
+std::string message_line(const LineMessage& message, dsp::Seconds origin,
+                         const LineVerdict& verdict, std::uint64_t bytes_lost) {
   const Json line = {
       {"message", message.number},
       {"time_s", std::round((origin + message.start).value * 1e6) / 1e6},

@@ -9,8 +9,8 @@
 namespace sim {
 
 /// `bytes_lost`: those that no reader took. `origin` is where on the line its time 0 was.
-std::string message_line(const LineMessage& message, dsp::Seconds origin, const Verdict& verdict,
-                         std::uint64_t bytes_lost);
+std::string message_line(const LineMessage& message, dsp::Seconds origin,
+                         const LineVerdict& verdict, std::uint64_t bytes_lost);
 
 /// In the place of so many lines that nobody read in time.
 std::string lost_lines(std::uint64_t lines);

@@ -113,7 +113,7 @@ void ServeSession::send(dsp::Seconds now) {
 }
 
 void ServeSession::report_message() {
-  const Verdict verdict = decoder_.hear(message_);
+  const LineVerdict verdict = decoder_.hear(message_);
   const std::uint64_t lost = std::exchange(n_lost_of_message_, 0);
   ++n_messages_;
   n_ok_ += verdict.outcome == "ok";

@@ -71,7 +71,8 @@ TEST_F(CheckCommand, GoldenFailsForOneFrame) {
   EXPECT_EQ(check({"--golden"}).code, 0);
   const Outcome o = check({"--golden", "--decoder", "mid-bit", "--json"});
   EXPECT_EQ(o.code, 1);
-  for (const auto& point : json_of(o)["points"]) {
+  const auto json = json_of(o);
+  for (const auto& point : json["points"]) {
     EXPECT_EQ(point["candidate"]["n_frames"], 600);
     EXPECT_GT(point["lost_by_candidate_alone"].size() + point["lost_by_baseline_alone"].size(), 0U);
   }

@@ -89,7 +89,7 @@ TEST(Locate, TwoReceiversOnALineSeeTheMirrorImageAsWell) {
   const Location location = locate(settings_of(model), readings);
   ASSERT_EQ(location.outcome, Outcome::ambiguous);
   ASSERT_EQ(location.places.size(), 2U);
-  for (const Place& place : location.places) {
+  for (const LocatedPlace& place : location.places) {
     EXPECT_NEAR(place.at.at.x, 1.5, 1e-6);
     EXPECT_NEAR(std::abs(place.at.at.y), 0.8, 1e-6);
   }
