@@ -26,6 +26,7 @@ boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp
 pugixml[.]hpp        sim/.*[.]cpp
 (zip|sndfile)[.]h    sim/(capture|trace|check)/.*[.]cpp
+openssl/.*           sim/trace/.*[.]cpp
 (sys/)?[a-z]+[.]h    sim/.*
 '
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -72,10 +73,22 @@ void NewFile::write(std::string_view bytes) {
   }
 }
 
-void NewFile::take_place() {
+void NewFile::sync() {
   if (::fsync(descriptor_) != 0) fail();
+}
+
+void NewFile::take_place() {
+  sync();
   if (::rename(beside_.c_str(), place_.c_str()) != 0) fail();
   in_place_ = true;
+}
+
+void take_places(std::deque<NewFile>& files) {
+  for (NewFile& file : files) file.sync();
+  if (files.size() > 1)
+    std::for_each(files.rbegin(), files.rend(),
+                  [](const NewFile& file) { ::unlink(file.place_.c_str()); });
+  for (NewFile& file : files) file.take_place();
 }
 
 void NewFile::refuse_what_is_no_file() const {

@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 #include <zip.h>
 
-#include <cmath>
 #include <deque>
 
 #include "sim/failure.hpp"
 #include "sim/text/existing_file.hpp"
+#include "sim/trace/raw_write.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::string_view first_member = "cosys-sim";  // the scenario; sigrok passes it over
-constexpr dsp::Hertz rate_without_taps{1e6};
 
 /// A zip that is built in memory.
 class ZipImage {
@@ -74,17 +73,6 @@ std::string metadata(std::size_t taps, dsp::Hertz rate) {
   return text + "unitsize=1\n";
 }
 
-std::string logic_samples(const TracedTrial& trial, std::size_t count, dsp::Hertz rate) {
-  dsp::TraceReader tx(trial.tx), rx(trial.rx);
-  std::string samples;
-  samples.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const dsp::Seconds at(static_cast<double>(i) / rate.value);
-    samples += static_cast<char>((tx.level_at(at) ? 1 : 0) | (rx.level_at(at) ? 2 : 0));
-  }
-  return samples;
-}
-
 std::string analogue_samples(const std::vector<float>& tap) {
   std::string bytes(reinterpret_cast<const char*>(tap.data()), sizeof(float));
   return bytes.append(reinterpret_cast<const char*>(tap.data()), tap.size() * sizeof(float));
@@ -94,15 +82,13 @@ std::string analogue_samples(const std::vector<float>& tap) {
 
 std::string trace_as_session(const TracedTrial& trial) {
   const std::size_t readings = trial.taps.irradiance.size();
-  const dsp::Hertz rate = readings > 0 ? trial.sample_rate : rate_without_taps;
-  const std::size_t count =
-      readings > 0 ? readings + 1
-                   : static_cast<std::size_t>(std::ceil(dsp::cycles(trial.tx.end(), rate)));
+  const dsp::Hertz rate = readings > 0 ? trial.sample_rate : logic_rate;
   ZipImage zip;
   zip.add(std::string(first_member), trial.origin.scenario_toml);
   zip.add("version", "2");
   zip.add("metadata", metadata(readings > 0 ? analogue_taps().size() : 0, rate));
-  zip.add("logic-1-1", logic_samples(trial, count, rate));
+  zip.add("logic-1-1",
+          readings > 0 ? logic_samples(trial, readings + 1, rate) : trace_as_raw(trial));
   for (std::size_t i = 0; readings > 0 && i < analogue_taps().size(); ++i)
     zip.add(fmt::format("analog-1-{}-1", i + 3),
             analogue_samples(trial.taps.*analogue_taps()[i].samples));

@@ -43,6 +43,8 @@ TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   Transmission sent = transmit(link, trial);
   TracedTrial traced;
   traced.sample_rate = link.chain.sample_rate;
+  traced.carrier = carrier_of(link);
+  traced.baud = link.device_baud;
   traced.rx =
       link.decisions ? decided_pin(link, trial, sent) : pin_of(link, trial, sent, traced.taps);
   traced.tx = std::move(sent.line);

@@ -25,6 +25,7 @@ struct TracedTrial {
   dsp::LogicTrace tx, rx;   // the wire that keys the LED, and the module's pin
   channel::Recording taps;  // empty where no samples are made (sim/scenario/fidelity)
   dsp::Hertz sample_rate;
+  dsp::Hertz carrier{}, baud{};  // the device's true ones
   TraceOrigin origin{};
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -11,12 +12,17 @@
 #include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/trace/pulse_write.hpp"
+#include "sim/trace/raw_write.hpp"
 #include "sim/trace/session_write.hpp"
+#include "sim/trace/sigmf_write.hpp"
 #include "sim/trace/trace_netcdf.hpp"
 #include "sim/trace/vcd.hpp"
+#include "sim/trace/wav_write.hpp"
 
 namespace sim {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string to_vcd(const TracedTrial& trial) {
   std::ostringstream out;
@@ -50,34 +56,54 @@ std::string to_pulses(const TracedTrial& trial) {
   return out.str();
 }
 
-bool is_own_vcd(const std::filesystem::path& path) {
+bool is_own_vcd(const fs::path& path) {
   constexpr std::string_view head = "$version cosys-sim ";
   return beginning_of(path, head.size()) == head;
 }
 
-bool is_own_csv(const std::filesystem::path& path) {
+bool is_own_csv(const fs::path& path) {
   const std::string head = csv_header();
   return beginning_of(path, head.size()) == head;
 }
 
-bool is_own_pulses(const std::filesystem::path& path) {
+bool is_own_pulses(const fs::path& path) {
   return beginning_of(path, pulses_head.size()) == pulses_head;
+}
+
+/// Nothing in a raw file says whose it is.
+bool is_own_raw(const fs::path&) { return false; }
+
+using Paths = std::vector<fs::path>;
+using Contents = std::vector<std::string>;
+
+Paths one_place(const fs::path& path) { return {path}; }
+
+template <std::string (*Text)(const TracedTrial&)>
+Contents one_file(const TracedTrial& trial) {
+  return {Text(trial)};
 }
 
 struct Format {
   const char* ending;
-  std::string (*text)(const TracedTrial&);
-  bool (*is_own)(const std::filesystem::path&);  // whether a file was written by `text`
+  Paths (*places)(const fs::path&);          // its files, in the order in which they are placed
+  Contents (*contents)(const TracedTrial&);  // of each
+  bool (*is_own)(const fs::path&);           // whether one of them was written so
   bool needs_taps;
+  const char* own_kind = "a trace of cosys-sim";
 };
 
-constexpr Format formats[] = {{".vcd", to_vcd, is_own_vcd, false},
-                              {".sr", trace_as_session, is_session_of_trace, false},
-                              {".ook", to_pulses, is_own_pulses, false},
-                              {".csv", to_csv, is_own_csv, true},
-                              {".h5", trace_as_netcdf, is_netcdf_trace, true}};
+constexpr Format formats[] = {
+    {".vcd", one_place, one_file<to_vcd>, is_own_vcd, false},
+    {".sr", one_place, one_file<trace_as_session>, is_session_of_trace, false},
+    {".ook", one_place, one_file<to_pulses>, is_own_pulses, false},
+    {".bin", one_place, one_file<trace_as_raw>, is_own_raw, false,
+     "known to be one of cosys-sim's"},
+    {".csv", one_place, one_file<to_csv>, is_own_csv, true},
+    {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, true},
+    {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, true},
+    {".sigmf-meta", sigmf_places, trace_as_sigmf, is_sigmf_trace, true}};
 
-const Format& format_of(const std::filesystem::path& path) {
+const Format& format_of(const fs::path& path) {
   std::vector<const char*> known;
   for (const Format& format : formats) {
     if (path.extension() == format.ending) return format;
@@ -89,12 +115,15 @@ const Format& format_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-void check_trace_path(const std::filesystem::path& path) {
-  refuse_to_lose(path, format_of(path).is_own, "a trace of cosys-sim");
-  const NewFile probe(path);
+void check_trace_path(const fs::path& path) {
+  const Format& format = format_of(path);
+  for (const fs::path& place : format.places(path)) {
+    refuse_to_lose(place, format.is_own, format.own_kind);
+    const NewFile probe(place);
+  }
 }
 
-void check_traceable(const std::filesystem::path& path, const Scenario& scenario) {
+void check_traceable(const fs::path& path, const Scenario& scenario) {
   if (!format_of(path).needs_taps || fidelity_of(scenario.simulation) == Fidelity::waveform) return;
   throw bad_input(
       "cannot trace into " + path.string(),
@@ -102,11 +131,13 @@ void check_traceable(const std::filesystem::path& path, const Scenario& scenario
       "end the name in .vcd, which has the wires");
 }
 
-void write_trace(const std::filesystem::path& path, const TracedTrial& trial) {
-  const std::string text = format_of(path).text(trial);
-  NewFile file(path);
-  file.write(text);
-  file.take_place();
+void write_trace(const fs::path& path, const TracedTrial& trial) {
+  const Format& format = format_of(path);
+  const Paths places = format.places(path);
+  const Contents contents = format.contents(trial);
+  std::deque<NewFile> files;
+  for (std::size_t i = 0; i < places.size(); ++i) files.emplace_back(places[i]).write(contents[i]);
+  take_places(files);
 }
 
 }  // namespace sim

@@ -63,8 +63,8 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   expect_refused({"decode", "missing.vcd"}, bad_input, "missing.vcd (no such file) check the path");
   expect_refused({"decode", "s.toml"}, bad_input,
                  "cannot decode s.toml (neither its ending nor its first bytes name a capture "
-                 "format) give a .vcd or .sr or .ook or .wav or .sigmf-meta or .csv or .bin file, "
-                 "or say --format");
+                 "format) give a .vcd or .sr or .ook or .wav or .sigmf-meta or .csv or "
+                 ".bin file, or say --format");
   for (const char* baud : {"nan", "inf", "0", "1e7", "x", ""})
     EXPECT_EQ(program({"decode", "t.vcd", "--baud", baud}).code, bad_input) << baud;
   expect_refused({"decode", "t.vcd", "--wire", "tr"}, bad_input,
@@ -86,7 +86,8 @@ TEST_F(CommandLine, TraceOfDecisionsHasTheWires) {
   ASSERT_EQ(program(trace("t.vcd")).code, 0);
   const std::string line = program({"decode", "t.vcd"}).out;
   EXPECT_NE(line.find(" s  ok              IND 011111 OK\n"), std::string::npos) << line;
-  for (const char* file : {"t.csv", "t.h5"})
+  ASSERT_EQ(program(trace("t.bin")).code, 0);
+  for (const char* file : {"t.csv", "t.h5", "t.wav", "t.sigmf-meta"})
     expect_refused(trace(file), bad_input,
                    std::string("cannot trace into ") + file +
                        " (no samples are made at simulation.fidelity = \"decision\") end the name "

@@ -1,9 +1,12 @@
 #include "sim/trace/trace_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -25,6 +28,13 @@ class TraceFile : public testing::Test {
   ~TraceFile() override { fs::remove_all(folder_); }
 
   fs::path path(const std::string& name) const { return folder_ / name; }
+
+  std::string not_replaced(const std::string& name) const {
+    const std::string kind =
+        name == "t.bin" ? "known to be one of cosys-sim's" : "a trace of cosys-sim";
+    return "cannot write " + path(name).string() + " (it exists and is not " + kind +
+           ") choose another name";
+  }
 
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
@@ -58,6 +68,9 @@ nlohmann::json attributes_of(const TracedTrial& traced) {
           {"sample_rate_hz", 2.5e5},
           {"seed", 18446744073709551615U}};
 }
+
+constexpr const char* all_names[] = {"t.vcd", "t.sr", "t.ook", "t.bin",
+                                     "t.csv", "t.h5", "t.wav", "t.sigmf-meta"};
 
 std::string failure_of(const fs::path& path) {
   try {
@@ -96,29 +109,83 @@ TEST_F(TraceFile, ColumnsKeepEveryFlipOfThePin) {
 
 TEST_F(TraceFile, LeavesNothingButTheFile) {
   const TracedTrial traced = short_trial();
-  for (const char* name : {"t.vcd", "t.sr", "t.ook", "t.csv", "t.h5"})
-    write_trace(path(name), traced);
-  EXPECT_EQ(files(), 5u);
+  for (const char* name : all_names) write_trace(path(name), traced);
+  EXPECT_EQ(files(), 8u + 3);  // a SigMF recording is two files, and the baseband's two more
 }
 
 TEST_F(TraceFile, ReplacesOnlyItsOwn) {
   const TracedTrial traced = short_trial();
-  for (const char* name : {"t.vcd", "t.sr", "t.ook", "t.csv", "t.h5"}) {
+  for (const std::string name : all_names) {
     write_trace(path(name), traced);
-    EXPECT_EQ(failure_of(path(name)), "no failure");
+    EXPECT_EQ(failure_of(path(name)), name == "t.bin" ? not_replaced(name) : "no failure");
     std::ofstream(path(name)) << "time_s,voltage\n";
-    EXPECT_EQ(failure_of(path(name)), "cannot write " + path(name).string() +
-                                          " (it exists and is not a trace of cosys-sim) choose "
-                                          "another name");
+    // A foreign SigMF recording is two foreign files, of which the data is looked at first.
+    const std::string lost = name == "t.sigmf-meta" ? "t.sigmf-data" : name;
+    EXPECT_EQ(failure_of(path(name)), not_replaced(lost));
     std::ofstream(path(name)).close();
+    std::ofstream(path(lost)).close();
     EXPECT_EQ(failure_of(path(name)), "no failure");
   }
+}
+
+TEST_F(TraceFile, ReplacesNoFileOfAnotherBesideARecording) {
+  for (const char* name : {"t.sigmf-data", "t-baseband.sigmf-meta", "t-baseband.sigmf-data"}) {
+    std::ofstream(path(name)) << "of another";
+    EXPECT_EQ(failure_of(path("t.sigmf-meta")), not_replaced(name));
+    fs::remove(path(name));
+  }
+  EXPECT_EQ(failure_of(path("t.sigmf-meta")), "no failure");
+}
+
+/// What became of the names in a folder, in order.
+class FolderEvents {
+ public:
+  explicit FolderEvents(const fs::path& folder)
+      : watch_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
+    ::inotify_add_watch(watch_, folder.c_str(), IN_MOVED_TO | IN_DELETE);
+  }
+  ~FolderEvents() { ::close(watch_); }
+  FolderEvents(const FolderEvents&) = delete;
+  FolderEvents& operator=(const FolderEvents&) = delete;
+
+  std::vector<std::string> all() const {
+    alignas(inotify_event) std::array<char, 65536> bytes{};
+    const ssize_t size = ::read(watch_, bytes.data(), bytes.size());
+    std::vector<std::string> events;
+    for (ssize_t at = 0; at < size;) {
+      inotify_event event{};
+      std::memcpy(&event, bytes.data() + at, sizeof(event));
+      const char* name = bytes.data() + at + sizeof(event);
+      events.push_back(((event.mask & IN_DELETE) != 0 ? "less " : "new ") + std::string(name));
+      at += static_cast<ssize_t>(sizeof(event) + event.len);
+    }
+    return events;
+  }
+
+ private:
+  int watch_;
+};
+
+// So a kill leaves no metadata beside data that is not its own.
+TEST_F(TraceFile, MetadataComesBehindItsDataAndGoesBefore) {
+  const TracedTrial traced = short_trial();
+  const std::vector<std::string> placed = {"new t.sigmf-data", "new t-baseband.sigmf-data",
+                                           "new t.sigmf-meta", "new t-baseband.sigmf-meta"};
+  const FolderEvents first(path(""));
+  write_trace(path("t.sigmf-meta"), traced);
+  EXPECT_EQ(first.all(), placed);
+  const FolderEvents second(path(""));
+  write_trace(path("t.sigmf-meta"), traced);
+  std::vector<std::string> replaced = {"less t-baseband.sigmf-meta", "less t.sigmf-meta",
+                                       "less t-baseband.sigmf-data", "less t.sigmf-data"};
+  replaced.insert(replaced.end(), placed.begin(), placed.end());
+  EXPECT_EQ(second.all(), replaced);
 }
 
 TEST_F(TraceFile, NamesTheFormatsThatItKnows) {
   EXPECT_EQ(failure_of("x.txt"),
             "cannot trace into x.txt (its ending names no format) end the name in .vcd or .sr or "
-            ".ook or .csv or .h5");
+            ".ook or .bin or .csv or .h5 or .wav or .sigmf-meta");
   EXPECT_EQ(failure_of(path("missing") / "t.h5"),
             "cannot write " + (path("missing") / "t.h5").string() +
                 " (its folder does not exist) create the folder or choose another");

@@ -121,15 +121,41 @@ TEST_F(Session, CutOrBentIsRefusedOrRead) {
 
 TEST_F(CommandLine, DecodeReadsEveryTraceAlike) {
   write_scenario("s.toml", "receiver.range_m = [0.5]");
-  for (const char* file : {"t.vcd", "t.sr", "t.ook", "t.csv"}) {
+  for (const char* file : {"t.vcd", "t.sr", "t.ook", "t.csv", "t.bin"}) {
     ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0) << file;
-    const Outcome o = program({"decode", file, "--wire", "rx"});
+    Words decode{"decode", file, "--wire", "rx"};
+    if (std::string(file) == "t.bin") decode = {"decode", file, "--wire", "1", "--sample-rate=1e6"};
+    const Outcome o = program(decode);
     EXPECT_NE(o.out.find(" s  ok              IND 011111 OK\n"), std::string::npos)
         << file << o.err;
     EXPECT_NE(o.out.find("\ncharacters              17\n"), std::string::npos) << file << o.out;
   }
-  const Outcome light = program({"decode", "t.sr", "--wire", "irradiance_mw_per_m2"});
-  EXPECT_NE(light.out.find(" s  ok              IND 011111 OK\n"), std::string::npos) << light.err;
+}
+
+TEST_F(CommandLine, DecodeReadsTheLightOfEveryTrace) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  for (const char* file : {"t.sr", "t.wav", "t.sigmf-meta"})
+    ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0) << file;
+  for (const Words& decode :
+       {Words{"decode", "t.sr", "--wire", "irradiance_mw_per_m2"}, Words{"decode", "t.wav"},
+        Words{"decode", "t.sigmf-meta"}, Words{"decode", "t-baseband.sigmf-meta"}}) {
+    const Outcome o = program(decode);
+    EXPECT_NE(o.out.find(" s  ok              IND 011111 OK\n"), std::string::npos)
+        << decode[1] << o.err;
+    EXPECT_NE(o.out.find("\ncharacters              17\n"), std::string::npos)
+        << decode[1] << o.out;
+  }
+}
+
+TEST_F(CommandLine, SigrokReadsRawSamples) {
+  if (!is_there("sigrok-cli")) GTEST_SKIP() << "sigrok-cli is not installed";
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.bin"}).code, 0);
+  for (const char* wire : {"0", "1"})
+    EXPECT_EQ(
+        tool("sigrok-cli", {"-i", "t.bin", "-I", "binary:numchannels=2:samplerate=1000000", "-P",
+                            std::string("uart:rx=") + wire + ":baudrate=600", "-B", "uart=rx"}),
+        on_the_wire);
 }
 
 TEST_F(CommandLine, SigrokReadsWiresAndTapsOfASession) {
