@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/capture/csv_capture.hpp"
+#include "sim/capture/netcdf_capture.hpp"
 #include "sim/capture/pulse_capture.hpp"
 #include "sim/capture/raw_capture.hpp"
 #include "sim/capture/session_capture.hpp"
@@ -47,16 +48,24 @@ void as_sigmf(const fs::path& path, const CaptureSettings& settings, Capture& ca
   capture.samples = open_sigmf(path, settings);
 }
 
+void as_netcdf(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  open_netcdf(path, settings, capture);
+}
+
 struct Format {
   std::string_view name;       // also the file's ending, behind a dot
   std::string_view beginning;  // of every such file; empty: none is sure
   void (*open)(const fs::path&, const CaptureSettings&, Capture&);
 };
 
-constexpr Format formats[] = {
-    {"vcd", "$", as_vcd},    {"sr", "PK\x03\x04", as_session}, {"ook", ";pulse data", as_pulses},
-    {"wav", "RIFF", as_wav}, {"sigmf-meta", "", as_sigmf},     {"csv", "", as_csv},
-    {"bin", "", as_raw}};
+constexpr Format formats[] = {{"vcd", "$", as_vcd},
+                              {"sr", "PK\x03\x04", as_session},
+                              {"ook", ";pulse data", as_pulses},
+                              {"wav", "RIFF", as_wav},
+                              {"sigmf-meta", "", as_sigmf},
+                              {"csv", "", as_csv},
+                              {"h5", "\x89HDF", as_netcdf},
+                              {"bin", "", as_raw}};
 
 const Format* named(std::string_view name) {
   const auto* row = std::ranges::find(formats, name, &Format::name);

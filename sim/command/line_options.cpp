@@ -28,7 +28,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       "how well the line keeps to its bit rate");
   add_place(decode, "CAPTURE", request.capture, "",
             "capture of the receiver's output or of its light: .vcd, .sr, .ook, .csv, .wav, "
-            ".sigmf-meta or .bin")
+            ".sigmf-meta, .h5 of trace or .bin")
       ->required();
   decode
       .add_option("--wire,--channel", request.wire,

@@ -39,10 +39,12 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-// HDF5 prints what fails, of itself; here that is thrown.
+// HDF5 prints what fails, of itself; here that is thrown. Of what a damaged file leaves open inside
+// of the library it would print at exit, unless it is told before all else that nothing is to do.
 class SilentErrors {
  public:
   SilentErrors() {
+    H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

@@ -26,6 +26,8 @@ using Values = std::variant<std::span<const double>, std::span<const float>,
 /// What files say they are that run writes: of a link, and of other experiments.
 constexpr const char* link_result_type = "cosys-sim result";
 constexpr const char* experiment_result_type = "cosys-sim experiment";
+/// And what trace writes.
+constexpr const char* trace_type = "cosys-sim trace";
 
 /// netCDF's own default fill value (netcdf.h).
 constexpr std::int16_t missing_int16 = -32767;

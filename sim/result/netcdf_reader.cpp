@@ -56,6 +56,55 @@ std::vector<std::string> texts_of(hid_t file, const std::string& variable) {
   return texts;
 }
 
+constexpr hsize_t most_variables = 1000;  // of ours there are a dozen
+constexpr hsize_t most_chunk_cells = 1 << 24;
+
+std::string name_of_variable(hid_t file, hsize_t index) {
+  const auto name = [&](char* to, std::size_t size) {
+    return static_cast<std::size_t>(checked(
+        H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, index, to, size, H5P_DEFAULT)));
+  };
+  std::string text(name(nullptr, 0), '\0');
+  name(text.data(), text.size() + 1);
+  return text;
+}
+
+/// A chunk is read as a whole: one that would fill the memory is refused.
+void check_chunk(hid_t data) {
+  const Handle plist(H5Dget_create_plist(data), H5Pclose);
+  if (H5Pget_layout(plist) != H5D_CHUNKED) return;
+  hsize_t cells = 0;
+  checked(H5Pget_chunk(plist, 1, &cells));
+  if (cells > most_chunk_cells) throw Hdf5Failure();
+}
+
+std::size_t cells_on_one_dimension(hid_t file, const std::string& variable) {
+  const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(data), H5Sclose);
+  if (checked(H5Sget_simple_extent_ndims(space)) != 1) return 0;
+  return static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space)));
+}
+
+void read_cells(hid_t file, const std::string& variable, hsize_t first, hsize_t count, hid_t type,
+                void* to) {
+  const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+  check_chunk(data);
+  const Handle space(H5Dget_space(data), H5Sclose);
+  const Handle room(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr));
+  checked(H5Dread(data, type, room, space, H5P_DEFAULT, to));
+}
+
+template <class T>
+T number_attribute(hid_t file, const char* name, hid_t type) {
+  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (checked(H5Sget_simple_extent_npoints(space)) != 1) throw Hdf5Failure();
+  T value = 0;
+  checked(H5Aread(attribute, type, &value));
+  return value;
+}
+
 }  // namespace
 
 std::string filetype_of(const std::filesystem::path& path) {
@@ -117,6 +166,34 @@ std::vector<std::string> NetcdfReader::texts(const std::string& variable) const 
   return state_->get(variable, [&](hid_t file) { return texts_of(file, variable); });
 }
 
+std::vector<std::string> NetcdfReader::variables() const {
+  return state_->get("variables", [&](hid_t file) {
+    H5G_info_t group;
+    checked(H5Gget_info(file, &group));
+    if (group.nlinks > most_variables) throw Hdf5Failure();
+    std::vector<std::string> names;
+    for (hsize_t i = 0; i < group.nlinks; ++i) names.push_back(name_of_variable(file, i));
+    return names;
+  });
+}
+
+std::size_t NetcdfReader::size(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) { return cells_on_one_dimension(file, variable); });
+}
+
+void NetcdfReader::read(const std::string& variable, std::size_t first,
+                        std::span<std::uint8_t> to) const {
+  state_->get(variable, [&](hid_t file) {
+    read_cells(file, variable, first, to.size(), H5T_NATIVE_UINT8, to.data());
+  });
+}
+
+void NetcdfReader::read(const std::string& variable, std::size_t first, std::span<float> to) const {
+  state_->get(variable, [&](hid_t file) {
+    read_cells(file, variable, first, to.size(), H5T_NATIVE_FLOAT, to.data());
+  });
+}
+
 std::string NetcdfReader::text(const char* name) const {
   return state_->get(name, [&](hid_t file) { return text_attribute(file, name); });
 }
@@ -129,13 +206,13 @@ std::string NetcdfReader::text(const char* name, const char* otherwise) const {
 
 std::uint64_t NetcdfReader::whole_number(const char* name) const {
   return state_->get(name, [&](hid_t file) {
-    const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
-    const Handle space(H5Aget_space(attribute), H5Sclose);
-    if (checked(H5Sget_simple_extent_npoints(space)) != 1) throw Hdf5Failure();
-    std::uint64_t value = 0;
-    checked(H5Aread(attribute, H5T_NATIVE_UINT64, &value));
-    return value;
+    return number_attribute<std::uint64_t>(file, name, H5T_NATIVE_UINT64);
   });
+}
+
+double NetcdfReader::real_number(const char* name) const {
+  return state_->get(
+      name, [&](hid_t file) { return number_attribute<double>(file, name, H5T_NATIVE_DOUBLE); });
 }
 
 }  // namespace sim

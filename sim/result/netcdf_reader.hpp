@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,21 @@ class NetcdfReader {
   std::vector<double> reals(const std::string& variable) const;
   std::vector<std::string> texts(const std::string& variable) const;
 
+  /// The variables at the root, in the order of their names.
+  std::vector<std::string> variables() const;
+  /// Cells of a variable on one dimension; 0 of any other.
+  std::size_t size(const std::string& variable) const;
+  /// The cells of such a variable from `first` on: as many as there is room for, which it must
+  /// have.
+  void read(const std::string& variable, std::size_t first, std::span<std::uint8_t> to) const;
+  void read(const std::string& variable, std::size_t first, std::span<float> to) const;
+
   /// An attribute of the file: ours, or a text of the user's.
   std::string text(const char* name) const;
   /// The same, or `otherwise` of a file that does not have it.
   std::string text(const char* name, const char* otherwise) const;
   std::uint64_t whole_number(const char* name) const;
+  double real_number(const char* name) const;
 
  private:
   struct State;

@@ -7,8 +7,6 @@
 namespace sim {
 namespace {
 
-constexpr const char* filetype = "cosys-sim trace";
-
 // Bins of 61 Hz at 1 MS/s: they tell apart the lines of the 300 Hz that 600 baud alternate with,
 // and a trial of a second still gives more than a hundred periodograms to average.
 constexpr std::size_t spectrum_segment = 1 << 14;
@@ -58,13 +56,13 @@ void write_origin(NetcdfFile& file, const TracedTrial& trial) {
 }  // namespace
 
 std::string trace_as_netcdf(const TracedTrial& trial) {
-  NetcdfFile file(filetype, trial.origin.program);
+  NetcdfFile file(trace_type, trial.origin.program);
   write_taps(file, trial);
   write_spectra(file, trial);
   write_origin(file, trial);
   return file.image();
 }
 
-bool is_netcdf_trace(const std::filesystem::path& path) { return filetype_of(path) == filetype; }
+bool is_netcdf_trace(const std::filesystem::path& path) { return filetype_of(path) == trace_type; }
 
 }  // namespace sim
