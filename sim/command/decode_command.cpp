@@ -5,6 +5,7 @@
 #include "protocol/uart_receivers.hpp"
 #include "protocol/uart_stream.hpp"
 #include "sim/capture/capture_file.hpp"
+#include "sim/capture/keyed_wire.hpp"
 #include "sim/capture/line_statistics.hpp"
 #include "sim/capture/line_survey.hpp"
 #include "sim/capture/sampled_line.hpp"
@@ -148,9 +149,10 @@ ExitCode decode_command(const DecodeRequest& request) {
   const Capture capture =
       open_capture(request.capture, {request.wire, hertz(request.sample_rate_hz), request.format});
   if (capture.logic) {
-    WireFlips line(*capture.logic,
+    WireFlips wire(*capture.logic,
                    wanted_wire(capture.logic->wires(), request.wire, request.capture.string()));
-    decode_line(line, Hertz(0), request);
+    KeyedWire line(wire, hertz(request.carrier_hz));
+    decode_line(line, line.carrier(), request);
   } else {
     SampledLine line(*capture.samples, {hertz(request.carrier_hz), hertz(request.baud)});
     decode_line(line, line.carrier(), request);

@@ -60,8 +60,9 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       .add_option_function<std::string>(
           "--carrier",
           [&request](const std::string& text) { request.carrier_hz = parse_number(text); },
-          "of a sampled light, or of a baseband its distance from the middle, in Hz; 0 for a "
-          "voltage; if not given or auto, found in the capture")
+          "of a sampled light or on an LED's wire, or of a baseband its distance from the middle, "
+          "in "
+          "Hz; 0 for a voltage or wire without; if not given or auto, found in the capture")
       ->type_name("HZ")
       ->check(auto_or_between(0, 1e9));
   decode

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "sim/capture/capture_file.hpp"
+#include "sim/capture/keyed_wire.hpp"
 #include "sim/capture/line_survey.hpp"
 #include "sim/capture/sampled_line.hpp"
 #include "sim/failure.hpp"
@@ -67,7 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const sim::Capture capture =
         sim::open_capture(written({reinterpret_cast<const char*>(data), size}), settings);
     if (capture.logic) {
-      sim::WireFlips line(*capture.logic, sim::wanted_wire(capture.logic->wires(), "", "capture"));
+      sim::WireFlips wire(*capture.logic, sim::wanted_wire(capture.logic->wires(), "", "capture"));
+      sim::KeyedWire line(wire, {});
       read_line(line);
     } else {
       sim::SampledLine line(*capture.samples, {});

@@ -130,6 +130,23 @@ TEST_F(CommandLine, DecodeFindsPolarityAndBaud) {
   EXPECT_EQ(program(told).out.find(" ok "), std::string::npos);
 }
 
+TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {
+  std::string samples = sampled(message_line(600), 1e6, false);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double turns = static_cast<double>(i) * 59e3 / 1e6;
+    samples[i] = static_cast<char>(samples[i] == 0 && turns - std::floor(turns) < 0.5);
+  }
+  write("led.bin", samples);
+  const Words decode{"decode", "led.bin", "--sample-rate", "1e6", "--json"};
+  const Outcome o = program(decode);
+  EXPECT_NE(o.out.find(R"("IND 011111 OK","outcome":"ok")"), std::string::npos) << o.out << o.err;
+  EXPECT_NEAR(line_facts(o.out).at("carrier_hz").get<double>(), 59e3, 100);
+  EXPECT_EQ(line_facts(o.out).at("polarity"), "idle-high");
+  Words without = decode;
+  without.insert(without.end(), {"--carrier", "0"});
+  EXPECT_EQ(program(without).out.find(R"("ok")"), std::string::npos);
+}
+
 TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
   write_capture(path("t.vcd"), "IND 011111 OK 46\n");
   const std::string decode = std::string(COSYS_PROGRAM) + " decode /dev/stdin";
