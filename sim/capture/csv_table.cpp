@@ -61,6 +61,7 @@ void CsvTable::read_head() {
     if (!is_remark(*line)) separator_ = separator_of(*line);
     const auto row = is_remark(*line) || lines_.is_cut() ? std::nullopt : numbers(*line);
     if (row) {
+      if (grid_field_ > 0 && !grid_) fail("no start and increment", "rows are counted by them");
       name_columns(row->size());
       ahead_.push_back(*row);
       return;
@@ -77,9 +78,32 @@ void CsvTable::read_head_line(std::string_view line) {
   } else if (line.starts_with("; Channels (")) {
     channels_ = sigrok_channels(line);
   } else if (!is_remark(line)) {
-    columns_.clear();
-    for (const std::string_view field : split(line)) columns_.emplace_back(trimmed(field));
+    read_names(line);
   }
+}
+
+void CsvTable::read_names(std::string_view line) {
+  const auto fields = split(line);
+  if (grid_field_ > 0 && !grid_) return read_grid(fields);
+  columns_.clear();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string_view name = trimmed(fields[i]),
+                           next = i + 1 < fields.size() ? fields[i + 1] : "";
+    if (i > 0 && name.starts_with("t0") && name.find('=') != std::string_view::npos) return;
+    if (i > 0 && name == "Start" && trimmed(next) == "Increment") {
+      grid_field_ = i;
+      columns_.front() = "time";
+      return;
+    }
+    columns_.emplace_back(name);
+  }
+}
+
+void CsvTable::read_grid(const std::vector<std::string_view>& fields) {
+  if (fields.size() < grid_field_ + 2) return;
+  const auto start = parse_number(std::string(trimmed(fields[grid_field_])));
+  const auto increment = parse_number(std::string(trimmed(fields[grid_field_ + 1])));
+  if (start && increment && std::isfinite(*start) && *increment > 0) grid_ = {*start, *increment};
 }
 
 void CsvTable::name_columns(std::size_t count) {
@@ -101,7 +125,9 @@ std::vector<std::string_view> CsvTable::split(std::string_view line) const {
 
 std::optional<std::vector<double>> CsvTable::numbers(std::string_view line) const {
   std::vector<double> row;
-  for (const std::string_view field : split(line)) {
+  auto fields = split(line);
+  while (!fields.empty() && trimmed(fields.back()).empty()) fields.pop_back();
+  for (const std::string_view field : fields) {
     std::string text(trimmed(field));
     if (separator_ == ';') std::ranges::replace(text, ',', '.');  // 0,5 is a half
     const auto number = parse_number(text);
@@ -109,6 +135,8 @@ std::optional<std::vector<double>> CsvTable::numbers(std::string_view line) cons
     row.push_back(*number);
   }
   if (row.empty()) return std::nullopt;
+  if (grid_) row.front() = grid_->start + grid_->increment * row.front();
+  if (!std::isfinite(row.front())) return std::nullopt;
   return row;
 }
 

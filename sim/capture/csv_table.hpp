@@ -1,7 +1,9 @@
 #pragma once
 // Rows of numbers out of text, as logic analysers, oscilloscopes and programs write them: columns
 // apart by comma, semicolon, tab or blanks, whatever lines stand before the first row of numbers.
-// The last of those with as many fields names the columns.
+// The last of those with as many fields names the columns. Rigol's oscilloscopes end a line with a
+// comma and say behind the names how rows lie in time: "X,CH1,Start,Increment," and a line of the
+// two numbers, rows then being counted, or "Time(s),CH1(V),t0 = ..., tInc = ...,".
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -35,6 +37,8 @@ class CsvTable {
 
   void read_head();
   void read_head_line(std::string_view line);
+  void read_names(std::string_view line);
+  void read_grid(const std::vector<std::string_view>& fields);
   void name_columns(std::size_t count);
   std::vector<std::string_view> split(std::string_view line) const;
   std::optional<std::vector<double>> numbers(std::string_view line) const;
@@ -45,6 +49,11 @@ class CsvTable {
   std::vector<std::string> columns_;   // while the head is read: its last line's fields
   std::vector<std::string> channels_;  // of sigrok's header
   std::optional<dsp::Hertz> sample_rate_;
+  struct Grid {
+    double start, increment;
+  };
+  std::size_t grid_field_ = 0;  // of the start in the line behind the names; 0: none
+  std::optional<Grid> grid_;    // rows are counted, and lie on it
   std::deque<std::vector<double>> ahead_;
 };
 

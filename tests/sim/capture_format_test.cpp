@@ -245,6 +245,24 @@ TEST_F(CaptureFormat, CsvOfAnOscilloscopeIsAnalogue) {
   EXPECT_EQ(samples("time;light\n0,1;0,5\n0,2;0,25\n"), (std::vector<float>{0.5F, 0.25F}));
 }
 
+// DS1000Z and its kind count rows; MSO5000 and its kind give each its time.
+TEST_F(CaptureFormat, CsvOfARigolIsAnalogue) {
+  const std::string counted =
+      "X,CH1,CH2,Start,Increment,\r\nSequence,Volt,Volt,-6.0e-06,2.0e-06,\r\n"
+      "0,3.30e+00,1.0e-01,,\r\n1,3.28e+00,2.0e-01,,\r\n2,2.0e-02,3.0e-01,,\r\n";
+  EXPECT_EQ(samples(counted), (std::vector<float>{3.3F, 3.28F, 0.02F}));
+  EXPECT_EQ(samples(counted, "CH2"), (std::vector<float>{0.1F, 0.2F, 0.3F}));
+  EXPECT_NEAR(open(counted, "csv").samples->sample_rate().value, 5e5, 1e-3);
+  const std::string timed =
+      "Time(s),CH1(V),t0 = -1.000000e-05, tInc = 4.000000e-06,\n"
+      "-1.0e-05,0.50,\n-0.6e-05,0.25,\n-0.2e-05,0.75,\n";
+  EXPECT_EQ(samples(timed, "CH1(V)"), (std::vector<float>{0.5F, 0.25F, 0.75F}));
+  EXPECT_NEAR(open(timed, "csv").samples->sample_rate().value, 2.5e5, 1e-3);
+  const std::string give = ") give rows of numbers, a column for each wire";
+  EXPECT_EQ(refusal("X,CH1,Start,Increment,\nSequence,Volt,0,-1,\n0,1,,\n", "csv"),
+            "no start and increment in FILE:3 (rows are counted by them" + give);
+}
+
 TEST_F(CaptureFormat, CsvKeepsWiresAndChannelsApart) {
   const std::string rows = "time_us,tx,volts,rx\n0,1,0.5,1\n10,0,0.25,1\n30,0,1,0\n";
   const auto both = wires(rows, "csv");
