@@ -37,7 +37,9 @@ void as_session(const fs::path& path, const CaptureSettings& settings, Capture& 
 }
 
 void as_raw(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
-  capture.logic = open_raw(*capture.in, path.string(), settings.sample_rate);
+  capture.logic =
+      open_raw(*capture.in, path.string(),
+               {settings.sample_rate, static_cast<std::size_t>(settings.sample_bytes.value_or(1))});
 }
 
 void as_wav(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
@@ -95,7 +97,11 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
 Capture open_capture(const fs::path& path, const CaptureSettings& settings) {
   Capture capture;
   capture.in = std::make_unique<InputStream>(path, "capture");
-  format_of(path, settings, capture).open(path, settings, capture);
+  const Format& format = format_of(path, settings, capture);
+  if (settings.sample_bytes && format.open != as_raw)
+    throw bad_input("--sample-bytes is not for " + path.string(), "its format says them itself",
+                    "leave it out");
+  format.open(path, settings, capture);
   return capture;
 }
 

@@ -66,8 +66,8 @@ std::optional<WireLevel> LogicSamples::next() {
 }
 
 std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
-                                       std::optional<dsp::Hertz> sample_rate) {
-  if (!sample_rate)
+                                       const RawLayout& layout) {
+  if (!layout.sample_rate)
     throw bad_input(file + " has no sample rate", "raw samples do not say theirs",
                     "say --sample-rate");
   auto chunk = std::make_shared<std::array<std::uint8_t, 65536>>();
@@ -77,8 +77,9 @@ std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file
     return std::span(*chunk).first(static_cast<std::size_t>(n));
   };
   std::vector<std::string> wires;
-  for (int channel = 0; channel < 8; ++channel) wires.push_back(std::to_string(channel));
-  return std::make_unique<LogicSamples>(wires, 1, *sample_rate, blocks);
+  for (std::size_t channel = 0; channel < 8 * layout.unit_bytes; ++channel)
+    wires.push_back(std::to_string(channel));
+  return std::make_unique<LogicSamples>(wires, layout.unit_bytes, *layout.sample_rate, blocks);
 }
 
 }  // namespace sim

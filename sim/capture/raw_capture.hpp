@@ -1,7 +1,7 @@
 #pragma once
 // Logic samples as logic analysers store them: a unit of some bytes a sample, bit 0 of its first
-// byte being the first channel. Raw files (.bin) have one byte a sample and no header, as sigrok's
-// `binary` output of up to eight channels.
+// byte being the first channel. Raw files (.bin) have no header; sigrok's `binary` output has a
+// byte a sample for up to eight channels, two for up to sixteen, and so on.
 #include <cstdint>
 #include <functional>
 #include <istream>
@@ -47,8 +47,14 @@ class LogicSamples : public LogicCapture {
   bool first_ = true;          // they are those of the first sample
 };
 
-/// Throws Failure(bad_input) without a sample rate.
+/// What a raw file does not say of itself.
+struct RawLayout {
+  std::optional<dsp::Hertz> sample_rate;
+  std::size_t unit_bytes = 1;  // 1 to 8
+};
+
+/// Channels are named 0, 1, ... Throws Failure(bad_input) without a sample rate.
 std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
-                                       std::optional<dsp::Hertz> sample_rate);
+                                       const RawLayout& layout);
 
 }  // namespace sim

@@ -122,6 +122,8 @@ class VcdCapture : public LogicCapture {
     for (std::string word = words_.need("$end"); word != "$end"; word = words_.need("$end")) {
       if (name.size() < 256) name += word;  // "data [3]" is one bit of a vector: data[3]
     }
+    room_used_ += room_of_variable + id.size() + name.size();
+    if (room_used_ > most_room) words_.fail("too many variables", "they would take over 64 MiB");
     const bool scalar = size == "1" && std::ranges::find(not_wires, type) == std::end(not_wires);
     if (!ids_.try_emplace(id, scalar ? wires_.size() : skipped).second || !scalar) return;
     wires_.push_back(std::move(name));
@@ -176,6 +178,8 @@ class VcdCapture : public LogicCapture {
       {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"ps", 1e-12}, {"fs", 1e-15}};
   static constexpr std::string_view not_wires[] = {"real", "realtime", "string", "event"};
   static constexpr std::string_view levels = "01xXzZ";
+  static constexpr std::size_t room_of_variable = 128;  // in map and vector, about
+  static constexpr std::size_t most_room = std::size_t{64} << 20U;
   static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
 
   Words words_;
@@ -185,6 +189,7 @@ class VcdCapture : public LogicCapture {
   std::map<std::string, std::size_t, std::less<>> ids_;
   std::vector<std::string> wires_;
   std::vector<bool> seen_;  // whether a wire had a level
+  std::size_t room_used_ = 0;
 };
 
 }  // namespace

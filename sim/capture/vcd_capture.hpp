@@ -3,6 +3,7 @@
 // the order of their declaration, without their scopes. Vectors, reals, strings and events are
 // skipped, and of several names of one wire the first counts. x and z leave a wire at its last
 // known level. The first level of a wire is its initial one if it comes at the file's first time.
+// Declarations that would take over 64 MiB, half a million of them, are refused.
 #include <iosfwd>
 #include <memory>
 #include <string>

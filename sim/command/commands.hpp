@@ -71,6 +71,7 @@ struct DecodeRequest {
   std::string wire;                      // empty: "rx" if there is one, else the first
   std::string format;                    // empty: by its ending or content
   std::optional<double> sample_rate_hz;  // nothing: as the file says
+  std::optional<int> sample_bytes;       // nothing: 1, of formats that do not say it
   std::string uart = "atmega";
   std::optional<double> baud;        // nothing: found in the capture
   std::optional<double> carrier_hz;  // nothing: found in the capture; 0: none

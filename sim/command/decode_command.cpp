@@ -146,8 +146,9 @@ void decode_line(FlipSource& line, Hertz carrier, const DecodeRequest& request) 
 }  // namespace
 
 ExitCode decode_command(const DecodeRequest& request) {
-  const Capture capture =
-      open_capture(request.capture, {request.wire, hertz(request.sample_rate_hz), request.format});
+  const Capture capture = open_capture(
+      request.capture,
+      {request.wire, hertz(request.sample_rate_hz), request.format, request.sample_bytes});
   if (capture.logic) {
     WireFlips wire(*capture.logic,
                    wanted_wire(capture.logic->wires(), request.wire, request.capture.string()));

@@ -44,6 +44,11 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       ->type_name("RATE")
       ->check(between(1, 1e12));
   decode
+      .add_option("--sample-bytes", request.sample_bytes,
+                  "bytes a sample of a .bin, eight channels each; 1 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 8).description(""));
+  decode
       .add_option(
           "--uart", request.uart,
           "the receiver: atmega (majority of three samples), mid-bit (one), software-serial "

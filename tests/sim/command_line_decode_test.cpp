@@ -130,6 +130,23 @@ TEST_F(CommandLine, DecodeFindsPolarityAndBaud) {
   EXPECT_EQ(program(told).out.find(" ok "), std::string::npos);
 }
 
+TEST_F(CommandLine, DecodeReadsMoreChannelsThanAByteHas) {
+  const std::string one = sampled(message_line(600), 1e5, false);
+  std::string samples;
+  for (const char level : one) samples += std::string("\x5a") + static_cast<char>(level << 3);
+  write("wide.bin", samples);
+  const Words decode{"decode", "wide.bin", "--sample-rate", "1e5", "--uart", "mid-bit"};
+  Words wide = decode;
+  wide.insert(wide.end(), {"--sample-bytes", "2", "--wire", "11"});
+  EXPECT_EQ(frames_of(program(wide).out), its_message);
+  wide.back() = "16";
+  expect_refused(wide, 2, "--wire 16 is not in wide.bin (the capture has no such wire) use 1");
+  EXPECT_EQ(program(decode).out.find(" ok "), std::string::npos);
+  write_capture(path("t.vcd"), "IND 011111 OK 46\n");
+  expect_refused({"decode", "t.vcd", "--sample-bytes", "2"}, 2,
+                 "--sample-bytes is not for t.vcd (its format says them itself) leave it out");
+}
+
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {
   std::string samples = sampled(message_line(600), 1e6, false);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -177,6 +194,21 @@ TEST_F(CommandLine, DecodeReadsMoreThanMemoryMayHold) {
                              "--polarity", "idle-high"});
   EXPECT_EQ(frames_of(o.out), its_message + "          end  no newline      \\x00\n") << o.err;
   EXPECT_LT(o.peak_kb, 100 * 1024);
+}
+
+TEST_F(CommandLine, DecodeRefusesMoreVariablesThanMemoryMayHold) {
+  for (const std::string& name : {std::string("x"), std::string(4000, 'x')}) {
+    std::ofstream out(path("many.vcd"));
+    out << "$timescale 1 us $end\n";
+    for (std::size_t i = 0; i * name.size() < 100'000'000 && i < 1'000'000; ++i)
+      out << "$var wire 1 " << i << name << " x $end\n";
+    out << "$enddefinitions $end\n";
+    out.close();
+    const Outcome o = program({"decode", "many.vcd"});
+    EXPECT_EQ(o.code, 2);
+    EXPECT_NE(o.err.find("cosys-sim: too many variables in many.vcd:"), std::string::npos) << o.err;
+    EXPECT_LT(o.peak_kb, 120 * 1024);
+  }
 }
 
 TEST_F(CommandLine, DecodeReadsAsManyFlipsAsThereAre) {
