@@ -1,6 +1,8 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart_receivers.hpp"
 #include "sim/check/decoder.hpp"
+#include "sim/text/escaped_text.hpp"
+#include "sim/text/list_text.hpp"
 
 namespace sim {
 namespace {
@@ -33,6 +35,13 @@ class UartDecoder : public Decoder {
 };
 
 }  // namespace
+
+std::string last_line_of(const std::string& words) {
+  std::string line;
+  for (const std::string_view one : split(words, '\n'))
+    if (!trimmed(one).empty()) line = escaped(trimmed(one));
+  return line.empty() ? "it said nothing" : line;
+}
 
 std::vector<std::string> built_in_decoders() {
   std::vector<std::string> names;

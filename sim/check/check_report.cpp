@@ -9,6 +9,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/text/escaped_text.hpp"
+#include "sim/text/list_text.hpp"
 #include "sim/text/shell_text.hpp"
 
 namespace sim {
@@ -68,7 +69,8 @@ std::string list_of(const char* what, const std::vector<std::uint32_t>& trials) 
 
 std::string fault_lines(const DecoderFault& fault) {
   std::string text = "the decoder failed: " + fault.what + "\n";
-  if (!fault.words.empty()) text += "it said: " + escaped(fault.words) + "\n";
+  for (const std::string_view line : split(fault.words, '\n'))
+    if (!line.empty()) text += fmt::format("  | {}\n", escaped(line));
   return text;
 }
 

@@ -19,6 +19,9 @@ struct DecoderFault {
   std::string words;  // the end of what it said on stderr
 };
 
+/// The last line of what a decoder said, for a line of ours: "sh: 1: mine: not found".
+std::string last_line_of(const std::string& words);
+
 struct Decoded {
   std::vector<std::string> accepted;  // device messages whose checksum was right, in order
   std::optional<DecoderFault> fault;

@@ -14,6 +14,16 @@ struct FrameOutcome {
   bool operator==(const FrameOutcome&) const = default;
 };
 
+struct FrameCounts {
+  std::uint64_t frames = 0, lost = 0, deceived = 0;
+
+  void add(const FrameOutcome& outcome) {
+    ++frames;
+    lost += outcome.lost();
+    deceived += outcome.deceived;
+  }
+};
+
 constexpr std::uint8_t as_bits(const FrameOutcome& outcome) {
   return static_cast<std::uint8_t>((outcome.delivered ? 1U : 0U) | (outcome.deceived ? 2U : 0U) |
                                    (outcome.unknown ? 4U : 0U));

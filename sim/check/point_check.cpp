@@ -77,12 +77,6 @@ class FramePairs {
   std::optional<DecoderFault> fault_;
 };
 
-void add(FrameCounts& counts, const FrameOutcome& outcome) {
-  ++counts.frames;
-  counts.lost += outcome.lost();
-  counts.deceived += outcome.deceived;
-}
-
 /// Counts frames that were not counted before, up to `frames`.
 class PairCounter {
  public:
@@ -98,8 +92,8 @@ class PairCounter {
  private:
   void count(const FrameOutcome& c, const FrameOutcome& b) {
     const auto trial = static_cast<std::uint32_t>(next_);
-    add(check_.candidate, c);
-    add(check_.baseline, b);
+    check_.candidate.add(c);
+    check_.baseline.add(b);
     check_.losses.add(c.lost(), b.lost());
     check_.deceptions.add(c.deceived, b.deceived);
     if (c.lost() && !b.lost()) check_.only_candidate_lost.push_back(trial);
@@ -138,7 +132,7 @@ void check_pairs(const CheckSetup& setup, FramePairs& pairs, PointCheck& check) 
 FrameCounts counts_of(const BaselinePoint& baseline) {
   FrameCounts counts;
   for (const FrameRecord& frame : baseline.frames)
-    if (!frame.outcome.unknown) add(counts, frame.outcome);
+    if (!frame.outcome.unknown) counts.add(frame.outcome);
   return counts;
 }
 
@@ -147,7 +141,7 @@ void check_unpaired(const CheckSetup& setup, const BaselinePoint& baseline, Fram
                     PointCheck& check) {
   check = {.point = check.point};
   if (!pairs.extend_to(pairs.limit())) return;
-  for (std::uint64_t i = 0; i < pairs.limit(); ++i) add(check.candidate, pairs.candidate(i));
+  for (std::uint64_t i = 0; i < pairs.limit(); ++i) check.candidate.add(pairs.candidate(i));
   check.baseline = counts_of(baseline);
   const LostOf c{check.candidate.lost, check.candidate.frames};
   const LostOf b{check.baseline.lost, check.baseline.frames};

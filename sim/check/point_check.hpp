@@ -21,10 +21,6 @@ enum class Pairing {
   unpaired,  // the same, but that decoder is a program, which only its user may run
 };
 
-struct FrameCounts {
-  std::uint64_t frames = 0, lost = 0, deceived = 0;
-};
-
 struct PointCheck {
   JudgedPoint point;
   std::uint64_t limit = 0;  // frames that may be judged

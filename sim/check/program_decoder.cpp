@@ -111,9 +111,11 @@ std::vector<std::string> accepted_in_bytes(const std::string& bytes) {
   return accepted;
 }
 
-/// A line may have the checksum too.
+/// A line may have the checksum too, and a carriage return.
 std::string message_of(std::string_view line) {
-  const std::string text(trimmed(line));
+  std::string text(line);
+  if (text.ends_with('\r')) text.pop_back();
+  text = trimmed(text);
   const auto with_checksum = accepted_in_bytes(text + "\n");
   return with_checksum.empty() ? text : with_checksum.front();
 }
@@ -121,7 +123,7 @@ std::string message_of(std::string_view line) {
 std::vector<std::string> accepted_in_lines(const std::string& text) {
   std::vector<std::string> accepted;
   for (const std::string_view line : split(text, '\n'))
-    if (!trimmed(line).empty()) accepted.push_back(message_of(line));
+    if (const std::string message = message_of(line); !message.empty()) accepted.push_back(message);
   return accepted;
 }
 
@@ -135,7 +137,7 @@ DecoderFault fault_of(Waited waited, const ChildProcess& child, const ProgramSet
   if (WIFSIGNALED(status))
     return {
         killed,
-        fmt::format("killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))),
+        fmt::format("killed by signal {} ({})", WTERMSIG(status), ::sigdescr_np(WTERMSIG(status))),
         child.words()};
   if (status == 0) return {garbage, "it ended without an answer", child.words()};
   return {exit_code, fmt::format("exit code {}", WEXITSTATUS(status)), child.words()};
@@ -145,7 +147,7 @@ DecoderFault fault_of(Waited waited, const ChildProcess& child, const ProgramSet
 void refuse_missing(const DecoderFault& fault) {
   if (fault.what == "exit code 127" || fault.what == "exit code 126")
     throw Failure(ExitCode::environment, "the decoder cannot be started (" +
-                                             std::string(trimmed(fault.words)) +
+                                             last_line_of(fault.words) +
                                              ") install it, or give its path");
 }
 
@@ -233,6 +235,15 @@ class ServingProgram : public ProgramDecoder {
     if (command.find(in_braces(format())) != std::string::npos)
       throw bad_input("--decoder " + command, "one that serves gets edges on its stdin",
                       "leave " + in_braces(format()) + " out");
+  }
+
+  ServingProgram(const ServingProgram&) = delete;
+  ServingProgram& operator=(const ServingProgram&) = delete;
+  /// Those that wait see the end of their stdin, and have a moment to end in order.
+  ~ServingProgram() override {
+    std::string unread;
+    for (const auto& child : idle_)
+      child->run({.input = "", .timeout = std::chrono::seconds(5)}, unread);
   }
 
   Decoded decode(const MarkedLine& line) const override {

@@ -86,9 +86,8 @@ BaselinePoint measure(const JudgedPoint& point, const Decoder& decoder, const Wo
       std::move(decode_frames(judged_link(point), {&decoder}, 0, frames, workers).front());
   if (decoded.fault)
     throw Failure(ExitCode::environment,
-                  fmt::format("{} failed at {} ({}) mend it first{}", decoder.name(), point.name,
-                              decoded.fault->what, decoded.fault->words.empty() ? "" : ": ") +
-                      decoded.fault->words);
+                  fmt::format("{} failed at {} ({}: {}) mend it first", decoder.name(), point.name,
+                              decoded.fault->what, last_line_of(decoded.fault->words)));
   return {.name = point.name,
           .scenario = 0,
           .physics = physics_hash(point),

@@ -61,15 +61,17 @@ struct Requests {
   DiffRequest diff;
   CheckRequest check;
   BaselineRequest baseline;
+  CompareRequest compare;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = to.baseline.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = to.baseline.program =
       from.program;
-  for (PartRoots* parts : {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts,
-                           &to.parts.parts, &to.locate.options.parts, &to.serve.options.parts,
-                           &to.check.options.parts, &to.baseline.options.parts})
+  for (PartRoots* parts :
+       {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts,
+        &to.locate.options.parts, &to.serve.options.parts, &to.check.options.parts,
+        &to.baseline.options.parts, &to.compare.options.parts})
     parts->push_back(from.shipped_parts);
 }
 
@@ -96,6 +98,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
   if (app.got_subcommand("check")) return check_command(requests.check);
   if (app.got_subcommand("baseline")) return baseline_command(requests.baseline);
+  if (app.got_subcommand("compare")) return compare_command(requests.compare);
   if (app.got_subcommand("diff")) return diff_command(requests.diff);
   return decode_command(requests.decode);
 }
@@ -122,6 +125,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_diff(app, requests.diff);
   add_baseline(app, requests.baseline);
   add_check(app, requests.check);
+  add_compare(app, requests.compare);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -167,6 +167,18 @@ struct BaselineRequest {
 /// baseline that it replaces.
 ExitCode baseline_command(const BaselineRequest& request);
 
+struct CompareRequest {
+  std::vector<std::filesystem::path> scenarios;
+  ScenarioOptions options;
+  std::vector<std::string> decoders;  // names, or commands; none: all that are built in
+  ProgramSettings program_settings;   // of commands
+  double alpha = 1e-3;                // of telling two apart that are alike, all together
+  int threads = 0;                    // 0: one per processor
+  bool quiet = false, json = false;
+};
+/// Which of some decoders loses least of the same light, and where.
+ExitCode compare_command(const CompareRequest& request);
+
 struct PartsRequest {
   std::string name;    // of the part to show; empty: list all
   std::string search;  // of a list: only parts whose file mentions this

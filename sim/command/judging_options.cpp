@@ -35,16 +35,14 @@ void add_gate_rule(CLI::App& check, GateRule& rule) {
       ->check(between(0, 0.5));
 }
 
-void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& settings,
-                 const std::string& otherwise) {
-  command
-      .add_option("--decoder", decoder,
-                  fmt::format("the decoder: {}, or a command, in which {{vcd}}, {{sr}}, {{edges}}, "
-                              "{{csv}}, {{bytes}}, {{ook}} or {{wav}} stands for a capture's file; "
-                              "without, it gets edges on stdin; {}",
-                              fmt::join(built_in_decoders(), ", "), otherwise))
-      ->type_name("NAME|CMD")
-      ->check(a_name);
+std::string decoder_help(const std::string& otherwise) {
+  return fmt::format(
+      "the decoder: {}, or a command, in which {{vcd}}, {{sr}}, {{edges}}, {{csv}}, {{bytes}}, "
+      "{{ook}} or {{wav}} stands for a capture's file; without, it gets edges on stdin; {}",
+      fmt::join(built_in_decoders(), ", "), otherwise);
+}
+
+void add_program_settings(CLI::App& command, ProgramSettings& settings) {
   command
       .add_option_function<std::string>(
           "--decoder-mode",
@@ -69,6 +67,14 @@ void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& setti
           "how long a command may take for a capture of 128 frames; 60s if not given")
       ->type_name("TIME")
       ->transform(a_time());
+}
+
+void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& settings,
+                 const std::string& otherwise) {
+  command.add_option("--decoder", decoder, decoder_help(otherwise))
+      ->type_name("NAME|CMD")
+      ->check(a_name);
+  add_program_settings(command, settings);
 }
 
 }  // namespace
@@ -134,6 +140,34 @@ void add_baseline(CLI::App& app, BaselineRequest& request) {
   baseline.footer(
       "Each point has as many frames as stop.max_frames says. Example: cosys-sim baseline "
       "scenarios/quickstart.toml -o quickstart-baseline.h5");
+}
+
+void add_compare(CLI::App& app, CompareRequest& request) {
+  auto& compare = *app.add_subcommand(
+      "compare", "Say which of some decoders loses least of the same light, and where");
+  add_place(compare, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
+  compare
+      .add_option("--decoder", request.decoders,
+                  decoder_help("give it for each; all that are built in if not given"))
+      ->type_name("NAME|CMD")
+      ->check(a_name)
+      ->take_all()
+      ->expected(1);
+  add_program_settings(compare, request.program_settings);
+  compare
+      .add_option("--alpha", request.alpha,
+                  "probability of telling two apart that are alike, all points together; 0.001 if "
+                  "not given")
+      ->type_name("P")
+      ->check(between(1e-12, 0.1));
+  add_scenario_options(compare, request.options);
+  add_threads(compare, request.threads);
+  add_max_frames(compare, request.options);
+  compare.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  compare.add_flag("--json", request.json, "one JSON object on stdout, not the table");
+  compare.footer(
+      "Each point has as many frames as stop.max_frames says. Example: cosys-sim compare "
+      "scenarios/decoders.toml --decoder atmega --decoder './mine {vcd}'");
 }
 
 }  // namespace sim

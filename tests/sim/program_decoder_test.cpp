@@ -121,6 +121,19 @@ TEST_F(ProgramDecoder, MayPrintFramesOfAnyFormat) {
   EXPECT_TRUE(point["fault"].is_null()) << point;
 }
 
+TEST_F(ProgramDecoder, MayEndItsLinesAsOtherSystemsDo) {
+  expect_same(std::string(COSYS_PROGRAM) +
+                  " decode --baud 600 --uart mid-bit {vcd} | sed -n 's/^ *[0-9.]* s *ok *//p' | "
+                  "sed 's/$/\\r/'",
+              {"--decoder-output", "frames"});
+}
+
+TEST_F(ProgramDecoder, ThatServesMayEndInOrder) {
+  write("tidy.sh", "python3 edges.py 0.5 serve; echo $? >> ended");
+  expect_same("sh tidy.sh", {"--decoder-mode", "serve", "-t", "1"});
+  EXPECT_EQ(content(path("ended")), "0\n");
+}
+
 TEST_F(ProgramDecoder, MayTakeTheBytesOfTheScenariosUart) {
   baseline("atmega");
   expect_same("cat {bytes}");
@@ -146,8 +159,7 @@ TEST_F(ProgramDecoder, IsQuotedWhereItFails) {
   EXPECT_EQ(point_of(check("echo oops >&2; exit 3"))["fault"]["stderr"], "oops\n");
   const Outcome o = program(
       {"check", "weak.toml", "--baseline", "b.h5", "-q", "--decoder", "echo oops >&2; exit 3"});
-  EXPECT_NE(o.out.find("the decoder failed: exit code 3\nit said: oops"), std::string::npos)
-      << o.out;
+  EXPECT_NE(o.out.find("the decoder failed: exit code 3\n  | oops\n"), std::string::npos) << o.out;
   EXPECT_NE(o.out.find("--decoder 'echo oops >&2; exit 3'"), std::string::npos);
 }
 
