@@ -1,4 +1,5 @@
 #include "protocol/cosys.hpp"
+#include "protocol/soft_decoder.hpp"
 #include "protocol/uart_receivers.hpp"
 #include "sim/check/decoder.hpp"
 #include "sim/text/escaped_text.hpp"
@@ -34,6 +35,29 @@ class UartDecoder : public Decoder {
   std::string name_;
 };
 
+/// All that is known of the protocol, used.
+class WholeLineDecoder : public Decoder {
+ public:
+  WholeLineDecoder(std::string name, protocol::SoftMemory memory)
+      : name_(std::move(name)), memory_(memory) {}
+
+  const std::string& name() const override { return name_; }
+
+  Decoded decode(const MarkedLine& line) const override {
+    Decoded decoded;
+    for (protocol::SoftMessage& message : protocol::decode_soft(line.wire, line.baud, memory_))
+      decoded.accepted.push_back(std::move(message.message));
+    return decoded;
+  }
+
+ private:
+  std::string name_;
+  protocol::SoftMemory memory_;
+};
+
+constexpr const char* soft = "soft";
+constexpr const char* soft_alone = "soft-alone";  // what is told apart from what was heard before
+
 }  // namespace
 
 std::string last_line_of(const std::string& words) {
@@ -47,10 +71,15 @@ std::vector<std::string> built_in_decoders() {
   std::vector<std::string> names;
   for (const protocol::UartReceiver& uart : protocol::uart_receivers())
     names.emplace_back(uart.name);
+  names.insert(names.end(), {soft, soft_alone});
   return names;
 }
 
 std::unique_ptr<Decoder> make_built_in_decoder(const std::string& name) {
+  if (name == soft)
+    return std::make_unique<WholeLineDecoder>(name, protocol::SoftMemory::of_messages);
+  if (name == soft_alone)
+    return std::make_unique<WholeLineDecoder>(name, protocol::SoftMemory::none);
   const protocol::UartReceiver* uart = protocol::find_uart_receiver(name);
   return uart == nullptr ? nullptr : std::make_unique<UartDecoder>(*uart);
 }

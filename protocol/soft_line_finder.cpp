@@ -1,0 +1,59 @@
+#include "protocol/soft_line_finder.hpp"
+
+#include <utility>
+
+#include "protocol/cosys.hpp"
+
+namespace protocol {
+namespace {
+
+/// Tried at each end. The true one, one that a bit makes of another character, and one more: each
+/// that is tried may by chance have a right checksum.
+constexpr std::size_t most_starts = 3;
+
+}  // namespace
+
+std::vector<SoftMessage> SoftLineFinder::take(std::span<const SoftCharacter> characters,
+                                              bool after_long_pause) {
+  std::vector<SoftMessage> accepted;
+  if (after_long_pause) starts_.push_back(pending_.size());
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    add(characters[i]);
+    const bool newline = characters[i].value() == '\n';
+    if (!newline && i + 1 < characters.size()) continue;
+    if (auto message = line_that_ends_here()) {
+      accepted.push_back(*std::move(message));
+      forget_before(pending_.size());
+    }
+    if (newline) starts_.push_back(pending_.size());
+  }
+  return accepted;
+}
+
+void SoftLineFinder::add(const SoftCharacter& character) {
+  if (pending_.size() == default_max_line)
+    forget_before(starts_.size() > 1 ? starts_[1] : default_max_line);
+  if (pending_.empty() && starts_.empty()) starts_.push_back(0);
+  pending_.push_back(character);
+}
+
+std::optional<SoftMessage> SoftLineFinder::line_that_ends_here() {
+  forget_old_starts();
+  for (std::size_t i = starts_.size(); i-- > 0;) {
+    auto message = judge_.judge(std::span(pending_).subspan(starts_[i]));
+    if (message) return message;
+  }
+  return std::nullopt;
+}
+
+void SoftLineFinder::forget_before(std::size_t character) {
+  pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(character));
+  std::erase_if(starts_, [=](std::size_t start) { return start < character; });
+  for (std::size_t& start : starts_) start -= character;
+}
+
+void SoftLineFinder::forget_old_starts() {
+  if (starts_.size() > most_starts) forget_before(starts_[starts_.size() - most_starts]);
+}
+
+}  // namespace protocol
