@@ -52,14 +52,22 @@ SoftCharacter character_at(const LightMeasure& measure, Seconds start, Seconds p
 }
 
 /// Falls, and a character to each side of them: the start between may be missing.
-std::vector<Seconds> possible_starts(std::span<const LightPulse> light, Seconds period) {
-  std::vector<Seconds> starts;
+struct PossibleStart {
+  Seconds at;
+  bool is_fall;
+};
+
+std::vector<PossibleStart> possible_starts(std::span<const LightPulse> light, Seconds period) {
+  std::vector<PossibleStart> starts;
   for (const LightPulse& pulse : light)
     for (const int characters : {-1, 0, 1})
-      starts.push_back(pulse.fall + characters * bits_per_byte * period);
-  std::ranges::sort(starts);
+      starts.push_back({pulse.fall + characters * bits_per_byte * period, characters == 0});
+  std::ranges::sort(starts, {}, &PossibleStart::at);
   return starts;
 }
+
+/// Bits. Of two starts that explain as much the one that was seen is right.
+constexpr double mismatch_of_missing_fall = 0.05;
 
 /// A way to lie over the light up to some time.
 struct Path {
@@ -74,7 +82,7 @@ class Parser {
       : light_(light), period_(period), weights_(weights), until_start_(light), until_end_(light) {}
 
   std::vector<SoftCharacter> parse() {
-    for (const Seconds start : possible_starts(light_, period_)) add(start);
+    for (const PossibleStart& start : possible_starts(light_, period_)) add(start);
     while (next_end_ < steps_.size()) end_next();
     return characters_of(best_ended_);
   }
@@ -87,12 +95,14 @@ class Parser {
 
   Seconds end_of(const Step& step) const { return step.character.start + least_distance * period_; }
 
-  void add(Seconds start) {
+  void add(const PossibleStart& possible) {
+    const Seconds start = possible.at;
     while (next_end_ < steps_.size() && end_of(steps_[next_end_]) <= start) end_next();
     while (next_pulse_ < light_.size() && light_[next_pulse_].rise <= start) ++next_pulse_;
     const double outside = weights_.flash * (until_start_.until(start) / period_);
+    const double missing = possible.is_fall ? 0 : mismatch_of_missing_fall;
     steps_.push_back({character_at(LightMeasure(light_, next_pulse_), start, period_, weights_),
-                      {best_ended_.last, best_ended_.mismatch + outside}});
+                      {best_ended_.last, best_ended_.mismatch + outside + missing}});
   }
 
   /// Mismatches of paths that have ended leave out the light of all time before: what of it lies

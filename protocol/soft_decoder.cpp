@@ -60,16 +60,32 @@ bool SoftDecoder::is_paused(Seconds until, double bits) const {
 }
 
 void SoftDecoder::fall(Seconds t) {
-  if (is_paused(t, pause_bits) || burst_.size() == most_pulses) end_burst();
+  if (is_paused(t, pause_bits)) end_burst();
+  if (burst_.size() == most_pulses) give_up_pause();
   if (burst_.empty()) after_long_pause_ = is_paused(t, long_pause_bits);
   burst_.push_back({t, t});
 }
 
 void SoftDecoder::end_burst() {
-  if (burst_.empty()) return;
-  auto accepted = finder_.take(characters_of(burst_, bit_), after_long_pause_);
-  std::ranges::move(accepted, std::back_inserter(accepted_));
+  if (!burst_.empty()) take_characters(characters_of(burst_, bit_));
   burst_.clear();
+}
+
+/// Without a pause the last character may be half there, and the one before misled by it: they come
+/// again with the rest.
+void SoftDecoder::give_up_pause() {
+  auto characters = characters_of(burst_, bit_);
+  if (characters.size() <= 2) return end_burst();
+  const Seconds rest = characters[characters.size() - 2].start - 0.5 * bit_;
+  characters.resize(characters.size() - 2);
+  take_characters(characters);
+  std::erase_if(burst_, [=](const LightPulse& pulse) { return pulse.fall < rest; });
+}
+
+void SoftDecoder::take_characters(const std::vector<SoftCharacter>& characters) {
+  auto accepted = finder_.take(characters, after_long_pause_);
+  std::ranges::move(accepted, std::back_inserter(accepted_));
+  after_long_pause_ = false;
 }
 
 std::vector<SoftMessage> decode_soft(const dsp::LogicTrace& line, dsp::Hertz baud,

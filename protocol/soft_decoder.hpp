@@ -26,6 +26,8 @@ class SoftDecoder {
  private:
   void fall(dsp::Seconds t);
   void end_burst();
+  void give_up_pause();
+  void take_characters(const std::vector<SoftCharacter>& characters);
   bool is_paused(dsp::Seconds until, double bits) const;
 
   dsp::Seconds bit_;

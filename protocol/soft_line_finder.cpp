@@ -7,8 +7,8 @@
 namespace protocol {
 namespace {
 
-/// Tried at each end. The true one, one that a bit makes of another character, and one more: each
-/// that is tried may by chance have a right checksum.
+/// Tried at each end: the oldest and the latest. Each that is tried may by chance have a right
+/// checksum.
 constexpr std::size_t most_starts = 3;
 
 }  // namespace
@@ -38,9 +38,10 @@ void SoftLineFinder::add(const SoftCharacter& character) {
 }
 
 std::optional<SoftMessage> SoftLineFinder::line_that_ends_here() {
-  forget_old_starts();
-  for (std::size_t i = starts_.size(); i-- > 0;) {
-    auto message = judge_.judge(std::span(pending_).subspan(starts_[i]));
+  if (starts_.size() > most_starts)
+    starts_.erase(starts_.begin() + 1, starts_.end() - (most_starts - 1));
+  for (const std::size_t start : starts_) {
+    auto message = judge_.judge(std::span(pending_).subspan(start));
     if (message) return message;
   }
   return std::nullopt;
@@ -50,10 +51,6 @@ void SoftLineFinder::forget_before(std::size_t character) {
   pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(character));
   std::erase_if(starts_, [=](std::size_t start) { return start < character; });
   for (std::size_t& start : starts_) start -= character;
-}
-
-void SoftLineFinder::forget_old_starts() {
-  if (starts_.size() > most_starts) forget_before(starts_[starts_.size() - most_starts]);
 }
 
 }  // namespace protocol

@@ -23,7 +23,6 @@ class SoftLineFinder {
   void add(const SoftCharacter& character);
   std::optional<SoftMessage> line_that_ends_here();
   void forget_before(std::size_t character);
-  void forget_old_starts();
 
   SoftJudge judge_;
   std::vector<SoftCharacter> pending_;  // at most the longest line
