@@ -19,7 +19,7 @@ struct Limits {
 
 /// Corrected: what noise took of one bit, and half another. Margin: two bits in one column are
 /// wrong only if they are as good as known, together: of 27 wrong lines that a margin of 0.5
-/// accepted of 4000 damaged ones, 0.9 accepts one. Mismatch: noise has 2 a character and more.
+/// accepted of 4000 damaged ones, 0.9 accepts two. Mismatch: noise has 2 a character and more.
 constexpr Limits alone{.corrected = 1.5, .margin = 0.9, .mismatch_a_character = 0.6};
 /// A line that was heard before is far likelier than any other, but must be the best still.
 constexpr Limits repeated{.corrected = 3, .margin = 0.2, .mismatch_a_character = 1};
