@@ -27,6 +27,14 @@ void refuse_marker(const LoadedScenario& scenario, const std::string& message) {
                     "decoders are judged between markers that say the same", "send another");
 }
 
+/// Outcomes of all frames are kept.
+void refuse_many(const LoadedScenario& scenario, std::uint64_t frames) {
+  constexpr std::uint64_t most = 10'000'000;
+  if (frames > most)
+    throw bad_input(fmt::format("stop.max_frames = {} in {}", frames, scenario.path.string()),
+                    "the outcome of each is kept", fmt::format("take {} at most", most));
+}
+
 JudgedPoint judged_point(const LoadedScenario& loaded, std::size_t number) {
   const std::vector<double> coordinates = point_coordinates(loaded.sweep, number);
   JudgedPoint point{.name = name_of(loaded, coordinates),
@@ -38,6 +46,7 @@ JudgedPoint judged_point(const LoadedScenario& loaded, std::size_t number) {
   refuse_weighted(point.scenario, "decoders are judged by trials as they come");
   refuse_marker(loaded, point.scenario.device.message);
   point.frames = static_cast<std::uint64_t>(point.scenario.stop.max_frames);
+  refuse_many(loaded, point.frames);
   point.physics = canonical_text(point.scenario) +
                   fmt::format("simulation.seed = {}\n", point.scenario.simulation.seed);
   return point;

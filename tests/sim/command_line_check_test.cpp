@@ -183,6 +183,12 @@ TEST_F(CheckCommand, RefusesWhatIsNoBaseline) {
                  "--point 2 (no scenario has so many points) points are counted from 0");
 }
 
+TEST_F(CheckCommand, RefusesMoreFramesThanCanBeKept) {
+  expect_refused({"baseline", "weak.toml", "-n", "1e9", "-o", "n.h5"}, 2,
+                 "stop.max_frames = 1000000000 in weak.toml (the outcome of each is kept) take "
+                 "10000000 at most");
+}
+
 TEST_F(CheckCommand, TruncatedBaselinesAreRefused) {
   const std::string whole = content(path("b.h5"));
   for (std::size_t size = 0; size < whole.size(); size += whole.size() / 29) {
