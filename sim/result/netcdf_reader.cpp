@@ -4,11 +4,13 @@
 
 #include "sim/result/hdf5_handle.hpp"
 #include "sim/result/netcdf.hpp"
+#include "sim/result/netcdf_probe.hpp"
 
 namespace sim {
 namespace {
 
 Handle open_file(const std::filesystem::path& path) {
+  if (!survives_reading(path)) throw Hdf5Failure();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   checked(H5Pset_file_locking(access, false, true));  // some network file systems have no locks
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
@@ -25,18 +27,28 @@ std::string text_of_any_length(hid_t attribute, hid_t type) {
 std::string text_attribute(hid_t file, const char* name) {
   const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING) throw Hdf5Failure();
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || checked(H5Sget_simple_extent_npoints(space)) != 1)
+    throw Hdf5Failure();
   if (checked(H5Tis_variable_str(type)) > 0) return text_of_any_length(attribute, type);
   std::string text(static_cast<std::size_t>(checked(H5Aget_storage_size(attribute))), '\0');
   checked(H5Aread(attribute, type, text.data()));
   return text.substr(0, text.find('\0'));
 }
 
+constexpr hssize_t most_cells = hssize_t{1} << 28;  // a damaged number would fill the memory
+
+std::size_t cells_in(hid_t space) {
+  const hssize_t cells = checked(H5Sget_simple_extent_npoints(space));
+  if (cells > most_cells) throw Hdf5Failure();
+  return static_cast<std::size_t>(cells);
+}
+
 template <class T>
 std::vector<T> cells_of(hid_t file, const std::string& variable, hid_t type) {
   const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space(H5Dget_space(data), H5Sclose);
-  std::vector<T> cells(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space))));
+  std::vector<T> cells(cells_in(space));
   checked(H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()));
   return cells;
 }
@@ -48,7 +60,7 @@ std::vector<std::string> texts_of(hid_t file, const std::string& variable) {
   const Handle space(H5Dget_space(data), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || checked(H5Tis_variable_str(type)) == 0)
     throw Hdf5Failure();
-  std::vector<char*> cells(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space))));
+  std::vector<char*> cells(cells_in(space));
   checked(H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()));
   std::vector<std::string> texts;
   for (const char* cell : cells) texts.emplace_back(cell == nullptr ? "" : cell);

@@ -168,8 +168,8 @@ TEST_F(ProgramDecoder, ThatIsNotThereIsTheMachinesFault) {
   EXPECT_EQ(o.code, 3);
   EXPECT_EQ(o.err.find("cosys-sim: the decoder cannot be started (sh: "), 0U) << o.err;
   EXPECT_EQ(o.out, "");
-  expect_refused({"check", "weak.toml", "--baseline", "b.h5", "--decoder", "no-such-decoder"}, 2,
-                 "--decoder no-such-decoder (no decoder of that name, and no program) did you mean "
+  expect_refused({"check", "weak.toml", "--baseline", "b.h5", "--decoder", "software_serial"}, 2,
+                 "--decoder software_serial (no decoder of that name, and no program) did you mean "
                  "software-serial?");
 }
 
