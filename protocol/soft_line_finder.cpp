@@ -16,7 +16,7 @@ constexpr std::size_t most_starts = 3;
 std::vector<SoftMessage> SoftLineFinder::take(std::span<const SoftCharacter> characters,
                                               bool after_long_pause) {
   std::vector<SoftMessage> accepted;
-  if (after_long_pause) starts_.push_back(pending_.size());
+  if (after_long_pause) may_begin_here();
   for (std::size_t i = 0; i < characters.size(); ++i) {
     add(characters[i]);
     const bool newline = characters[i].value() == '\n';
@@ -25,7 +25,7 @@ std::vector<SoftMessage> SoftLineFinder::take(std::span<const SoftCharacter> cha
       accepted.push_back(*std::move(message));
       forget_before(pending_.size());
     }
-    if (newline) starts_.push_back(pending_.size());
+    if (newline) may_begin_here();
   }
   return accepted;
 }
@@ -33,8 +33,12 @@ std::vector<SoftMessage> SoftLineFinder::take(std::span<const SoftCharacter> cha
 void SoftLineFinder::add(const SoftCharacter& character) {
   if (pending_.size() == default_max_line)
     forget_before(starts_.size() > 1 ? starts_[1] : default_max_line);
-  if (pending_.empty() && starts_.empty()) starts_.push_back(0);
+  if (pending_.empty()) may_begin_here();
   pending_.push_back(character);
+}
+
+void SoftLineFinder::may_begin_here() {
+  if (starts_.empty() || starts_.back() != pending_.size()) starts_.push_back(pending_.size());
 }
 
 std::optional<SoftMessage> SoftLineFinder::line_that_ends_here() {

@@ -21,12 +21,13 @@ class SoftLineFinder {
 
  private:
   void add(const SoftCharacter& character);
+  void may_begin_here();
   std::optional<SoftMessage> line_that_ends_here();
   void forget_before(std::size_t character);
 
   SoftJudge judge_;
   std::vector<SoftCharacter> pending_;  // at most the longest line
-  std::vector<std::size_t> starts_;     // among them, in order: where a line may begin
+  std::vector<std::size_t> starts_;     // among them, rising: where a line may begin
 };
 
 }  // namespace protocol

@@ -219,6 +219,21 @@ TEST(SoftDecoder, HearsTheSameOfAWireThatComesInPieces) {
   EXPECT_GT(heard.size(), 30U);
 }
 
+// Behind an accepted line both its newline and a long pause say that a line begins: at one place.
+TEST(SoftDecoder, ForgetsALineThatIsTooLongHoweverItBegan) {
+  Random random(10);
+  for (const double pause : {40.0, 100.0}) {
+    Sender sender(random);
+    sender.idle(60);
+    sender.send("IND 011111 OK");
+    sender.idle(pause);
+    sender.send(Bytes(default_max_line, 'A'));
+    sender.send("IND 011110 OK");
+    sender.idle(60);
+    EXPECT_EQ(heard_by_soft(sender.line()), Messages({"IND 011111 OK", "IND 011110 OK"})) << pause;
+  }
+}
+
 // What it has not said yet is all that it can have kept.
 TEST(SoftDecoder, KeepsNoMoreThanSomeThousandPulsesOfAWireWithoutPauses) {
   Random random(9);
