@@ -67,9 +67,14 @@ ChildProcess::ChildProcess(const std::string& command) {
 }
 
 ChildProcess::~ChildProcess() {
-  if (pid_ < 0) return;
+  if (pid_ >= 0) kill_all();
+}
+
+/// It, if it has not ended, and what it left behind: its number is its group's until it is waited
+/// for.
+void ChildProcess::kill_all() {
   ::kill(-pid_, SIGKILL);
-  if (process_) ::waitpid(pid_, nullptr, 0);
+  ::waitpid(std::exchange(pid_, -1), &status_, 0);
 }
 
 void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
@@ -93,6 +98,10 @@ void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
     fail(error);
   }
   process_.emplace(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
+  if (process_->is_open()) return;
+  const int refused = errno;
+  kill_all();
+  fail(refused);
 }
 
 Waited ChildProcess::run(ChildTask task, std::string& output) {
@@ -140,9 +149,7 @@ void ChildProcess::read_words() {
 void ChildProcess::end(std::string& output) {
   if (out_) read_some(out_->get(), output);
   if (err_) read_words();
-  ::waitpid(pid_, &status_, 0);
-  ::kill(-pid_, SIGKILL);  // what it left behind
-  pid_ = -1;
+  kill_all();
 }
 
 }  // namespace sim

@@ -49,6 +49,7 @@ class ChildProcess {
   void write_some(std::string_view& input);
   void read_words();
   void end(std::string& output);
+  void kill_all();
 
   pid_t pid_ = -1;
   std::optional<Descriptor> process_, in_, out_, err_;
