@@ -120,6 +120,16 @@ Numbers numbers_of(const NetcdfReader& file) {
           .frames = file.integers("frame").size()};
 }
 
+/// 0, 0, 1, 2, 2: each scenario has points, and they are together.
+bool are_in_order(const std::vector<std::int64_t>& scenarios) {
+  std::int64_t last = -1;
+  for (const std::int64_t scenario : scenarios) {
+    if (scenario != last && scenario != last + 1) return false;
+    last = scenario;
+  }
+  return last >= 0 && scenarios.front() == 0;
+}
+
 bool fit(const Numbers& numbers, std::size_t points) {
   const auto is_row = [&](std::int64_t n) {
     return n >= 0 && static_cast<std::uint64_t>(n) <= numbers.frames;
@@ -128,8 +138,7 @@ bool fit(const Numbers& numbers, std::size_t points) {
          numbers.n_frames.size() == points && numbers.n_frames_lost.size() == points &&
          numbers.outcome.size() == points * numbers.frames &&
          numbers.light.size() == numbers.outcome.size() &&
-         std::ranges::all_of(numbers.n_frames, is_row) &&
-         std::ranges::all_of(numbers.scenario, [&](std::int64_t s) { return s >= 0; });
+         std::ranges::all_of(numbers.n_frames, is_row) && are_in_order(numbers.scenario);
 }
 
 BaselinePoint point_of(const Numbers& numbers, std::size_t p) {

@@ -6,6 +6,7 @@
 #include "protocol/cosys.hpp"
 #include "scenarios.hpp"
 #include "sim/check/point_check.hpp"
+#include "sim/failure.hpp"
 
 namespace sim {
 namespace {
@@ -188,6 +189,23 @@ TEST(Check, GoldenSaysEveryFrameThatComesOutOtherwise) {
   EXPECT_EQ(flipped.verdict, Verdict::worse);
   EXPECT_EQ(flipped.losses.frames, 300U);
   EXPECT_EQ(flipped.only_baseline_lost.size() + flipped.only_candidate_lost.size(), 1U);
+}
+
+// The points of a scenario tell its name.
+TEST(BaselineFile, IsRefusedWhereAScenarioHasNoPoint) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "no_point.h5";
+  Baseline baseline{.program = {"cosys-sim", "0", "0"},
+                    .command = "",
+                    .decoder = "atmega",
+                    .scenarios = {"", ""},
+                    .points = {{.name = "a", .scenario = 0, .physics = 1, .frames = {{}}},
+                               {.name = "b", .scenario = 1, .physics = 1, .frames = {{}}}}};
+  write_baseline(path, baseline);
+  EXPECT_EQ(read_baseline(path).scenarios.size(), 2U);
+  baseline.points.erase(baseline.points.begin());
+  write_baseline(path, baseline);
+  EXPECT_THROW(read_baseline(path), Failure);
+  std::filesystem::remove(path);
 }
 
 TEST(Check, SaysThatADecoderFailedAndNotThatItLost) {
