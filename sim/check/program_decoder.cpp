@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "protocol/cosys.hpp"
@@ -127,6 +129,12 @@ std::vector<std::string> accepted_in_lines(const std::string& text) {
   return accepted;
 }
 
+std::string killed_by(int signal) {
+  const char* what = ::sigdescr_np(signal);
+  return fmt::format("killed by signal {} ({})", signal,
+                     what == nullptr ? "a real-time signal" : what);
+}
+
 DecoderFault fault_of(Waited waited, const ChildProcess& child, const ProgramSettings& settings) {
   using enum DecoderFault::Kind;
   const int status = child.status();
@@ -134,11 +142,7 @@ DecoderFault fault_of(Waited waited, const ChildProcess& child, const ProgramSet
     return {timeout, fmt::format("no answer within {:g} s", settings.timeout.count()),
             child.words()};
   if (waited == Waited::too_much) return {garbage, "more than 64 MiB of output", child.words()};
-  if (WIFSIGNALED(status))
-    return {
-        killed,
-        fmt::format("killed by signal {} ({})", WTERMSIG(status), ::sigdescr_np(WTERMSIG(status))),
-        child.words()};
+  if (WIFSIGNALED(status)) return {killed, killed_by(WTERMSIG(status)), child.words()};
   if (status == 0) return {garbage, "it ended without an answer", child.words()};
   return {exit_code, fmt::format("exit code {}", WEXITSTATUS(status)), child.words()};
 }
@@ -207,25 +211,25 @@ class ProgramForEach : public ProgramDecoder {
 class Answer {
  public:
   explicit Answer(const std::string& text) : text_(text), end_(text.find('\n')) {
-    count_ = parse_number(text.substr(0, end_)).value_or(-1);
+    const double count = parse_number(text.substr(0, end_)).value_or(-1);
+    if (count >= 0 && count == std::floor(count)) count_ = count;
   }
 
-  /// Its first line is no number of bytes.
+  /// Its first line is no number of bytes, or more came.
   bool is_garbage() const {
     constexpr std::size_t longest = 20;
-    return (end_ != std::string::npos || text_.size() > longest) && !(count_ >= 0);
+    return is_begun() ? !count_ || came() > *count_ : text_.size() > longest;
   }
-  bool is_whole() const {
-    return end_ != std::string::npos && count_ >= 0 && static_cast<double>(came()) >= count_;
-  }
-  std::string bytes() const { return text_.substr(end_ + 1, static_cast<std::size_t>(count_)); }
+  bool is_whole() const { return is_begun() && count_ && came() == *count_; }
+  std::string bytes() const { return text_.substr(end_ + 1); }
 
  private:
-  std::size_t came() const { return text_.size() - end_ - 1; }
+  bool is_begun() const { return end_ != std::string::npos; }
+  double came() const { return static_cast<double>(text_.size() - end_ - 1); }
 
   const std::string& text_;
   std::size_t end_;
-  double count_ = -1;
+  std::optional<double> count_;
 };
 
 class ServingProgram : public ProgramDecoder {
@@ -266,7 +270,7 @@ class ServingProgram : public ProgramDecoder {
     const Answer answer(output);
     if (!answer.is_whole())
       return failed({DecoderFault::Kind::garbage,
-                     "its answer does not begin with a number of bytes", child->words()});
+                     "its answer is not a number of bytes and so many bytes", child->words()});
     give_back(std::move(child));
     return decoded(answer.bytes());
   }

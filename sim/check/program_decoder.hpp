@@ -23,7 +23,8 @@ struct ProgramSettings {
   std::chrono::duration<double> timeout{60};  // for a capture
 };
 
-/// Throws Failure(bad_input) for a command with a word in braces that is no format.
+/// Throws Failure(bad_input) for a command that asks for two formats, or for a file to serve from.
+/// Other words in braces are the command's own, as of awk.
 std::unique_ptr<Decoder> make_program_decoder(const std::string& command,
                                               const ProgramSettings& settings);
 

@@ -142,6 +142,7 @@ TEST_F(ProgramDecoder, MayTakeTheBytesOfTheScenariosUart) {
 TEST_F(ProgramDecoder, ThatFailsIsSaidToHaveFailed) {
   expect_fault("sleep 60", "timeout", "no answer within 0.3 s", {"--decoder-timeout", "0.3s"});
   expect_fault("kill -9 $$", "killed", "killed by signal 9 (Killed)");
+  expect_fault("kill -40 $$", "killed", "killed by signal 40 (a real-time signal)");
   expect_fault("echo oops >&2; exit 3", "exit code", "exit code 3");
   expect_fault("head -c 100000 /dev/urandom", "garbage",
                "it lost undisturbed messages, beside 128 of 128 frames");
@@ -149,10 +150,9 @@ TEST_F(ProgramDecoder, ThatFailsIsSaidToHaveFailed) {
   expect_fault("true", "garbage", "it lost undisturbed messages, beside 128 of 128 frames");
   const Words serve{"--decoder-mode", "serve", "--decoder-timeout", "20s"};
   expect_fault("true", "garbage", "it ended without an answer", serve);
-  expect_fault("echo hello; cat", "garbage", "its answer does not begin with a number of bytes",
-               serve);
-  expect_fault("echo -5; cat", "garbage", "its answer does not begin with a number of bytes",
-               serve);
+  for (const char* answer :
+       {"echo hello; cat", "echo -5; cat", "echo 2.5; cat", "printf '3\\nabcd'; cat"})
+    expect_fault(answer, "garbage", "its answer is not a number of bytes and so many bytes", serve);
 }
 
 TEST_F(ProgramDecoder, IsQuotedWhereItFails) {
