@@ -41,6 +41,8 @@ std::string option(const std::string& name, const std::string& value) {
 std::string scenario_options(const ScenarioOptions& options) {
   std::string text;
   for (const std::string& change : options.overrides) text += option("--set", change);
+  for (std::size_t i = 0; i + 1 < options.parts.size(); ++i)  // the last is the program's own
+    text += option("--parts", options.parts[i].string());
   return text;
 }
 
@@ -52,7 +54,7 @@ std::string repeated_options(const CheckRequest& request) {
   if (program.serves) text += " --decoder-mode serve";
   if (program.prints_frames) text += " --decoder-output frames";
   if (program.timeout != ProgramSettings().timeout)
-    text += option("--decoder-timeout", fmt::format("{:g}s", program.timeout.count()));
+    text += option("--decoder-timeout", fmt::format("{}s", program.timeout.count()));
   const std::pair<const char*, double GateRule::*> rules[] = {
       {"--worse-than", &GateRule::worse_than},
       {"--alpha", &GateRule::alpha},
@@ -60,7 +62,7 @@ std::string repeated_options(const CheckRequest& request) {
       {"--negligible", &GateRule::negligible}};
   for (const auto& [name, member] : rules)
     if (request.rule.*member != defaults.*member)
-      text += option(name, fmt::format("{:g}", request.rule.*member));
+      text += option(name, fmt::format("{}", request.rule.*member));
   if (request.frames > 0) text += option("-n", std::to_string(request.frames));
   if (request.golden) text += " --golden";
   return text + scenario_options(request.options);
@@ -124,14 +126,20 @@ const Decoder& must_run(const Decoder* baseline, const std::string& name) {
 
 ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
                        const CheckSetup& setup, const Baseline& baseline) {
+  const std::atomic<bool>& stopping = heed_stop_signals();
   const OneFrame frame = hear_frame(point, request.explain ? *request.explain : *request.minimise);
   std::vector<const Decoder*> decoders{&setup.candidate};
   if (setup.baseline != nullptr && setup.baseline->name() != setup.candidate.name())
     decoders.insert(decoders.begin(), setup.baseline);
-  if (request.explain) print(point.name + ", " + frame_story(frame, decoders));
-  if (!request.minimise) return ExitCode::done;
+  if (request.explain) {
+    const std::string story = frame_story(frame, decoders);
+    if (stopping) return end_interrupted();
+    print(point.name + ", " + story);
+    return ExitCode::done;
+  }
   const Decoder& other = must_run(setup.baseline, baseline.decoder);
   const auto least = minimise(frame, setup.candidate, other);
+  if (stopping) return end_interrupted();
   if (!least)
     throw bad_input(fmt::format("--minimise {}", *request.minimise),
                     fmt::format("it is no frame that {} loses and {} does not",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "sim/counting/shard.hpp"
@@ -33,7 +34,7 @@ const CLI::Validator a_name([](const std::string& text) { return text.empty() ? 
 const CLI::Validator an_index(
     [](const std::string& text) {
       const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-      return digits ? "" : text + " is not a whole number, counted from 0";
+      return digits && !text.empty() ? "" : text + " is not a whole number, counted from 0";
     },
     "");
 
@@ -45,6 +46,16 @@ const CLI::Validator a_shard(
                                most_shards);
     },
     "");
+
+CLI::Validator a_count(double most) {
+  return {[=](const std::string& text) {
+            const auto count = parse_number(text);
+            const bool known =
+                count && *count >= 1 && *count <= most && *count == std::floor(*count);
+            return known ? "" : fmt::format("{} is no whole number from 1 to {:.0f}", text, most);
+          },
+          ""};
+}
 
 CLI::Validator between(double low, double high) {
   return {[=](const std::string& text) {

@@ -11,6 +11,9 @@ namespace sim {
 
 extern const CLI::Validator a_name, an_index, a_shard;
 
+/// A whole number from 1 on, written as any number: 1e6.
+CLI::Validator a_count(double most);
+
 /// A number within [low, high]; CLI::Range lets NaN pass.
 CLI::Validator between(double low, double high);
 

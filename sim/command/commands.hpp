@@ -22,7 +22,7 @@ namespace sim {
 /// What all commands on a scenario take.
 struct ScenarioOptions {
   std::vector<std::string> overrides;  // --set and its short forms
-  PartRoots parts;                     // --parts, then the program's own
+  PartRoots parts;                     // --parts, then one of the program's own
 };
 
 /// Folders of parts: what is beside the scenario comes before all others.

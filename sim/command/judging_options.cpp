@@ -1,10 +1,11 @@
-// Options of baseline and check.
+// Options of baseline, check and compare.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "sim/check/decoder.hpp"
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
@@ -95,10 +96,14 @@ void add_check(CLI::App& app, CheckRequest& request) {
       ->type_name("K")
       ->check(an_index);
   check
-      .add_option("-n,--max-frames", request.frames,
-                  "frames of each point at most; as many as the baseline has if not given")
+      .add_option_function<std::string>(
+          "-n,--max-frames",
+          [&request](const std::string& text) {
+            request.frames = static_cast<std::uint64_t>(*parse_number(text));
+          },
+          "frames of each point at most; as many as the baseline has if not given")
       ->type_name("N")
-      ->check(an_index);
+      ->check(a_count(1e9));
   auto* explain =
       check
           .add_option(

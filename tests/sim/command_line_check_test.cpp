@@ -60,6 +60,31 @@ TEST_F(CheckCommand, FindsAWorseOneAndSaysHowToLookAtIt) {
   EXPECT_EQ(check({"--decoder", "edge-timing", "--point", "0"}).code, 1);
 }
 
+TEST_F(CheckCommand, RepeatsAllOptionsThatCount) {
+  std::filesystem::create_directory(path("my parts"));
+  const Outcome o = check({"--decoder", "edge-timing", "-n", "512", "--parts", "my parts",
+                           "--alpha", "0.00123456789", "--set", "stop.max_frames=600"});
+  const std::string again =
+      " --baseline b.h5 --decoder edge-timing --alpha 0.00123456789 -n 512 --set "
+      "stop.max_frames=600 --parts 'my parts'\n";
+  EXPECT_NE(o.out.find(again), std::string::npos) << o.out;
+  const std::string trace = " --set stop.max_frames=600 --parts 'my parts' -o frame";
+  EXPECT_NE(o.out.find(trace), std::string::npos) << o.out;
+}
+
+TEST_F(CheckCommand, TakesAtLeastOneFrame) {
+  for (const std::string none : {"0", "", "1.5", "-1", "1e10"})
+    expect_refused({"check", "weak.toml", "--baseline", "b.h5", "-n", none}, 2,
+                   "--max-frames: " + none +
+                       " is no whole number from 1 to 1000000000 (wrong usage) see cosys-sim check "
+                       "--help");
+  EXPECT_EQ(check({"-n", "6e1", "--json"}).out, check({"-n", "60", "--json"}).out);
+  expect_refused(
+      {"check", "weak.toml", "--baseline", "b.h5", "--point", ""}, 2,
+      "--point:  is not a whole number, counted from 0 (wrong usage) see cosys-sim check "
+      "--help");
+}
+
 TEST_F(CheckCommand, SaysThatFewFramesLeaveItOpen) {
   const Outcome o = check({"-n", "20", "--decoder", "mid-bit"});
   EXPECT_EQ(o.code, 4);

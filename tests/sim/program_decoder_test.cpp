@@ -199,6 +199,19 @@ TEST_F(ProgramDecoder, LeavesNothingBehind) {
   ::unsetenv("TMPDIR");
 }
 
+// What is left of a frame is not said to be the least where nobody looked to the end.
+TEST_F(ProgramDecoder, IsNotMinimisedOrExplainedAfterASignal) {
+  const std::string trial =
+      point_of(check("python3 edges.py 0.6"))["lost_by_candidate_alone"][0].dump();
+  for (const char* what : {"--minimise", "--explain"}) {
+    const Outcome o =
+        program({"check", "weak.toml", "--baseline", "b.h5", "--point", "0", what, trial,
+                 "--decoder", "python3 edges.py 0.6; kill -INT $PPID; sleep 1"});
+    EXPECT_EQ(o.code, 130) << o.err;
+    EXPECT_EQ(o.out, "");
+  }
+}
+
 TEST_F(ProgramDecoder, IsEndedByASignal) {
   Running run =
       start_program({"check", "weak.toml", "--baseline", "b.h5", "--decoder", "sleep 62.3"});
