@@ -75,6 +75,26 @@ TEST(SoftDecoder, IsNotDisturbedByPulsesThatAreAllLongerOrShorter) {
     }
 }
 
+// Each start is known by the character behind it; the last has none.
+TEST(SoftDecoder, NeedsNoStartBitOfACharacter) {
+  const std::string message = "IND 011111 OK";
+  for (std::size_t character = 0; character + 1 < message.size() + tail_size; ++character) {
+    Random random(11);
+    Sender sender(random);
+    sender.idle(60);
+    const Seconds from =
+        sender.send(message) + static_cast<double>(character * bits_per_byte) * bit_time;
+    sender.idle(60);
+    LogicTrace line;
+    for (Seconds t(0); t < sender.line().end(); t += 0.01 * bit_time) {
+      const bool is_start = t >= from && t < from + bit_time;
+      line.set_at(t, is_start || sender.line().level_at(t));
+    }
+    line.observe_until(sender.line().end());
+    EXPECT_EQ(heard_by_soft(line, SoftMemory::none), Messages{message}) << character;
+  }
+}
+
 /// Messages of many that a decoder hears, and how many others.
 struct Tally {
   int right = 0, wrong = 0;
