@@ -5,7 +5,9 @@
 
 #include "protocol/cosys.hpp"
 #include "scenarios.hpp"
+#include "scripted_decoder.hpp"
 #include "sim/check/point_check.hpp"
+#include "sim/check/unpaired_losses.hpp"
 #include "sim/failure.hpp"
 
 namespace sim {
@@ -119,6 +121,25 @@ TEST(Check, IsInconclusiveRatherThanGuess) {
   EXPECT_GT(few.frames_needed, 200U);
 }
 
+// Losses and wrong messages are two tests a point: of 64 frames eleven are 0.98 of a thousandth, of
+// which each has half.
+TEST(Check, StopsEarlyForNothingThatHolmWouldLetPass) {
+  const JudgedPoint point = point_of("0");
+  const BaselinePoint good = baseline_of(point, ScriptedDecoder(losing(0, 0)), 128);
+  GateRule nothing_is_negligible = rule;
+  nothing_is_negligible.negligible = 0;
+  const auto checked_losing = [&](std::uint32_t lost) {
+    const ScriptedDecoder candidate(losing(0, lost));
+    return checked({.rule = nothing_is_negligible, .candidate = candidate, .baseline = nullptr},
+                   point, good);
+  };
+  const PointCheck eleven = checked_losing(11), twelve = checked_losing(12);
+  EXPECT_EQ(eleven.losses.frames, 128U);
+  EXPECT_EQ(eleven.verdict, Verdict::inconclusive);
+  EXPECT_EQ(twelve.losses.frames, 64U);
+  EXPECT_EQ(twelve.verdict, Verdict::worse);
+}
+
 TEST(Check, FindsADecoderThatAcceptsWrongMessages) {
   const OwnDecoder good = sampling_at(0.5);
   int n = 0;
@@ -175,6 +196,51 @@ TEST(Check, ComparesCountsWhereTheBaselineCannotDecodeTheNewLight) {
   const OwnDecoder late = sampling_at(0.9);
   EXPECT_EQ(checked({.rule = rule, .candidate = late, .baseline = nullptr}, point, old).verdict,
             Verdict::worse);
+}
+
+// A third of what may be missed is for this way to pass.
+TEST(Check, PassesCountsThatAreSurelyBelowTheMargin) {
+  constexpr std::uint32_t frames = 1000, lost = 100;
+  const JudgedPoint point = point_of("0");
+  BaselinePoint old = baseline_of(point, ScriptedDecoder(losing(0, lost)), frames);
+  old.frames[0].light ^= 1;
+  const auto is_sure = [&](std::uint32_t n) {
+    return fisher_no_worse_p_value({n, frames}, {lost, frames}, 1.5) <= 0.01 / 3;
+  };
+  std::uint32_t most = 0;
+  while (is_sure(most + 1)) ++most;
+  const auto verdict_of_losing = [&](std::uint32_t n) {
+    const ScriptedDecoder candidate(losing(0, n));
+    return checked({.rule = rule, .candidate = candidate, .baseline = nullptr}, point, old).verdict;
+  };
+  EXPECT_GT(most, 50U);
+  EXPECT_EQ(verdict_of_losing(most), Verdict::passed);
+  EXPECT_EQ(verdict_of_losing(most + 1), Verdict::inconclusive);
+}
+
+TEST(Check, LeavesOutWhatTheBaselineDoesNotKnowOfTheNewLight) {
+  const JudgedPoint point = point_of("0");
+  const ScriptedDecoder good(losing(0, 0)), without_a_marker(losing(0, 0), 5);
+  BaselinePoint old = baseline_of(point, good, 128);
+  old.frames[0].light ^= 1;
+  const PointCheck check =
+      checked({.rule = rule, .candidate = good, .baseline = &without_a_marker}, point, old);
+  EXPECT_EQ(check.pairing, Pairing::decoded);
+  EXPECT_EQ(check.losses.frames, 126U) << "all but the two beside that marker";
+  EXPECT_EQ(check.baseline.frames, 126U);
+  EXPECT_EQ(check.candidate.frames, 126U);
+}
+
+TEST(Check, GoldenCountsWrongMessagesToo) {
+  const JudgedPoint point = point_of("0");
+  const ScriptedDecoder good(losing(0, 0)), liar([](std::uint32_t trial) {
+    return trial == 7 ? std::vector<std::string>{sent_message, "A"} : std::vector{sent_message};
+  });
+  const CheckSetup setup{.rule = rule, .candidate = liar, .baseline = nullptr, .golden = true};
+  const PointCheck check = checked(setup, point, baseline_of(point, good, 64));
+  EXPECT_EQ(check.verdict, Verdict::worse);
+  EXPECT_EQ(check.losses.discordant(), 0U);
+  EXPECT_EQ(check.only_candidate_deceived, std::vector<std::uint32_t>{7});
 }
 
 TEST(Check, GoldenSaysEveryFrameThatComesOutOtherwise) {

@@ -8,6 +8,7 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "scripted_decoder.hpp"
 
 namespace sim {
 namespace {
@@ -60,6 +61,21 @@ TEST(Contest, SaysWhoLosesLess) {
   EXPECT_EQ(points[0].counts[1].frames, 640U);
   EXPECT_EQ(points[0].counts[1].lost, points[0].counts[2].lost);
   EXPECT_GT(points[0].counts[0].lost, points[0].counts[1].lost);
+}
+
+// Ten of fifteen coins, or five: 2 (3003 + 1365 + 455 + 105 + 15 + 1) / 2^15.
+TEST(Contest, IsTwoSided) {
+  const ScriptedDecoder ten(losing(0, 10)), five(losing(10, 15));
+  for (const bool swapped : {false, true}) {
+    const auto duels = contest(weak_point("0"),
+                               swapped ? std::vector<const Decoder*>{&five, &ten}
+                                       : std::vector<const Decoder*>{&ten, &five},
+                               64, workers)
+                           .duels;
+    ASSERT_EQ(duels.size(), 1U);
+    EXPECT_NEAR(duels[0].p_value, 2 * 4944.0 / 32768, 1e-12);
+    EXPECT_EQ(duels[0].first_wins(), swapped);
+  }
 }
 
 TEST(Contest, LeavesOpenWhatFewFramesDoNotTell) {

@@ -71,5 +71,31 @@ TEST(DecodedFrames, AreUnknownWhereADecoderLosesUndisturbedMessages) {
   EXPECT_TRUE(all[128].unknown && all[255].unknown);
 }
 
+/// Fails after it has said something.
+class Failing : public Decoder {
+ public:
+  const std::string& name() const override { return name_; }
+  Decoded decode(const MarkedLine& line) const override {
+    Decoded decoded = decoder_->decode(line);
+    decoded.fault = {.kind = DecoderFault::Kind::timeout, .what = "late", .words = "oh"};
+    return decoded;
+  }
+
+ private:
+  std::string name_ = "failing";
+  std::unique_ptr<Decoder> decoder_ = make_built_in_decoder("atmega");
+};
+
+TEST(DecodedFrames, AreUnknownNotLostWhereADecoderFails) {
+  const Failing decoder;
+  const DecodedFrames decoded = decode({&decoder}, 0, 64).front();
+  ASSERT_TRUE(decoded.fault.has_value());
+  EXPECT_EQ(decoded.fault->what, "late");
+  for (const FrameOutcome& outcome : outcomes(decoded)) {
+    EXPECT_TRUE(outcome.unknown);
+    EXPECT_FALSE(outcome.lost());
+  }
+}
+
 }  // namespace
 }  // namespace sim

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "scenarios.hpp"
+#include "scripted_decoder.hpp"
 #include "sim/check/decoded_frames.hpp"
 #include "sim/check/minimise.hpp"
 
@@ -93,6 +95,54 @@ TEST(Minimise, CannotLeaveOutOneMore) {
   ASSERT_TRUE(again.has_value());
   EXPECT_LE(again->at_first, least->disturbed.size());
   EXPECT_EQ(again->disturbed.size(), least->disturbed.size());
+}
+
+/// Delivers every frame but one, and that if `hears` its wire.
+class OfOneFrame : public Decoder {
+ public:
+  using Hears = std::function<bool(const dsp::LogicTrace&)>;
+  OfOneFrame(std::uint32_t trial, Hears hears) : trial_(trial), hears_(std::move(hears)) {}
+
+  const std::string& name() const override { return name_; }
+  Decoded decode(const MarkedLine& line) const override {
+    const bool heard = hears_(line.wire);
+    return ScriptedDecoder(heard ? losing(0, 0) : losing(trial_, trial_ + 1)).decode(line);
+  }
+
+ private:
+  std::string name_ = "of one frame";
+  std::uint32_t trial_;
+  Hears hears_;
+};
+
+// A candidate that loses the frame where all of some late edges are there, and a baseline that
+// delivers it where one other is: these edges, and nothing else, are what is left.
+TEST(Minimise, LeavesJustWhatItTakes) {
+  const OneFrame frame = hear_frame(weak_point(), lost_by_edges_alone(Rivals()).front());
+  const OfOneFrame deaf(frame.trial(), [](const dsp::LogicTrace&) { return false; });
+  const OfOneFrame good(frame.trial(), [](const dsp::LogicTrace&) { return true; });
+  const auto pieces = minimise(frame, deaf, good)->pieces;
+  const auto is_late = [&](const dsp::LogicTrace& wire, std::size_t piece) {
+    return wire.level_at(pieces[piece].from) != pieces[piece].sent;
+  };
+  std::vector<std::size_t> late;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (is_late(frame.line.wire, i)) late.push_back(i);
+  ASSERT_GT(late.size(), 30U);
+  for (const std::size_t wanted : {1U, 2U, 3U, 5U, 8U}) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < wanted; ++i) chosen.push_back(late[i * i % 29 + i / 6]);
+    std::ranges::sort(chosen);
+    const OfOneFrame candidate(frame.trial(), [&](const dsp::LogicTrace& wire) {
+      return !std::ranges::all_of(chosen, [&](std::size_t i) { return is_late(wire, i); });
+    });
+    EXPECT_EQ(minimise(frame, candidate, good)->disturbed, chosen);
+    const OfOneFrame baseline(
+        frame.trial(), [&](const dsp::LogicTrace& wire) { return is_late(wire, late.back()); });
+    const auto least = minimise(frame, candidate, baseline);
+    chosen.push_back(late.back());
+    EXPECT_EQ(least->disturbed, chosen);
+  }
 }
 
 TEST(Minimise, GivesNothingWhereThereIsNothingToTell) {

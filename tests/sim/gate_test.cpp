@@ -67,6 +67,15 @@ TEST(GateLooks, DoubleToTheLastAndShareOutAllOfAlpha) {
   }
 }
 
+TEST(Gate, KeepsTheLeastPOfItsLooks) {
+  Gate gate({}, 256, 1000);
+  gate.look({.frames = 64, .both = 0, .candidate_only = 12, .baseline_only = 0});
+  const double p = gate.p_value();
+  EXPECT_EQ(p, std::ldexp(1, -12) / 0.25);
+  gate.look({.frames = 128, .both = 0, .candidate_only = 12, .baseline_only = 12});
+  EXPECT_EQ(gate.p_value(), p);
+}
+
 TEST(WorsePoints, AreThoseOfHolm) {
   // Holm 1979: the smallest of four against alpha / 4, the next against alpha / 3 ...
   EXPECT_EQ(worse_points({0.012, 0.3, 0.016, 0.04}, 0.05),
