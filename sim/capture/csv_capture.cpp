@@ -211,6 +211,8 @@ void open_csv(const std::string& file, const CaptureSettings& settings, Capture&
   if (!clock.has_column() && !rate)
     throw bad_input(file + " has no sample rate", "it has no column time either",
                     "say --sample-rate");
+  if (analogue && !is_sample_rate(*rate))
+    table.fail("the rows' times", "an analogue column has 1 to 1e12 rows a second");
   if (!analogue) {
     capture.logic =
         std::make_unique<CsvLogic>(std::move(table), clock, columns.logic, settings.wire, file);

@@ -26,8 +26,7 @@ class Rows {
     if (filetype_of(path) != trace_type)
       throw unreadable(path, "an HDF5 file, but no trace of cosys-sim");
     rate_ = told_rate ? *told_rate : dsp::Hertz(reader_.real_number("sample_rate_hz"));
-    if (!(rate_.value > 0 && std::isfinite(rate_.value)))
-      throw unreadable(path, "its sample rate is none");
+    if (!is_sample_rate(rate_)) throw unreadable(path, "its sample rate is none");
     count_ = reader_.size("rx");
     if (reader_.size("tx") != count_) throw unreadable(path, "tx is not as long as rx");
   }

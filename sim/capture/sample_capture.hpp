@@ -10,6 +10,9 @@
 
 namespace sim {
 
+/// What samplers do, and what counts of samples and of their time have room for.
+constexpr bool is_sample_rate(dsp::Hertz rate) { return rate.value >= 1 && rate.value <= 1e12; }
+
 class SampleCapture {
  public:
   SampleCapture() = default;
@@ -17,7 +20,7 @@ class SampleCapture {
   SampleCapture& operator=(const SampleCapture&) = delete;
   virtual ~SampleCapture() = default;
 
-  virtual dsp::Hertz sample_rate() const = 0;  // finite, above 0
+  virtual dsp::Hertz sample_rate() const = 0;  // is_sample_rate()
   /// Whether samples are a baseband (I and Q); else their imaginary part is 0.
   virtual bool is_complex() const = 0;
   /// The next samples, in the file's own unit, all finite; fewer than asked for at the end alone.

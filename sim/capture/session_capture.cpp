@@ -206,7 +206,7 @@ void open_session(const fs::path& path, const CaptureSettings& settings, Capture
   const auto archive = std::make_shared<Archive>(path);
   Metadata metadata = parse(*archive, read_entries_of(*archive));
   if (settings.sample_rate) metadata.sample_rate = settings.sample_rate;
-  if (!metadata.sample_rate) archive->fail("its metadata has no samplerate");
+  if (!metadata.sample_rate) archive->fail("its metadata has no samplerate of 1 Hz to 1 THz");
   const auto analogue = metadata.wires.empty() && settings.wire.empty()
                             ? metadata.analogue.begin()
                             : metadata.analogue.find(settings.wire);

@@ -78,8 +78,8 @@ Layout layout_of(const fs::path& meta, const std::optional<dsp::Hertz>& told_rat
   } catch (const nlohmann::json::exception& error) {
     throw unreadable(meta, error.what());
   }
-  if (!(layout.sample_rate.value > 0 && std::isfinite(layout.sample_rate.value)))
-    throw unreadable(meta, "core:sample_rate is no rate");
+  if (!is_sample_rate(layout.sample_rate))
+    throw unreadable(meta, "core:sample_rate is not from 1 Hz to 1 THz");
   if (layout.channels < 1 || layout.channels > most_channels)
     throw unreadable(meta, "core:num_channels is not from 1 to 64");
   return layout;

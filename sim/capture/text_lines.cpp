@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
+#include "sim/capture/sample_capture.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/number_text.hpp"
 
@@ -54,9 +54,8 @@ std::optional<dsp::Hertz> parse_sample_rate(std::string_view text) {
   const auto number = parse_number(text.substr(0, digits));
   const auto unit = units.find(text.substr(digits));
   if (!number || unit == units.end()) return std::nullopt;
-  const double rate = *number * unit->second;
-  if (!(std::isfinite(rate) && rate > 0)) return std::nullopt;
-  return dsp::Hertz(rate);
+  const dsp::Hertz rate(*number * unit->second);
+  return is_sample_rate(rate) ? std::optional(rate) : std::nullopt;
 }
 
 }  // namespace sim

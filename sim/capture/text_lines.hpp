@@ -32,7 +32,7 @@ class TextLines {
 /// Words of a file as a message may show them: short and printable.
 std::string shown(std::string_view text);
 
-/// "96000", "1 MHz", "250 kHz": a finite rate above 0, or nothing.
+/// "96000", "1 MHz", "250 kHz": a rate of 1 Hz to 1 THz, or nothing.
 std::optional<dsp::Hertz> parse_sample_rate(std::string_view text);
 
 /// Every receiver counts samples exactly in a double up to here: more than 30 years.

@@ -263,6 +263,17 @@ TEST_F(CaptureFormat, CsvOfARigolIsAnalogue) {
             "no start and increment in FILE:3 (rows are counted by them" + give);
 }
 
+TEST_F(CaptureFormat, CsvRowsThatNoSamplerTakesAreRefused) {
+  for (const char* step : {"e-14", "e-320", "00"}) {
+    std::string text = "time_s,v\n";
+    for (int i = 1; i < 9; ++i) text += std::to_string(i) + step + ",0.5\n";
+    EXPECT_EQ(refusal(text, "csv"),
+              "the rows' times in FILE:10 (an analogue column has 1 to 1e12 rows a second) give "
+              "rows of numbers, a column for each wire")
+        << step;
+  }
+}
+
 TEST_F(CaptureFormat, CsvKeepsWiresAndChannelsApart) {
   const std::string rows = "time_us,tx,volts,rx\n0,1,0.5,1\n10,0,0.25,1\n30,0,1,0\n";
   const auto both = wires(rows, "csv");
@@ -380,6 +391,9 @@ TEST_F(Sigmf, SaysWhatIsWrong) {
   EXPECT_EQ(problem(meta("rf16_le")), name + "core:datatype 'rf16_le' is not one of SigMF" + give);
   EXPECT_EQ(problem(meta("ri8", R"(,"core:num_channels":0)")),
             name + "core:num_channels is not from 1 to 64" + give);
+  for (const char* rate : {"1e-300", "0.9", "1.1e12", "1e300", "-1"})
+    EXPECT_EQ(problem(meta("ri8", std::string(R"(,"core:sample_rate":)") + rate)),
+              name + "core:sample_rate is not from 1 Hz to 1 THz" + give);
   EXPECT_EQ(problem("{}").substr(0, name.size()), name);
   EXPECT_EQ(problem("[1").substr(0, name.size()), name);
   EXPECT_EQ(problem(R"({"global":{"core:datatype":5}})").substr(0, name.size()), name);
@@ -395,7 +409,8 @@ TEST(SampleRate, IsReadWithItsUnit) {
   EXPECT_EQ(parse_sample_rate("44.1 kHz"), Hertz(44.1e3));
   EXPECT_EQ(parse_sample_rate("96000"), Hertz(96000));
   EXPECT_EQ(parse_sample_rate("2 GHz"), Hertz(2e9));
-  for (const char* wrong : {"", "Hz", "-1", "0", "1 mHz", "inf", "1e999", "nan kHz"})
+  for (const char* wrong :
+       {"", "Hz", "-1", "0", "1 mHz", "inf", "1e999", "nan kHz", "0.9", "1000.1 GHz"})
     EXPECT_EQ(parse_sample_rate(wrong), std::nullopt) << wrong;
 }
 
