@@ -1,23 +1,22 @@
 #include "sim/check/line_capture.hpp"
 
 #include <fmt/format.h>
-#include <sndfile.h>
 
 #include <cmath>
 #include <iterator>
 #include <sstream>
 #include <vector>
 
-#include "sim/failure.hpp"
 #include "sim/trace/pulse_write.hpp"
 #include "sim/trace/session_write.hpp"
 #include "sim/trace/vcd.hpp"
+#include "sim/trace/wav_image.hpp"
 
 namespace sim {
 namespace {
 
 constexpr dsp::Hertz session_rate{200e3};
-constexpr int audio_rate = 48000;
+constexpr dsp::Hertz audio_rate{48e3};
 
 /// `write(time in microseconds, level)` for the level at 0, each change, and the end.
 template <class Write>
@@ -68,57 +67,20 @@ std::string to_bytes(const MarkedLine& line) {
   return bytes;
 }
 
-/// A file in memory, as libsndfile writes one.
-struct MemoryFile {
-  std::string bytes;
-  std::size_t at = 0;
-
-  static MemoryFile& of(void* self) { return *static_cast<MemoryFile*>(self); }
-  static sf_count_t size(void* self) { return static_cast<sf_count_t>(of(self).bytes.size()); }
-  static sf_count_t tell(void* self) { return static_cast<sf_count_t>(of(self).at); }
-  static sf_count_t seek(sf_count_t offset, int whence, void* self) {
-    const sf_count_t from = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? tell(self) : size(self);
-    of(self).at = static_cast<std::size_t>(from + offset);
-    return tell(self);
-  }
-  static sf_count_t write(const void* from, sf_count_t count, void* self) {
-    MemoryFile& file = of(self);
-    const auto n = static_cast<std::size_t>(count);
-    if (file.bytes.size() < file.at + n) file.bytes.resize(file.at + n);
-    file.bytes.replace(file.at, n, static_cast<const char*>(from), n);
-    file.at += n;
-    return count;
-  }
-  static sf_count_t read(void*, sf_count_t, void*) { return 0; }
-};
-
 std::vector<short> audio_of(const dsp::LogicTrace& wire) {
   constexpr short high = 16384;
   dsp::TraceReader reader(wire);
-  std::vector<short> samples(static_cast<std::size_t>(wire.end().value * audio_rate));
+  std::vector<short> samples(static_cast<std::size_t>(dsp::cycles(wire.end(), audio_rate)));
   for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i] =
-        reader.level_at(dsp::Seconds(static_cast<double>(i) / audio_rate)) ? high : short{-high};
+    samples[i] = reader.level_at(dsp::Seconds(static_cast<double>(i) / audio_rate.value))
+                     ? high
+                     : short{-high};
   return samples;
 }
 
 /// The wire's voltage, as a sound card without a coupling capacitor hears it: half of full scale is
 /// 1, minus half of it 0.
-std::string to_wav(const MarkedLine& line) {
-  MemoryFile file;
-  SF_VIRTUAL_IO io{MemoryFile::size, MemoryFile::seek, MemoryFile::read, MemoryFile::write,
-                   MemoryFile::tell};
-  SF_INFO info{};
-  info.samplerate = audio_rate;
-  info.channels = 1;
-  info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
-  SNDFILE* wav = sf_open_virtual(&io, SFM_WRITE, &info, &file);
-  if (wav == nullptr) throw Failure(ExitCode::environment, "libsndfile cannot write WAV");
-  const std::vector<short> samples = audio_of(line.wire);
-  sf_write_short(wav, samples.data(), static_cast<sf_count_t>(samples.size()));
-  sf_close(wav);
-  return file.bytes;
-}
+std::string to_wav(const MarkedLine& line) { return wav_image(audio_of(line.wire), audio_rate); }
 
 constexpr LineCapture formats[] = {
     {"vcd", ".vcd", to_vcd}, {"sr", ".sr", to_session},   {"edges", ".edges", to_edges},

@@ -10,7 +10,7 @@
 namespace sim {
 
 struct LineVerdict {
-  std::string heard;  // all bytes since the end of the message before, as text::escaped shows them
+  std::string heard;    // all bytes since the end of the message before, as escaped() shows them
   std::string outcome;  // "ok"; "undetected": a wrong one passed; else why not, as of `decode`
 };
 

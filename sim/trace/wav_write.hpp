@@ -9,8 +9,8 @@
 
 namespace sim {
 
-/// The whole file: equal traces give equal bytes. Throws for more than 4 GiB. Sample i is the mean
-/// over the i-th sample period.
+/// The whole file: equal traces give equal bytes. Throws Failure(environment) for more than 4 GiB.
+/// Sample i is the mean over the i-th sample period.
 std::string trace_as_wav(const TracedTrial& trial);
 
 /// Whether a file is such a trace.
