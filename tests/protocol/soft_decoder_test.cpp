@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "protocol/bit_timing.hpp"
 #include "soft_lines.hpp"
 
 namespace protocol {
@@ -135,6 +136,47 @@ TEST(SoftDecoder, DeliversMoreThanPlainOnesAndAcceptsNoMoreWrongMessages) {
       wrong_of_plain = std::max(wrong_of_plain, other.wrong);
     }
     EXPECT_LE(soft.wrong, wrong_of_plain);
+  }
+}
+
+/// The decoder without what tells holes from flashes.
+Messages heard_evenly(const LogicTrace& line) {
+  std::vector<LightPulse> light;
+  for (std::size_t i = 0; i + 1 < line.flips().size(); i += 2)
+    light.push_back({line.flips()[i], line.flips()[i + 1]});
+  const BitTiming timing = estimate_bit_timing(light, bit_time);
+  const auto characters =
+      parse_characters(without_lengthening(light, timing.lengthening), timing.period);
+  Messages messages;
+  for (const SoftMessage& message : SoftLineFinder(SoftMemory::none).take(characters, true))
+    messages.push_back(message.message);
+  return messages;
+}
+
+TEST(SoftDecoder, DeliversMoreByKnowingWhetherHolesOrFlashesAreRare) {
+  for (const Damage& damage : {Damage{.holes = 0.5, .flashes = 0, .length = 0.2},
+                               Damage{.holes = 0, .flashes = 0.3, .length = 0.2}}) {
+    const Tally knowing =
+        tally_of(damage, [](auto& line) { return heard_by_soft(line, SoftMemory::none); });
+    const Tally even = tally_of(damage, heard_evenly);
+    EXPECT_GT(even.right, 50);
+    EXPECT_GT(knowing.right, even.right * 1.1) << damage.holes;
+  }
+}
+
+// A line without its newline does not take the next one with it, if that comes behind a long pause.
+TEST(SoftDecoder, BeginsALineBehindALongPause) {
+  Random random(12);
+  for (const double pause : {40.0, 70.0}) {
+    Sender sender(random);
+    sender.idle(60);
+    Bytes unended = cosys_encode("IND 011111 OK");
+    unended.back() = 'y';
+    sender.send(unended);
+    sender.idle(pause);
+    sender.send("IND 011110 OK");
+    sender.idle(60);
+    EXPECT_EQ(heard_by_soft(sender.line()), pause > 60 ? Messages{"IND 011110 OK"} : Messages{});
   }
 }
 
