@@ -76,6 +76,19 @@ TEST(Gate, KeepsTheLeastPOfItsLooks) {
   EXPECT_EQ(gate.p_value(), p);
 }
 
+// That the loss is negligible is asked once, or it would be found by chance at one of many looks.
+TEST(Gate, FindsALossNegligibleAtTheLastLookAlone) {
+  const GateRule rule{.negligible = 0.01};
+  constexpr std::uint64_t frames = 2048;
+  Gate gate(rule, frames, 1);
+  ASSERT_LT(frames_to_be_negligible(rule), frames / 2);
+  while (const std::uint64_t next = gate.next_look()) {
+    EXPECT_EQ(gate.state(), GateState::undecided) << next;
+    gate.look({.frames = next});
+  }
+  EXPECT_EQ(gate.state(), GateState::passed);
+}
+
 TEST(WorsePoints, AreThoseOfHolm) {
   // Holm 1979: the smallest of four against alpha / 4, the next against alpha / 3 ...
   EXPECT_EQ(worse_points({0.012, 0.3, 0.016, 0.04}, 0.05),
@@ -208,6 +221,18 @@ TEST(GateMeta, WhatIsNegligiblePassesAndWhatIsNotDoesNot) {
   EXPECT_EQ(count(GateState::passed, twice, {0, 0, 0}, frames, 100), 0);
   EXPECT_GE(count(GateState::passed, rule, {0.003, 0.003, 0}, 4000, checks), 0.99 * checks);
   EXPECT_LE(count(GateState::passed, rule, {0.004, 0.0101, 0}, 1000, checks), checks / 100);
+}
+
+// The sum over a million discordant frames has as many terms as that over a thousand: what is asked
+// for is met by so many frames, and by 2 % fewer not.
+TEST(FramesNeeded, AreThoseThatDoWhereTheyAreMany) {
+  const GateRule close{.worse_than = 1.01, .alpha = 1e-3, .power = 0.999};
+  const std::uint64_t frames = frames_needed(close, 0.3, 2);
+  EXPECT_GT(frames, 100'000U);
+  EXPECT_GE(power_of(close, 0.3, frames, 2), 0.999);
+  EXPECT_GE(pass_probability(close, 0.3, frames), 0.999);
+  const std::uint64_t fewer = frames * 98 / 100;
+  EXPECT_LT(std::min(power_of(close, 0.3, fewer, 2), pass_probability(close, 0.3, fewer)), 0.999);
 }
 
 TEST(FramesNeeded, GrowWithWhatIsAskedFor) {
