@@ -1,10 +1,15 @@
 #include "sim/link/disturbance.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "channel/ambient.hpp"
 #include "dsp/random_stream.hpp"
 #include "protocol/cosys.hpp"
+#include "protocol/shared_link.hpp"
 #include "protocol/uart.hpp"
 
 namespace sim {
@@ -47,42 +52,86 @@ dsp::LogicTrace remote_drive(const DisturbanceSettings& d, dsp::RandomStream& dr
   return drive;
 }
 
-// ---- COSYS device ----
+// ---- what sends characters ----
+
+/// A value of two digits, a point and four digits, and so of one length; `digit()` gives each.
+std::string value_text(const std::function<char()>& digit) {
+  std::string text;
+  for (const char place : std::string_view("00.0000")) text += place == '.' ? place : digit();
+  return text;
+}
+
+/// All variables of a list in one message, of node B to node A.
+protocol::Bytes shared_link_line(const DisturbanceSettings& d, const std::function<char()>& digit) {
+  using enum protocol::SharedLinkFieldType;
+  protocol::SharedLinkMessage message{.destination = 'A', .source = 'B', .fields = {{index, "0"}}};
+  for (int i = 0; i < static_cast<int>(d.variables); ++i)
+    message.fields.push_back({data, value_text(digit)});
+  return protocol::shared_link_encode(message);
+}
+
+/// The next message, whose values are drawn if it has any.
+protocol::Bytes next_message(const DisturbanceSettings& d, dsp::RandomStream& draws) {
+  if (d.kind == "cosys") return protocol::cosys_encode(d.message);
+  return shared_link_line(d, [&] { return static_cast<char>('0' + draws.index(10)); });
+}
+
+/// Messages that together have each digit as often as another: the first if it is always the same.
+std::vector<protocol::Bytes> typical_messages(const DisturbanceSettings& d) {
+  if (d.kind == "cosys") return {protocol::cosys_encode(d.message)};
+  std::vector<protocol::Bytes> lines;
+  for (char digit = '0'; digit <= '9'; ++digit)
+    lines.push_back(shared_link_line(d, [=] { return digit; }));
+  return lines;
+}
 
 Seconds message_time(const protocol::Bytes& bytes, double baud) {
   return Seconds(static_cast<double>(bytes.size()) * protocol::bits_per_byte / baud);
 }
 
-Seconds mean_period(const DisturbanceSettings& d, const protocol::Bytes& bytes) {
-  return message_time(bytes, d.baud) + ms((d.interval_min_ms + d.interval_max_ms) / 2);
+/// All messages of a sender are as long.
+Seconds mean_period(const DisturbanceSettings& d) {
+  return message_time(typical_messages(d).front(), d.baud) +
+         ms((d.interval_min_ms + d.interval_max_ms) / 2);
 }
 
 /// It starts so early that time 0 falls anywhere into its rhythm.
-dsp::LogicTrace cosys_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
+dsp::LogicTrace message_drive(const DisturbanceSettings& d, dsp::RandomStream& draws, Seconds end) {
   constexpr double periods_before = 10;
-  const protocol::Bytes bytes = protocol::cosys_encode(d.message);
   dsp::LogicTrace drive(true);
-  Seconds at = -(periods_before + draws.uniform()) * mean_period(d, bytes);
+  Seconds at = -(periods_before + draws.uniform()) * mean_period(d);
   while (at < end) {
-    for (const std::uint8_t byte : bytes) at = protocol::send_byte(drive, byte, at, Hertz(d.baud));
+    for (const std::uint8_t byte : next_message(d, draws))
+      at = protocol::send_byte(drive, byte, at, Hertz(d.baud));
     at += ms(d.interval_min_ms + draws.uniform() * (d.interval_max_ms - d.interval_min_ms));
   }
   return drive;
 }
 
+/// How many bits of a message are light, on average.
+double mean_zeros(const DisturbanceSettings& d) {
+  double zeros = 0;
+  const std::vector<protocol::Bytes> messages = typical_messages(d);
+  for (const protocol::Bytes& bytes : messages)
+    zeros += static_cast<double>(std::ranges::count(protocol::line_bits(bytes), false));
+  return zeros / static_cast<double>(messages.size());
+}
+
 /// Share of time in which a sender's carrier is on.
 double keyed_share(const DisturbanceSettings& d) {
   if (d.kind == "remote") return mean_light(d) / ms(d.repetition_ms);
-  if (d.kind != "cosys") return 1;
-  const protocol::Bytes bytes = protocol::cosys_encode(d.message);
-  const auto zeros = std::ranges::count(protocol::line_bits(bytes), false);
-  return static_cast<double>(zeros) / d.baud / mean_period(d, bytes).value;
+  if (!sends_characters(d)) return 1;
+  return mean_zeros(d) / d.baud / mean_period(d).value;
 }
 
 }  // namespace
 
+bool sends_characters(const DisturbanceSettings& d) {
+  return d.kind == "cosys" || d.kind == "sharedlink";
+}
+
 bool is_keyed(const DisturbanceSettings& d) {
-  return d.kind == "remote" || d.kind == "cosys" || d.kind == "carrier";
+  return d.kind == "remote" || d.kind == "carrier" || sends_characters(d);
 }
 
 dsp::WattsPerSquareMetre mean_of(const DisturbanceSettings& d) {
@@ -117,7 +166,7 @@ channel::DisturbanceInput draw_disturbance(const DisturbanceSettings& d,
   const auto phases = next.block();
   channel::DisturbanceInput input{.phase = {phases[0], phases[1]}};
   if (d.kind == "remote") input.drive = remote_drive(d, next, end);
-  if (d.kind == "cosys") input.drive = cosys_drive(d, next, end);
+  if (sends_characters(d)) input.drive = message_drive(d, next, end);
   if (d.kind == "carrier") input.drive = dsp::LogicTrace(false, end);
   return input;
 }

@@ -23,6 +23,9 @@ channel::DisturbanceInput draw_disturbance(const DisturbanceSettings& d,
 /// Whether it is a carrier that is keyed on and off, not a lamp.
 bool is_keyed(const DisturbanceSettings& d);
 
+/// Whether it sends the characters of a UART, a COSYS device's or a SharedLink node's.
+bool sends_characters(const DisturbanceSettings& d);
+
 /// The longest that a frame of a remote control can last; means nothing of other kinds.
 dsp::Seconds longest_frame(const DisturbanceSettings& d);
 

@@ -53,7 +53,7 @@ std::vector<Limit> limits_of(const std::string& name, const DisturbanceSettings&
   std::vector<Limit> limits;
   if (is_keyed(d))
     limits.push_back({key("carrier_hz"), rate, 4, "a carrier period takes at least 4 samples"});
-  if (d.kind == "cosys") {
+  if (sends_characters(d)) {
     limits.push_back({key("interval_min_ms"), key("interval_max_ms"), 1,
                       "the shortest pause cannot exceed the longest"});
     limits.push_back({key("baud"), key("carrier_hz"), 4, "a bit takes at least 4 carrier periods"});

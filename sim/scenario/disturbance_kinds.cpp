@@ -95,22 +95,36 @@ DisturbanceKind remote_kind() {
   return kind;
 }
 
-DisturbanceKind cosys_kind() {
-  DisturbanceKind kind{"cosys", "another COSYS device", keyed(0.03, 59e3, 0.5), true};
-  kind.numbers.insert(
-      kind.numbers.end(),
+/// What sends messages, with a pause behind each.
+std::vector<DisturbanceNumber> sender() {
+  std::vector<DisturbanceNumber> numbers = keyed(0.03, 59e3, 0.5);
+  numbers.insert(
+      numbers.end(),
       {{{"baud", "Bd", from(1, 1e5), "line rate of the other device", "8N1"}, &D::baud, 600},
        duration("interval_min_ms", 0, &D::interval_min_ms, 100, "shortest pause of that device",
                 "end of a message to start of the next"),
        duration("interval_max_ms", 0, &D::interval_max_ms, 900, "longest pause of that device",
                 "pauses are uniform between the two")});
+  return numbers;
+}
+
+DisturbanceKind shared_link_kind() {
+  DisturbanceKind kind{"sharedlink", "SharedLink node", sender()};
+  kind.numbers.push_back({{"variables", "1", from(1, 20), "values in each of its messages",
+                           "seven characters, digits at random", KeyType::whole_number},
+                          &D::variables,
+                          4});
   return kind;
 }
 
 std::vector<DisturbanceKind> make_kinds() {
-  return {ripple_kind(), fluorescent_kind(),
-          pwm_kind(),    remote_kind(),
-          cosys_kind(),  {"carrier", "carrier without a pause, a jammer", keyed(0.001, 59e3, 0.5)}};
+  return {ripple_kind(),
+          fluorescent_kind(),
+          pwm_kind(),
+          remote_kind(),
+          {"cosys", "another COSYS device", sender(), true},
+          shared_link_kind(),
+          {"carrier", "carrier without a pause, a jammer", keyed(0.001, 59e3, 0.5)}};
 }
 
 }  // namespace

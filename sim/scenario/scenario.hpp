@@ -82,6 +82,7 @@ struct DisturbanceSettings {
   double repetition_ms = 0;
   std::string message = "IND 111110 OK";
   double baud = 0, interval_min_ms = 0, interval_max_ms = 0;
+  double variables = 0;  // whole number
 };
 
 struct NoiseSettings {

@@ -2,8 +2,13 @@
 // the link.
 #include "sim/link/disturbance.hpp"
 
+#include <set>
+
 #include "gtest/gtest.h"
 #include "program.hpp"
+#include "protocol/cosys.hpp"
+#include "protocol/shared_link.hpp"
+#include "protocol/uart_receivers.hpp"
 #include "scenarios.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
@@ -61,13 +66,14 @@ TEST(DisturbanceKeys, TheKeptTextRepeatsTheRun) {
 TEST(DisturbanceKeys, AreRefusedInOneLine) {
   EXPECT_EQ(refusal("[disturbance.a]\nkind = \"lamp\""),
             "disturbance.a.kind = \"lamp\" in x.toml:2 (the kind of another light is one of a "
-            "list) use ripple or fluorescent or pwm or remote or cosys or carrier");
+            "list) use ripple or fluorescent or pwm or remote or cosys or sharedlink "
+            "or carrier");
   EXPECT_EQ(refusal("[disturbance.a]\nballast_hz = 30e3"),
             "disturbance.a.ballast_hz in x.toml:2 (disturbance.a has no kind) add its kind: "
-            "ripple, fluorescent, pwm, remote, cosys, carrier");
+            "ripple, fluorescent, pwm, remote, cosys, sharedlink, carrier");
   EXPECT_EQ(refusal("", {"disturbance.a.duty=0.2,0.3"}),
             "disturbance.a.duty in --set (disturbance.a has no kind) add its kind: "
-            "ripple, fluorescent, pwm, remote, cosys, carrier");
+            "ripple, fluorescent, pwm, remote, cosys, sharedlink, carrier");
   EXPECT_EQ(refusal("[disturbance.a]\nkind = \"carrier\"\nballast_hz = 30e3"),
             "disturbance.a.ballast_hz in x.toml:3 (no such key of kind carrier) it has "
             "irradiance_w_per_m2, carrier_hz, carrier_duty");
@@ -142,7 +148,7 @@ double lit_share(const dsp::LogicTrace& drive, double seconds) {
 }
 
 TEST(Disturbance, MeanOfASenderIsThatOfItsDraws) {
-  for (const std::string kind : {"remote", "cosys", "carrier"}) {
+  for (const std::string kind : {"remote", "cosys", "sharedlink", "carrier"}) {
     DisturbanceSettings d{.kind = kind};
     take_defaults(d);
     double share = 0;
@@ -150,6 +156,31 @@ TEST(Disturbance, MeanOfASenderIsThatOfItsDraws) {
       share += lit_share(draw_disturbance(d, {.trial = trial}, dsp::Seconds(60)).drive, 60) / 64;
     EXPECT_NEAR(share * d.irradiance_w_per_m2 * d.carrier_duty / mean_of(d).value, 1, 0.01) << kind;
   }
+}
+
+// Its lines are SharedLink's, each with values of its own, and none is a COSYS message.
+TEST(Disturbance, ASharedLinkNodeSendsItsLines) {
+  DisturbanceSettings d{.kind = "sharedlink"};
+  take_defaults(d);
+  d.variables = 3;
+  const dsp::LogicTrace drive = draw_disturbance(d, {.seed = 7}, dsp::Seconds(60)).drive;
+  protocol::SharedLinkDecoder shared_link;
+  protocol::CosysDecoder cosys;
+  std::set<std::string> texts;
+  int lines = 0;
+  for (const auto& byte :
+       protocol::find_uart_receiver("atmega")->receive(drive, dsp::Hertz(600), 0)) {
+    const auto message = cosys.push(byte);
+    EXPECT_FALSE(message && message->outcome == protocol::CosysOutcome::ok);
+    const auto frame = shared_link.push(byte);
+    if (!frame) continue;
+    ++lines;
+    ASSERT_EQ(frame->outcome, protocol::SharedLinkOutcome::ok) << frame->text;
+    EXPECT_EQ(frame->message.fields.size(), 4U) << "the index and three values";
+    texts.insert(frame->text);
+  }
+  EXPECT_GT(lines, 45) << "0.63 s of message, 0.5 s of pause";
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(lines)) << "values are drawn";
 }
 
 // Purposes are apart: with a disturbance more, all else of a trial is drawn as before, and so are
