@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -120,6 +121,14 @@ Interval clopper_pearson(double successes, double trials, double level) {
   if (successes < trials)
     ci.high = boost::math::ibetac_inv(successes + 1, trials - successes, tail);
   return ci;
+}
+
+Estimate poisson_rate(std::uint64_t events, double exposure, double level) {
+  assert(level > 0 && level < 1);
+  if (!(exposure > 0)) return {nothing, nothing, nothing};
+  const double n = as_real(events), tail = (1 - level) / 2;
+  const double low = events == 0 ? 0 : boost::math::gamma_p_inv(n, tail);
+  return {n / exposure, low / exposure, boost::math::gamma_q_inv(n + 1, tail) / exposure};
 }
 
 Interval bit_error_interval(const Tally& tally, double level) {

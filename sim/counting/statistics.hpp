@@ -20,6 +20,11 @@ struct Estimate {
 /// Real-valued counts are allowed (effective counts); no trials give [0, 1].
 Interval clopper_pearson(double successes, double trials, double level);
 
+/// How many events an hour (or whatever `exposure` is in), with Garwood's exact interval of a
+/// Poisson count (Biometrika 28 (1936) 437-442): two-sided, so of no event it ends at 3.689 /
+/// exposure for 95 %. For events that come independently of each other.
+Estimate poisson_rate(std::uint64_t events, double exposure, double level);
+
 /// Interval of the bit error ratio with frames as clusters (Korn & Graubard 1998): Clopper-Pearson
 /// on the effective number of bits, n / design effect, and by Student's t for as many frames as had
 /// errors; its lower end is not below one wrong bit a bad frame, of which there are so many at

@@ -1,5 +1,5 @@
 #pragma once
-// Ratios as people read them: with the digits that their interval supports.
+// Ratios and rates as people read them: with the digits that their interval supports.
 #include <string>
 
 #include "sim/counting/statistics.hpp"

@@ -106,6 +106,57 @@ TEST(ClopperPearson, LeavesHalfTheDoubtInEachTail) {
   }
 }
 
+// Garwood, Biometrika 28 (1936) 437-442; the 95 % limits as Ulm prints them, Am. J. Epidemiol. 131
+// (1990) 373-375.
+TEST(PoissonRate, HasGarwoodsLimits) {
+  const struct {
+    std::uint64_t events;
+    double low, high;
+  } limits[] = {{0, 0, 3.6889},       {1, 0.0253, 5.5716},   {2, 0.2422, 7.2247},
+                {5, 1.6235, 11.6683}, {10, 4.7954, 18.3904}, {20, 12.2165, 30.8884}};
+  for (const auto& [events, low, high] : limits) {
+    const sim::Estimate rate = sim::poisson_rate(events, 4, 0.95);
+    EXPECT_DOUBLE_EQ(rate.value, static_cast<double>(events) / 4);
+    EXPECT_NEAR(rate.low * 4, low, 6e-5) << events;
+    EXPECT_NEAR(rate.high * 4, high, 6e-5) << events;
+  }
+}
+
+double poisson(std::uint64_t events, double mean) {
+  const auto n = static_cast<double>(events);
+  return std::exp(n * std::log(mean) - mean - std::lgamma(n + 1));
+}
+
+// Exact: it misses the truth in 5 % of all experiments at most, to either side in 2.5 %.
+TEST(PoissonRate, CoversTheTruthWhateverItIs) {
+  for (double mean = 0.05; mean < 40; mean *= 1.07) {
+    double too_low = 0, too_high = 0;
+    for (std::uint64_t events = 0; events < 150; ++events) {
+      const sim::Estimate rate = sim::poisson_rate(events, 1, 0.95);
+      if (rate.high < mean) too_low += poisson(events, mean);
+      if (rate.low > mean) too_high += poisson(events, mean);
+    }
+    EXPECT_LE(too_low, 0.025) << mean;
+    EXPECT_LE(too_high, 0.025) << mean;
+  }
+}
+
+TEST(PoissonRate, LeavesHalfTheDoubtInEachTail) {
+  for (const std::uint64_t events : {1U, 3U, 12U, 60U}) {
+    const sim::Estimate rate = sim::poisson_rate(events, 1, 0.9);
+    double fewer = 0, at_most = 0;
+    for (std::uint64_t n = 0; n < events; ++n) fewer += poisson(n, rate.low);
+    for (std::uint64_t n = 0; n <= events; ++n) at_most += poisson(n, rate.high);
+    EXPECT_NEAR(1 - fewer, 0.05, 1e-9);
+    EXPECT_NEAR(at_most, 0.05, 1e-9);
+  }
+}
+
+TEST(PoissonRate, KnowsNothingWithoutTime) {
+  const sim::Estimate rate = sim::poisson_rate(0, 0, 0.95);
+  EXPECT_TRUE(std::isnan(rate.value) && std::isnan(rate.low) && std::isnan(rate.high));
+}
+
 TEST(ClopperPearson, KnowsNothingWithoutTrials) {
   const auto ci = sim::clopper_pearson(0, 0, 0.95);
   EXPECT_EQ(ci.low, 0);
