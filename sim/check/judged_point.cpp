@@ -13,20 +13,6 @@
 namespace sim {
 namespace {
 
-std::string name_of(const LoadedScenario& scenario, const std::vector<double>& coordinates) {
-  std::string name = scenario.path.stem().string();
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    name += fmt::format(", {} = {}", scenario.sweep[i].key,
-                        coordinate_text(scenario.sweep[i], coordinates[i]));
-  return name;
-}
-
-void refuse_marker(const LoadedScenario& scenario, const std::string& message) {
-  if (is_like_marker(message))
-    throw bad_input("device.message = \"" + message + "\" in " + scenario.path.string(),
-                    "decoders are judged between markers that say the same", "send another");
-}
-
 /// Outcomes of all frames are kept.
 void refuse_many(const LoadedScenario& scenario, std::uint64_t frames) {
   constexpr std::uint64_t most = 10'000'000;
@@ -37,7 +23,7 @@ void refuse_many(const LoadedScenario& scenario, std::uint64_t frames) {
 
 JudgedPoint judged_point(const LoadedScenario& loaded, std::size_t number) {
   const std::vector<double> coordinates = point_coordinates(loaded.sweep, number);
-  JudgedPoint point{.name = name_of(loaded, coordinates),
+  JudgedPoint point{.name = point_name(loaded, coordinates),
                     .file = loaded.path,
                     .number = number,
                     .scenario = point_scenario(loaded, coordinates),
@@ -53,6 +39,20 @@ JudgedPoint judged_point(const LoadedScenario& loaded, std::size_t number) {
 }
 
 }  // namespace
+
+std::string point_name(const LoadedScenario& scenario, const std::vector<double>& coordinates) {
+  std::string name = scenario.path.stem().string();
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    name += fmt::format(", {} = {}", scenario.sweep[i].key,
+                        coordinate_text(scenario.sweep[i], coordinates[i]));
+  return name;
+}
+
+void refuse_marker(const LoadedScenario& scenario, const std::string& message) {
+  if (is_like_marker(message))
+    throw bad_input("device.message = \"" + message + "\" in " + scenario.path.string(),
+                    "decoders are judged between markers that say the same", "send another");
+}
 
 std::vector<JudgedPoint> judged_points(const LoadedScenario& scenario) {
   std::vector<JudgedPoint> points;

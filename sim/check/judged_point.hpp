@@ -19,6 +19,12 @@ struct JudgedPoint {
   std::string physics;   // all that decides its light, a line a key
 };
 
+/// "quickstart, receiver.range_m = 3"
+std::string point_name(const LoadedScenario& scenario, const std::vector<double>& coordinates);
+
+/// Throws where a scenario's device would say what stands between frames.
+void refuse_marker(const LoadedScenario& scenario, const std::string& message);
+
 /// All points of a scenario. Throws Failure(bad_input) for what decoders cannot be judged at.
 std::vector<JudgedPoint> judged_points(const LoadedScenario& scenario);
 

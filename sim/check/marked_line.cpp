@@ -140,6 +140,22 @@ MarkedLine hear_marked(const JudgedLink& judged, std::uint32_t first, int n,
   return line;
 }
 
+MarkedLine mark(const JudgedLink& judged, std::uint32_t trial, const dsp::LogicTrace& pin) {
+  LineMaker maker(judged.baud);
+  maker.add_marker(trial);
+  maker.be_idle(idle_before(judged.link, trial));
+  const dsp::Seconds from = maker.now();
+  maker.add_pin(pin, dsp::Seconds(0), judged.link.receiver_baud.value / judged.baud.value);
+  const FrameOnLine whole{.from = from, .to = maker.now(), .byte_start = {}, .bit = {}};
+  maker.be_idle(idle_characters);
+  maker.add_marker(trial + 1);
+  return {.wire = maker.take(),
+          .baud = judged.baud,
+          .first = trial,
+          .frames = {whole},
+          .uart = judged.link.uart};
+}
+
 std::string marker(std::uint32_t number) {
   return std::string(marker_word) + std::to_string(number);
 }
@@ -165,6 +181,14 @@ std::vector<FrameOutcome> outcomes_between_markers(const std::vector<std::string
     outcome = {};
   }
   return outcomes;
+}
+
+std::optional<std::vector<std::string>> accepted_between_markers(
+    const std::vector<std::string>& accepted, std::uint32_t trial) {
+  const auto opened = std::ranges::find(accepted, marker(trial));
+  const auto closed = std::find(opened, accepted.end(), marker(trial + 1));
+  if (closed == accepted.end()) return std::nullopt;
+  return std::vector<std::string>(opened + 1, closed);
 }
 
 }  // namespace sim

@@ -10,6 +10,7 @@
 // waits for a line to begin: other than in a run, no frame is lost for the one before.
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct MarkedLine {
 MarkedLine hear_marked(const JudgedLink& judged, std::uint32_t first, int n,
                        const std::atomic<bool>* stop = nullptr);
 
+/// A line of one trial's whole pin, between markers of that trial and the next.
+MarkedLine mark(const JudgedLink& judged, std::uint32_t trial, const dsp::LogicTrace& pin);
+
 /// The device message of a marker.
 std::string marker(std::uint32_t number);
 /// Whether a device message could be one.
@@ -55,5 +59,9 @@ bool is_like_marker(const std::string& message);
 std::vector<FrameOutcome> outcomes_between_markers(const std::vector<std::string>& accepted,
                                                    const std::string& message, std::uint32_t first,
                                                    std::size_t n);
+
+/// What a decoder accepted of such a line between its markers; nothing if it lost one of them.
+std::optional<std::vector<std::string>> accepted_between_markers(
+    const std::vector<std::string>& accepted, std::uint32_t trial);
 
 }  // namespace sim

@@ -1,9 +1,14 @@
-// `cosys-sim compare`: which decoder loses least?
+// `cosys-sim compare`: which decoder loses least, or accepts least of what was not sent?
+#include <algorithm>
+
 #include "sim/check/contest.hpp"
 #include "sim/check/program_decoder.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/command/judging.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/failure.hpp"
+#include "sim/listening/listening_contest.hpp"
+#include "sim/scenario/sweep.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
 
@@ -24,14 +29,23 @@ bool any_failed(const std::vector<ContestPoint>& points) {
   return false;
 }
 
-}  // namespace
+bool any_failed(const std::vector<ListeningContestPoint>& points) {
+  for (const ListeningContestPoint& point : points)
+    for (const Accepts& accepts : point.accepts)
+      if (accepts.fault) return true;
+  return false;
+}
 
-ExitCode compare_command(const CompareRequest& request) {
-  const auto points = judged_points(load_links(request.scenarios, request.options, "compare"));
-  const auto owned = decoders_of(request);
-  std::vector<const Decoder*> decoders;
-  for (const auto& decoder : owned) decoders.push_back(decoder.get());
-  const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
+bool listens(const LoadedScenario& scenario) { return scenario.base.experiment == "listening"; }
+
+ExitCode print_and_end(const std::string& text, bool failed) {
+  print(text);
+  return failed ? ExitCode::check_failed : ExitCode::done;
+}
+
+/// Which decoder loses least.
+ExitCode compare_losses(const CompareRequest& request, const std::vector<JudgedPoint>& points,
+                        const Decoders& decoders, const Workers& workers) {
   std::vector<ContestPoint> contests;
   for (const JudgedPoint& point : points) {
     contests.push_back(contest(point, decoders, static_cast<std::uint32_t>(point.frames), workers));
@@ -40,8 +54,52 @@ ExitCode compare_command(const CompareRequest& request) {
   }
   decide(contests, request.alpha);
   const ContestReport report{contests, decoders, request.alpha};
-  print(request.json ? contest_json(report) : contest_text(report));
-  return any_failed(contests) ? ExitCode::check_failed : ExitCode::done;
+  return print_and_end(request.json ? contest_json(report) : contest_text(report),
+                       any_failed(contests));
+}
+
+/// Which decoder accepts what was not sent.
+ExitCode compare_accepts(const CompareRequest& request,
+                         const std::vector<LoadedScenario>& scenarios, const Decoders& decoders,
+                         const Workers& workers) {
+  std::vector<ListeningContestPoint> contests;
+  std::size_t all = 0;
+  for (const LoadedScenario& scenario : scenarios) all += count_points(scenario.sweep);
+  for (const LoadedScenario& scenario : scenarios)
+    for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
+      contests.push_back(listening_contest(scenario, i, decoders, workers));
+      if (workers.interrupted()) return end_interrupted();
+      show_progress(request.quiet, "compare", contests.size(), all);
+    }
+  return print_and_end(request.json ? listening_contest_json(contests, decoders)
+                                    : listening_contest_text(contests, decoders),
+                       any_failed(contests));
+}
+
+/// Whether all of them listen. Throws where only some do.
+bool all_listen(const std::vector<LoadedScenario>& scenarios) {
+  const auto one = std::ranges::find_if(scenarios, listens);
+  if (one == scenarios.end()) return false;
+  if (!std::ranges::all_of(scenarios, listens))
+    throw bad_input(one->path.string(), "it listens, and not all others do",
+                    "compare on it in a command of its own");
+  return true;
+}
+
+}  // namespace
+
+ExitCode compare_command(const CompareRequest& request) {
+  std::vector<LoadedScenario> scenarios;
+  for (const auto& path : request.scenarios) scenarios.push_back(load_with(request.options, path));
+  const bool listening = all_listen(scenarios);
+  std::vector<JudgedPoint> points;
+  if (!listening) points = judged_points(load_links(request.scenarios, request.options, "compare"));
+  const auto owned = decoders_of(request);
+  Decoders decoders;
+  for (const auto& decoder : owned) decoders.push_back(decoder.get());
+  const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
+  return listening ? compare_accepts(request, scenarios, decoders, workers)
+                   : compare_losses(request, points, decoders, workers);
 }
 
 }  // namespace sim

@@ -10,6 +10,7 @@
 #include "sim/exchange/exchange_command.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_command.hpp"
+#include "sim/listening/listening_report.hpp"
 #include "sim/location/trial_commands.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 
@@ -31,6 +32,7 @@ constexpr std::array experiments{
     Experiment{"sharedlink", check_exchange, run_exchange_scenario},
     Experiment{"presence", nothing_more, run_presence_scenario},
     Experiment{"location", nothing_more, run_location_scenario},
+    Experiment{"listening", check_listening, run_listening_scenario},
 };
 
 const Experiment& experiment_of(const LoadedScenario& scenario) {

@@ -148,8 +148,9 @@ void add_baseline(CLI::App& app, BaselineRequest& request) {
 }
 
 void add_compare(CLI::App& app, CompareRequest& request) {
-  auto& compare = *app.add_subcommand(
-      "compare", "Say which of some decoders loses least of the same light, and where");
+  auto& compare = *app.add_subcommand("compare",
+                                      "Say which of some decoders loses least of the same light, "
+                                      "or accepts most that was not sent");
   add_place(compare, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
   compare
       .add_option("--decoder", request.decoders,
@@ -171,8 +172,10 @@ void add_compare(CLI::App& app, CompareRequest& request) {
   compare.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   compare.add_flag("--json", request.json, "one JSON object on stdout, not the table");
   compare.footer(
-      "Each point has as many frames as stop.max_frames says. Example: cosys-sim compare "
-      "scenarios/decoders.toml --decoder atmega --decoder './mine {vcd}'");
+      "Each point has as many frames as stop.max_frames says. Of scenarios that listen "
+      "(scenarios/false_accepts.toml) it says what each accepts that was not sent, an hour. "
+      "Example: "
+      "cosys-sim compare scenarios/decoders.toml --decoder atmega --decoder './mine {vcd}'");
 }
 
 }  // namespace sim

@@ -24,6 +24,7 @@ constexpr std::array kinds{
                     "receiver.temperature_c", "ambient.", "noise."},
                    false},
     ExperimentKind{"location", {"location."}, false},
+    ExperimentKind{"listening", {"listening.", "device.", "receiver.", "led.yaw_deg"}},
 };
 
 /// Of every experiment.

@@ -12,6 +12,7 @@
 #include "sim/scenario/fidelity.hpp"
 #include "sim/scenario/guard_keys.hpp"
 #include "sim/scenario/key_making.hpp"
+#include "sim/scenario/listening_keys.hpp"
 #include "sim/scenario/location_keys.hpp"
 #include "sim/scenario/method.hpp"
 
@@ -214,7 +215,7 @@ std::vector<Key> make_scenario_keys() {
         override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
         override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
         run_keys(), stop_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys(),
-        presence_keys(), location_keys()})
+        presence_keys(), location_keys(), listening_keys()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

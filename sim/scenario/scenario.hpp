@@ -15,6 +15,7 @@
 #include "sim/scenario/axis.hpp"
 #include "sim/scenario/exchange_settings.hpp"
 #include "sim/scenario/guard_settings.hpp"
+#include "sim/scenario/listening_settings.hpp"
 #include "sim/scenario/location_settings.hpp"
 
 namespace sim {
@@ -123,6 +124,7 @@ struct Scenario {
   ArenaSettings arena;
   GuardSettings guard;
   ExchangeSettings exchange;
+  ListeningSettings listening;
   PresenceScenario presence;
   LocationScenario location;
   channel::PhotodiodeData photodiode;  // from the part's file, in experiments that have one

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sim {
 
 DrawnTrials draw_trials(const Link& link, std::uint32_t first, int n) {
-  DrawnTrials drawn;
-  for (int i = 0; i < n; ++i) {
-    drawn.sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
-    drawn.units.push_back(draw_unit(link, first + static_cast<std::uint32_t>(i)));
-  }
+  std::vector<Transmission> sent;
+  for (int i = 0; i < n; ++i) sent.push_back(transmit(link, first + static_cast<std::uint32_t>(i)));
+  return draw_trials(link, first, std::move(sent));
+}
+
+DrawnTrials draw_trials(const Link& link, std::uint32_t first, std::vector<Transmission> sent) {
+  DrawnTrials drawn{.sent = std::move(sent), .units = {}, .inputs = {}};
+  const auto trial = [&](std::size_t i) { return first + static_cast<std::uint32_t>(i); };
   for (std::size_t i = 0; i < drawn.sent.size(); ++i)
-    drawn.inputs.push_back(
-        chain_input(link, first + static_cast<std::uint32_t>(i), drawn.sent[i], drawn.units[i]));
+    drawn.units.push_back(draw_unit(link, trial(i)));
+  for (std::size_t i = 0; i < drawn.sent.size(); ++i)
+    drawn.inputs.push_back(chain_input(link, trial(i), drawn.sent[i], drawn.units[i]));
   return drawn;
 }
 

@@ -20,6 +20,9 @@ struct DrawnTrials {
 /// Of the trials first ... first + n - 1.
 DrawnTrials draw_trials(const Link& link, std::uint32_t first, int n);
 
+/// The same of trials from `first` on that send this.
+DrawnTrials draw_trials(const Link& link, std::uint32_t first, std::vector<Transmission> sent);
+
 /// Steps 3-7 of such inputs, sent[i] being what the drive of inputs[i] sends.
 std::vector<dsp::LogicTrace> pins_of(const Link& link, const std::vector<const Transmission*>& sent,
                                      const std::vector<channel::ChainInput>& inputs,

@@ -28,18 +28,6 @@ std::vector<channel::DisturbanceInput> draw_disturbances(const Link& link, std::
   return inputs;
 }
 
-SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds start,
-                         const dsp::RandomAddress& jitter, std::uint32_t& draws) {
-  SentMessage message;
-  for (const std::uint8_t byte : link.bytes) {
-    start += jitter.uniform(draws++) * link.start_jitter;
-    message.byte_start.push_back(start);
-    start = protocol::send_byte(line, byte, start, link.device_baud);
-  }
-  message.end = start;
-  return message;
-}
-
 dsp::Seconds half_bit(const Link& link) { return dsp::period(link.device_baud) * 0.5; }
 
 /// When something heard at `at` must have left the device, less than half a bit wrong.
@@ -110,13 +98,6 @@ void count_rejected(protocol::CosysOutcome outcome, Tally& tally) {
   }
 }
 
-bool overlaps_any(const Transmission& sent, const protocol::CosysFrame& frame, dsp::Seconds end,
-                  const Link& link) {
-  return std::any_of(sent.messages.begin(), sent.messages.end(), [&](const SentMessage& m) {
-    return within(m, frame.start, link) || within(m, end, link);
-  });
-}
-
 bool heard_any(const SentMessage& message, const Reception& heard, const Link& link) {
   return std::any_of(heard.bytes.begin(), heard.bytes.end(), [&](const protocol::UartByte& byte) {
     return within(message, byte.start, link);
@@ -130,7 +111,7 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
   bool delivered = false, deceived = false, ended = false;
   for (std::size_t i = 0; i < heard.frames.size(); ++i) {
     const protocol::CosysFrame& frame = heard.frames[i];
-    if (!overlaps_any(sent, frame, heard.frame_end[i], link)) {
+    if (!overlaps_any(link, sent, frame, heard.frame_end[i])) {
       tally.n_frames_false += frame.outcome == protocol::CosysOutcome::ok;
     } else if (within(counted, heard.frame_end[i], link)) {
       const bool accepted = frame.outcome == protocol::CosysOutcome::ok;
@@ -183,6 +164,18 @@ dsp::RandomAddress address(const Link& link, std::uint32_t trial, Purpose purpos
           .point = link.point,
           .trial = trial,
           .purpose = static_cast<std::uint32_t>(purpose)};
+}
+
+SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds start,
+                         const dsp::RandomAddress& jitter, std::uint32_t& draws) {
+  SentMessage message;
+  for (const std::uint8_t byte : link.bytes) {
+    start += jitter.uniform(draws++) * link.start_jitter;
+    message.byte_start.push_back(start);
+    start = protocol::send_byte(line, byte, start, link.device_baud);
+  }
+  message.end = start;
+  return message;
 }
 
 Transmission transmit(const Link& link, std::uint32_t trial) {
@@ -251,6 +244,13 @@ Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
     }
   }
   return heard;
+}
+
+bool overlaps_any(const Link& link, const Transmission& sent, const protocol::CosysFrame& frame,
+                  dsp::Seconds end) {
+  return std::any_of(sent.messages.begin(), sent.messages.end(), [&](const SentMessage& m) {
+    return within(m, frame.start, link) || within(m, end, link);
+  });
 }
 
 Tally count(const Link& link, const Transmission& sent, const Reception& heard) {

@@ -92,6 +92,10 @@ struct Reception {
 /// Dark before a trial's first message.
 inline constexpr dsp::Seconds lead_in(20e-3);
 
+/// Appends the link's message to a line. Each character takes a draw of `jitter`, from `draws` on.
+SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds start,
+                         const dsp::RandomAddress& jitter, std::uint32_t& draws);
+
 /// Steps 1-2: the trial's messages, at its own random instants.
 Transmission transmit(const Link& link, std::uint32_t trial);
 
@@ -119,6 +123,10 @@ channel::BitSlots bit_slots(const Link& link, const Transmission& sent);
 
 /// Steps 8-9: what the decoder makes of the pin.
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin);
+
+/// Whether a frame, whose last byte began at `end`, was heard while any message was on the way.
+bool overlaps_any(const Link& link, const Transmission& sent, const protocol::CosysFrame& frame,
+                  dsp::Seconds end);
 
 /// Step 10: the last message sent against what was heard.
 Tally count(const Link& link, const Transmission& sent, const Reception& heard);

@@ -275,7 +275,7 @@ TEST_F(LocationRun, RefusesBeforeTheFirstTrial) {
   expect_refused({"run", "l.toml", "-q", "--set", "ambient.daylight_lux=5"}, 2,
                  "ambient.daylight_lux in --set (it means nothing in the experiment \"location\") "
                  "remove it, or write experiment = \"link\" or \"arena\" or \"guard\" or "
-                 "\"sharedlink\" or \"presence\" before the first table");
+                 "\"sharedlink\" or \"presence\" or \"listening\" before the first table");
 }
 
 }  // namespace

@@ -39,6 +39,19 @@ TEST(Markers, OutOfTurnAreNone) {
             (std::vector{lost, delivered, lost}));
 }
 
+TEST(Markers, HoldAllThatWasAcceptedOfOneTrial) {
+  const auto between = [](const std::vector<std::string>& accepted) {
+    return accepted_between_markers(accepted, 7);
+  };
+  using Messages = std::vector<std::string>;
+  EXPECT_EQ(between({"MARK #7", "MARK #8"}), Messages{});
+  EXPECT_EQ(between({"X", "MARK #7", "A", "A", "MARK #8", "B"}), (Messages{"A", "A"}));
+  EXPECT_EQ(between({"MARK #7", "A"}), std::nullopt);
+  EXPECT_EQ(between({"A", "MARK #8"}), std::nullopt);
+  EXPECT_EQ(between({"MARK #8", "A", "MARK #7"}), std::nullopt);
+  EXPECT_EQ(between({}), std::nullopt);
+}
+
 // "MARK 15" would be: 0x15 is the checksum of "MARK".
 TEST(Markers, AreNeverTakenForAMessageWithItsChecksum) {
   for (std::uint32_t number = 0; number < 2000; ++number) {

@@ -303,11 +303,11 @@ TEST_F(PresenceRun, RefusesWhatMeansNothingInIt) {
   expect_refused({"run", "p.toml", "--set", "receiver.module=TSOP4856"}, 2,
                  "receiver.module in --set (it means nothing in the experiment \"presence\") "
                  "remove it, or write experiment = \"link\" or \"arena\" or \"guard\" or "
-                 "\"sharedlink\" before the first table");
+                 "\"sharedlink\" or \"listening\" before the first table");
   expect_refused({"run", "p.toml", "--set", "disturbance.lamp.kind=ripple"}, 2,
                  "disturbance.lamp.kind in --set (it means nothing in the experiment \"presence\") "
                  "remove it, or write experiment = \"link\" or \"arena\" or \"guard\" or "
-                 "\"sharedlink\" before the first table");
+                 "\"sharedlink\" or \"listening\" before the first table");
   expect_refused({"run", "p.toml", "--set", "presence.window_ms=0.01"}, 2,
                  "presence.window_ms = 0.01 in --set (at presence.adc_rate_hz = 200000 it is 2 "
                  "samples) use 0.02 to 1000 ms");

@@ -119,7 +119,7 @@ TEST(ScenarioLaw, WhatIsCountedHowOftenIsNoPhysics) {
       "guard.byte_error_ratio guard.outage_every_s guard.outage_for_s guard.transmit_every_ms "
       "guard.full_set_every_s guard.compressed guard.query_age_s guard.query_timeout_s "
       "exchange.runs "
-      "presence.trials presence.photodiode location.photodiode location.trials ");
+      "presence.trials presence.photodiode location.photodiode location.trials listening.runs ");
 }
 
 TEST(ScenarioLaw, CanonicalTextTellsTheCurvesOfTheParts) {

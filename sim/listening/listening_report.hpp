@@ -1,0 +1,23 @@
+#pragma once
+// What people and programs read of listening.
+#include <string>
+#include <vector>
+
+#include "sim/listening/listening_experiment.hpp"
+#include "sim/report/experiment_run.hpp"
+#include "sim/result/dataset.hpp"
+
+namespace sim {
+
+/// Columns of what the device sends are there only where it may send.
+std::string listening_header(const LoadedScenario& scenario);
+std::string listening_row(const LoadedScenario& scenario, const ListeningPoint& point);
+
+Dataset listening_dataset(const LoadedScenario& scenario, const std::string& command,
+                          const std::vector<ListeningPoint>& points);
+
+/// Runs a scenario: table on stdout, all of it in a file. What is finished when an interrupt comes
+/// is in both.
+void run_listening_scenario(const ExperimentRun& run);
+
+}  // namespace sim

@@ -1,0 +1,29 @@
+#pragma once
+// What a receiver accepted of the line: in integers, so that the order of adding changes nothing.
+#include <cstdint>
+
+namespace sim {
+
+struct ListeningTally {
+  std::uint64_t n_runs = 0;
+  std::uint64_t n_frames = 0;             // messages that the device sent
+  std::uint64_t n_frames_ok = 0;          // accepted as sent
+  std::uint64_t n_frames_undetected = 0;  // accepted while it sent, but not what was sent
+  std::uint64_t n_frames_false = 0;       // accepted while it sent nothing
+  std::uint64_t n_rejected = 0;           // lines that ended and were refused
+  std::uint64_t n_characters = 0;         // that the UART read, whatever they were
+
+  ListeningTally& operator+=(const ListeningTally& other) {
+    n_runs += other.n_runs;
+    n_frames += other.n_frames;
+    n_frames_ok += other.n_frames_ok;
+    n_frames_undetected += other.n_frames_undetected;
+    n_frames_false += other.n_frames_false;
+    n_rejected += other.n_rejected;
+    n_characters += other.n_characters;
+    return *this;
+  }
+  bool operator==(const ListeningTally&) const = default;
+};
+
+}  // namespace sim

@@ -1,0 +1,314 @@
+// A receiver that listens for hours: what it accepts that nobody sent it.
+#include "sim/listening/listening.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gtest/gtest.h"
+#include "program.hpp"
+#include "protocol/shared_link.hpp"
+#include "sim/command/experiments.hpp"
+#include "sim/listening/listening_contest.hpp"
+#include "sim/listening/listening_report.hpp"
+#include "tests/sim/scenarios.hpp"
+
+namespace sim {
+namespace {
+
+const std::string silence = R"(
+experiment = "listening"
+[receiver]
+module = "TSSP4056"
+[listening]
+duration_s = 20
+runs = 6
+)";
+
+constexpr Workers two{.threads = 2, .interrupt = nullptr};
+
+Scenario scene(const std::vector<std::string>& set) {
+  return point_scenario(loaded(silence, set), {});
+}
+
+ListeningPoint only_point(const std::vector<std::string>& set) {
+  const auto points = run_listenings(loaded(silence, set), two);
+  EXPECT_EQ(points.size(), 1U);
+  return points.front();
+}
+
+std::vector<protocol::UartByte> read(const Listening& at, const dsp::LogicTrace& wire) {
+  return at.judged.link.uart->receive(wire, at.judged.baud, 0);
+}
+
+/// COSYS messages of a wire that is no receiver's.
+std::uint64_t messages_on(const Listening& at, const dsp::LogicTrace& wire) {
+  protocol::CosysDecoder decoder;
+  std::uint64_t n = 0;
+  for (const protocol::UartByte& byte : read(at, wire)) {
+    const auto frame = decoder.push(byte);
+    n += frame && frame->outcome == protocol::CosysOutcome::ok;
+  }
+  return n;
+}
+
+// ---- a device that is dark ----
+
+TEST(Listening, ADarkDeviceSendsNothingAndLosesNothing) {
+  const ListeningPoint point = only_point({});
+  EXPECT_EQ(point.tally, (ListeningTally{.n_runs = 6}));
+  EXPECT_DOUBLE_EQ(point.hours, 6 * 20 / 3600.0);
+  EXPECT_TRUE(std::isnan(point.undetected_per_hour().value)) << "nothing was sent";
+  EXPECT_EQ(point.false_per_hour().value, 0);
+  EXPECT_EQ(point.false_per_hour().low, 0);
+  EXPECT_NEAR(point.false_per_hour().high, 3.6889 / point.hours, 1e-3 / point.hours);
+}
+
+// Another device, bright and alone, is accepted message for message: those of its own wire.
+TEST(Listening, CountsEachMessageOfAKnownSender) {
+  const Listening at = make_listening(scene({"listening.air=cosys"}));
+  std::uint64_t sent = 0;
+  for (std::uint32_t run = 0; run < 6; ++run) {
+    const Transmission nothing = line_of(at, run);
+    EXPECT_TRUE(nothing.messages.empty());
+    EXPECT_TRUE(nothing.line.flips().empty());
+    EXPECT_EQ(nothing.line.end(), at.duration);
+    auto drive = chain_input(at.judged.link, run, nothing).disturbances.at(0).drive;
+    sent += messages_on(at, drive);
+  }
+  // 283 ms and 500 ms of pause: 153 in 120 s, less those that a run's ends cut.
+  EXPECT_NEAR(static_cast<double>(sent), 120 / 0.783, 12);
+  const ListeningPoint point = only_point({"listening.air=cosys"});
+  EXPECT_NEAR(static_cast<double>(point.tally.n_frames_false), static_cast<double>(sent), 6)
+      << "but for the last of a run, which may be late";
+  EXPECT_DOUBLE_EQ(point.false_per_hour().value,
+                   static_cast<double>(point.tally.n_frames_false) / point.hours);
+}
+
+// ---- SharedLink in the air ----
+
+TEST(Listening, SharedLinkArrivesAsSharedLinkAndIsNoMessageOfADevice) {
+  const Listening at = make_listening(scene({"listening.air=sharedlink"}));
+  const HeardTrials heard = hear_runs(at, 0, 6);
+  int ok = 0, refused = 0;
+  for (const dsp::LogicTrace& pin : heard.pins) {
+    protocol::SharedLinkDecoder decoder;
+    for (const protocol::UartByte& byte : read(at, pin))
+      if (const auto frame = decoder.push(byte))
+        ++(frame->outcome == protocol::SharedLinkOutcome::ok ? ok : refused);
+  }
+  EXPECT_GT(ok, 60) << "0.8 s of message and 0.5 s of pause: 90 in 120 s";
+  EXPECT_EQ(refused, 0);
+  const ListeningTally tally = only_point({"listening.air=sharedlink"}).tally;
+  EXPECT_EQ(tally.n_frames_false, 0U);
+  EXPECT_NEAR(static_cast<double>(tally.n_rejected), ok, 6) << "its line feed ends a line";
+}
+
+// ---- a device that sends ----
+
+TEST(Listening, OfADeviceNearByAllIsDeliveredAndNothingElse) {
+  const ListeningTally tally = only_point({"listening.device_sends=true"}).tally;
+  EXPECT_GT(tally.n_frames, 130U);
+  EXPECT_EQ(tally.n_frames_ok, tally.n_frames);
+  EXPECT_EQ(tally.n_frames_undetected + tally.n_frames_false + tally.n_rejected, 0U);
+  EXPECT_EQ(tally.n_characters, tally.n_frames * 17);
+}
+
+TEST(Listening, ARunHasRoomForAllThatItSends) {
+  const Listening at = make_listening(
+      scene({"listening.device_sends=true", "device.start_jitter_us=2000", "listening.runs=1"}));
+  for (std::uint32_t run = 0; run < 50; ++run) {
+    const Transmission sent = line_of(at, run);
+    EXPECT_EQ(sent.line.end(), at.duration);
+    for (std::size_t i = 1; i < sent.messages.size(); ++i)
+      EXPECT_GE(sent.messages[i].byte_start[0] - sent.messages[i - 1].end,
+                dsp::Seconds(0.1 - 1e-9));
+    EXPECT_LT(sent.messages.back().end, at.duration);
+    EXPECT_GT(sent.messages.back().end, at.duration - dsp::Seconds(2));
+  }
+}
+
+// Of a device that cannot be heard a neighbour's messages are all that is accepted: while it sends
+// they are undetected errors, else false accepts.
+TEST(Listening, WhatIsAcceptedIsAnErrorWhileTheDeviceSends) {
+  const std::vector<std::string> set{"listening.air=cosys", "listening.device_sends=true",
+                                     "receiver.range_m=100"};
+  const ListeningTally both = only_point(set).tally;
+  EXPECT_EQ(both.n_frames_ok, 0U);
+  EXPECT_GT(both.n_frames_undetected, 40U) << "0.57 of the neighbour's messages overlap one";
+  EXPECT_GT(both.n_frames_false, 5U);
+  EXPECT_NEAR(static_cast<double>(both.n_frames_undetected + both.n_frames_false), 120 / 0.783, 14);
+}
+
+// ---- results ----
+
+TEST(Listening, IsTheSameForAnyNumberOfThreads) {
+  const LoadedScenario s =
+      loaded(silence, {"listening.air=cosys", "listening.device_sends=true",
+                       "listening.duration_s=5", "listening.runs=20", "receiver.range_m=11"});
+  const std::string one = dataset_digest(listening_dataset(s, "", run_listenings(s, {1})));
+  EXPECT_EQ(dataset_digest(listening_dataset(s, "", run_listenings(s, {3}))), one);
+}
+
+const Dataset::Variable& variable(const Dataset& data, const std::string& name) {
+  const auto at = std::ranges::find(data.variables, name,
+                                    [](const Dataset::Variable& v) { return v.facts.name; });
+  EXPECT_NE(at, data.variables.end()) << name;
+  return *at;
+}
+
+TEST(Listening, ItsVariablesHaveUnitsAndNoFrameLossOfADarkDevice) {
+  const LoadedScenario s = loaded(silence, {"listening.runs=1", "listening.device_sends=0,1"});
+  const Dataset data = listening_dataset(s, "", run_listenings(s, two));
+  EXPECT_EQ(variable(data, "line_h").facts.unit, "h");
+  for (const std::string name : {"false_per_hour", "undetected_per_hour"})
+    for (const std::string suffix : {"", "_ci_low", "_ci_high"})
+      EXPECT_EQ(variable(data, name + suffix).facts.unit, "1/h");
+  const auto& rate = std::get<std::vector<double>>(variable(data, "undetected_per_hour").values);
+  EXPECT_TRUE(std::isnan(rate.at(0))) << "dark";
+  EXPECT_EQ(rate.at(1), 0);
+  for (const Dataset::Variable& v : data.variables) {
+    EXPECT_FALSE(v.facts.long_name.empty()) << v.facts.name;
+    EXPECT_FALSE(v.facts.name.starts_with("flr")) << "nothing was sent";
+  }
+  const auto json = nlohmann::json::parse(dataset_json(data));
+  EXPECT_TRUE(json["variables"]["undetected_per_hour_ci_high"]["values"][0].is_null());
+}
+
+TEST(Listening, TheTableSpeaksOfWhatIsSentOnlyWhereTheDeviceMaySend) {
+  const LoadedScenario dark = loaded(silence),
+                       either = loaded(silence, {"listening.device_sends=0,1"});
+  EXPECT_EQ(listening_header(dark).find("undetected"), std::string::npos);
+  EXPECT_NE(listening_header(either).find("undetected"), std::string::npos);
+  EXPECT_NE(listening_header(dark).find("[1/h]"), std::string::npos);
+  const ListeningPoint point{.coordinates = {}, .hours = 2, .tally = {.n_runs = 120}};
+  EXPECT_NE(listening_row(dark, point).find(" < 1.8\n"), std::string::npos)
+      << listening_row(dark, point);
+  const ListeningPoint busy{
+      .coordinates = {}, .hours = 1, .tally = {.n_runs = 60, .n_frames_false = 4500}};
+  EXPECT_NE(listening_row(dark, busy).find(" 4500 [4369, 4633]"), std::string::npos)
+      << listening_row(dark, busy);
+}
+
+std::string refused(const std::vector<std::string>& set) {
+  try {
+    check_experiment(loaded(silence, set));
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::bad_input);
+    return failure.what();
+  }
+  return "accepted";
+}
+
+TEST(Listening, RefusesWhatItCannotHear) {
+  EXPECT_EQ(
+      refused({"receiver.module=ideal-coherent"}),
+      "receiver.module = \"ideal-coherent\" in --set (an ideal receiver is told when bits are "
+      "sent, and by one sender only) use a module");
+  EXPECT_EQ(
+      refused({"listening.air=none,cosys", "device.carrier_hz=38e3", "module.centre_hz=38e3",
+               "simulation.sample_rate_hz=200e3"}),
+      "listening.air = \"cosys\" in --set with simulation.sample_rate_hz = 200000 in --set (a "
+      "carrier period takes at least 4 samples) raise simulation.sample_rate_hz to 236000");
+  EXPECT_NE(refused({"stop.max_frames=8"}).find("it means nothing in the experiment \"listening\""),
+            std::string::npos);
+  EXPECT_EQ(refused({"listening.air=*"}), "accepted");
+}
+
+// ---- decoders on the same line ----
+
+/// Hears what another does, and so many words more in each run; or nothing at all.
+class Dreamer : public Decoder {
+ public:
+  explicit Dreamer(int words) : words_(words) {}
+  const std::string& name() const override { return name_; }
+  Decoded decode(const MarkedLine& line) const override {
+    Decoded decoded;
+    if (words_ < 0) return decoded;
+    decoded = decoder_->decode(line);
+    decoded.accepted.insert(decoded.accepted.begin() + 1, static_cast<std::size_t>(words_), "x");
+    return decoded;
+  }
+
+ private:
+  int words_;
+  std::string name_ = "dreamer";
+  std::unique_ptr<Decoder> decoder_ = make_built_in_decoder("atmega");
+};
+
+TEST(ListeningContest, CountsAllThatADecoderAcceptsOfADarkDevice) {
+  const auto atmega = make_built_in_decoder("atmega");
+  const Dreamer twice(2), deaf(-1);
+  const auto point = listening_contest(loaded(silence), 0, {atmega.get(), &twice, &deaf}, two);
+  EXPECT_EQ(point.accepts[0].n_runs, 6U);
+  EXPECT_EQ(point.accepts[0].n_wrong, 0U);
+  EXPECT_EQ(point.accepts[1].n_wrong, 12U);
+  EXPECT_DOUBLE_EQ(point.wrong_per_hour(1).value, 12 / (120 / 3600.0));
+  EXPECT_TRUE(point.accepts[2].fault.has_value());
+  EXPECT_TRUE(std::isnan(point.wrong_per_hour(2).value));
+  const Decoders all{atmega.get(), &twice, &deaf};
+  EXPECT_NE(
+      listening_contest_text({point}, all).find("dreamer failed at x: it lost an undisturbed"),
+      std::string::npos);
+  const auto json = nlohmann::json::parse(listening_contest_json({point}, all));
+  EXPECT_EQ(json["points"][0]["decoders"][1]["n_accepted_wrong"], 12);
+  EXPECT_TRUE(json["points"][0]["decoders"][2]["wrong_per_hour"].is_null());
+}
+
+// What `run` counts of the line, a decoder does too that is given it between markers.
+TEST(ListeningContest, AgreesWithRun) {
+  const std::vector<std::string> sends{"listening.device_sends=true"},
+      neighbour{"listening.air=cosys"};
+  const auto atmega = make_built_in_decoder("atmega"), soft = make_built_in_decoder("soft");
+  const Decoders both{atmega.get(), soft.get()};
+  const auto delivered = listening_contest(loaded(silence, sends), 0, both, two);
+  const auto accepted = listening_contest(loaded(silence, neighbour), 0, both, two);
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_EQ(delivered.accepts[d].n_ok, only_point(sends).tally.n_frames_ok);
+    EXPECT_EQ(delivered.accepts[d].n_wrong, 0U);
+    EXPECT_NEAR(static_cast<double>(accepted.accepts[d].n_wrong),
+                static_cast<double>(only_point(neighbour).tally.n_frames_false), 6);
+    EXPECT_EQ(accepted.accepts[d].n_ok, 0U);
+  }
+}
+
+// ---- commands ----
+
+class ListeningCommand : public CommandLine {};
+
+TEST_F(ListeningCommand, RunAndCompareSayWhatIsAcceptedAnHour) {
+  write("quiet.toml", silence);
+  const Outcome table = program({"run", "quiet.toml", "-q"});
+  EXPECT_EQ(table.code, 0) << table.err;
+  EXPECT_NE(table.out.find("< 111"), std::string::npos) << "3.689 / (1/30 h)\n" << table.out;
+  const auto run = nlohmann::json::parse(program({"run", "quiet.toml", "-q", "--json"}).out);
+  EXPECT_NEAR(run["variables"]["false_per_hour_ci_high"]["values"][0], 110.67, 0.01);
+  const Outcome compared = program(
+      {"compare", "quiet.toml", "-q", "--json", "--decoder", "atmega", "--decoder", "soft"});
+  EXPECT_EQ(compared.code, 0) << compared.err;
+  for (const auto& decoder : nlohmann::json::parse(compared.out)["points"][0]["decoders"])
+    EXPECT_NEAR(decoder["wrong_per_hour_ci_high"], 110.67, 0.01) << decoder;
+}
+
+TEST_F(ListeningCommand, CompareFailsWhereADecoderDoes) {
+  write("quiet.toml", silence);
+  const Outcome o = program({"compare", "quiet.toml", "-q", "--decoder", "exit 7"});
+  EXPECT_EQ(o.code, 1);
+  EXPECT_NE(o.out.find("exit 7 failed at quiet: exit code 7"), std::string::npos) << o.out;
+}
+
+TEST_F(ListeningCommand, CompareTakesNoLinksBesides) {
+  write("quiet.toml", silence);
+  write("link.toml", "");
+  const Outcome o = program({"compare", "link.toml", "quiet.toml", "-q"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("quiet.toml (it listens, and not all others do) compare on it in a command "
+                       "of its own"),
+            std::string::npos)
+      << o.err;
+}
+
+}  // namespace
+}  // namespace sim
