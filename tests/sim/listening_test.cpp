@@ -219,7 +219,7 @@ TEST(Listening, RefusesWhatItCannotHear) {
 
 // ---- decoders on the same line ----
 
-/// Hears what another does, and so many words more in each run; or nothing at all.
+/// Hears what another does, and its device so many times more in each run; or nothing at all.
 class Dreamer : public Decoder {
  public:
   explicit Dreamer(int words) : words_(words) {}
@@ -228,7 +228,8 @@ class Dreamer : public Decoder {
     Decoded decoded;
     if (words_ < 0) return decoded;
     decoded = decoder_->decode(line);
-    decoded.accepted.insert(decoded.accepted.begin() + 1, static_cast<std::size_t>(words_), "x");
+    decoded.accepted.insert(decoded.accepted.begin() + 1, static_cast<std::size_t>(words_),
+                            "IND 011111 OK");
     return decoded;
   }
 
