@@ -34,6 +34,9 @@ LoadedScenario load_with(const ScenarioOptions& options, const std::filesystem::
 LoadedScenario load_link(const ScenarioOptions& options, const std::filesystem::path& scenario,
                          const std::string& command);
 
+/// Throws where a scenario, which `command` is to take, is no experiment of a link.
+void refuse_other_than_link(const LoadedScenario& scenario, const std::string& command);
+
 struct RunRequest {
   std::vector<std::filesystem::path> scenarios;
   ScenarioOptions options;

@@ -92,8 +92,9 @@ ExitCode compare_command(const CompareRequest& request) {
   std::vector<LoadedScenario> scenarios;
   for (const auto& path : request.scenarios) scenarios.push_back(load_with(request.options, path));
   const bool listening = all_listen(scenarios);
-  std::vector<JudgedPoint> points;
-  if (!listening) points = judged_points(load_links(request.scenarios, request.options, "compare"));
+  if (!listening)
+    for (const LoadedScenario& scenario : scenarios) refuse_other_than_link(scenario, "compare");
+  const auto points = listening ? std::vector<JudgedPoint>{} : judged_points(scenarios);
   const auto owned = decoders_of(request);
   Decoders decoders;
   for (const auto& decoder : owned) decoders.push_back(decoder.get());

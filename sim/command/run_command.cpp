@@ -215,13 +215,19 @@ LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenari
   return loaded;
 }
 
+void refuse_other_than_link(const LoadedScenario& scenario, const std::string& command) {
+  const std::string& experiment = scenario.base.experiment;
+  if (experiment != "link")
+    throw bad_input(scenario.path.string(),
+                    "an experiment \"" + experiment + "\" has no trials of a link",
+                    command + " takes links; use run");
+}
+
 LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenario,
                          const std::string& command) {
   LoadedScenario loaded = load_with(options, scenario);
-  if (loaded.base.experiment == "link") return loaded;
-  throw bad_input(scenario.string(),
-                  "an experiment \"" + loaded.base.experiment + "\" has no trials of a link",
-                  command + " takes links; use run");
+  refuse_other_than_link(loaded, command);
+  return loaded;
 }
 
 ExitCode run_command(const RunRequest& request) {
