@@ -15,10 +15,10 @@ class FewFiles {
  public:
   explicit FewFiles(int more) {
     ::getrlimit(RLIMIT_NOFILE, &before_);
-    const int next = ::open("/dev/null", O_RDONLY);
-    ::close(next);
+    int limit = 0;
+    for (int free = 0; free < more || !is_free(limit); ++limit) free += is_free(limit);
     rlimit few = before_;
-    few.rlim_cur = static_cast<rlim_t>(next + more);
+    few.rlim_cur = static_cast<rlim_t>(limit);
     ::setrlimit(RLIMIT_NOFILE, &few);
   }
   FewFiles(const FewFiles&) = delete;
@@ -26,6 +26,8 @@ class FewFiles {
   ~FewFiles() { ::setrlimit(RLIMIT_NOFILE, &before_); }
 
  private:
+  static bool is_free(int file) { return ::fcntl(file, F_GETFD) < 0; }
+
   rlimit before_{};
 };
 
