@@ -167,8 +167,15 @@ class ProgramDecoder : public Decoder {
   const ProgramSettings& settings() const { return settings_; }
   const LineCapture& format() const { return format_; }
 
+  /// Every capture has undisturbed messages, so none at all is not the light's fault.
   Decoded decoded(const std::string& output) const {
-    return {settings_.prints_frames ? accepted_in_lines(output) : accepted_in_bytes(output), {}};
+    auto accepted = settings_.prints_frames ? accepted_in_lines(output) : accepted_in_bytes(output);
+    if (!accepted.empty()) return {std::move(accepted), {}};
+    return {{},
+            DecoderFault{DecoderFault::Kind::garbage,
+                         "no message in its output, not even an undisturbed one: "
+                         "does --decoder-output say what it prints?",
+                         {}}};
   }
 
   static Decoded failed(DecoderFault fault) {

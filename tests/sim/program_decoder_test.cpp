@@ -150,10 +150,15 @@ TEST_F(ProgramDecoder, ThatFailsIsSaidToHaveFailed) {
   expect_fault("kill -9 $$", "killed", "killed by signal 9 (Killed)");
   expect_fault("kill -40 $$", "killed", "killed by signal 40 (a real-time signal)");
   expect_fault("echo oops >&2; exit 3", "exit code", "exit code 3");
-  expect_fault("head -c 100000 /dev/urandom", "garbage",
+  const char* nothing =
+      "no message in its output, not even an undisturbed one: "
+      "does --decoder-output say what it prints?";
+  expect_fault("head -c 100000 /dev/urandom", "garbage", nothing);
+  expect_fault("echo 'IND 011111 OK'", "garbage", nothing);  // messages, where bytes are expected
+  expect_fault("echo 'IND 011111 OK 46'", "garbage",
                "it lost undisturbed messages, beside 128 of 128 frames");
   expect_fault("yes", "garbage", "more than 64 MiB of output");
-  expect_fault("true", "garbage", "it lost undisturbed messages, beside 128 of 128 frames");
+  expect_fault("true", "garbage", nothing);
   const Words serve{"--decoder-mode", "serve", "--decoder-timeout", "20s"};
   expect_fault("true", "garbage", "it ended without an answer", serve);
   for (const char* answer :
