@@ -86,6 +86,9 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
   const std::string ending = path.extension().string();
   if (const Format* by_name = ending.empty() ? nullptr : named(ending.substr(1))) return *by_name;
   if (const Format* by_content = recognised(capture.in->beginning())) return *by_content;
+  if (capture.in->beginning().empty())
+    throw bad_input("cannot decode " + path.string(), "nothing is in it",
+                    "of a pipe, start the writer first");
   throw bad_input(
       "cannot decode " + path.string(),
       "neither its ending nor its first bytes name a capture format",
@@ -94,7 +97,8 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
 
 }  // namespace
 
-Capture open_capture(const fs::path& path, const CaptureSettings& settings) {
+Capture open_capture(const fs::path& named, const CaptureSettings& settings) {
+  const fs::path path = named == "-" ? "/dev/stdin" : named;
   Capture capture;
   capture.in = std::make_unique<InputStream>(path, "capture");
   const Format& format = format_of(path, settings, capture);

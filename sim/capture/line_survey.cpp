@@ -21,6 +21,7 @@ constexpr std::size_t most_pulses = 2000, fewest_pulses = 4;
 constexpr double largest_excess = 0.35;  // of a pulse, in bits
 constexpr double longest_light = 9.4;    // bits: a start bit and eight zeros, distorted
 constexpr double longest_fall_to_fall = 10.4;
+constexpr Hertz fastest{1e6};        // as --baud has it
 constexpr double grid_step = 1.003;  // ten bits are then known to 1/30 of one
 
 LogicTrace trace_of(const LineStretch& line, bool inverted) {
@@ -88,8 +89,10 @@ std::optional<Hertz> rate_of(const Pulses& pulses) {
   std::ranges::sort(sorted);
   const double shortest = sorted[sorted.size() / 10];
   std::vector<std::pair<double, double>> scores;  // bit, score; the longest bit first
-  for (double bit = shortest / (1 - largest_excess); bit > shortest / 10; bit /= grid_step)
+  const double shortest_bit = std::max(shortest / 10, 1 / fastest.value);
+  for (double bit = shortest / (1 - largest_excess); bit > shortest_bit; bit /= grid_step)
     scores.emplace_back(bit, score(pulses, bit));
+  if (scores.empty()) return std::nullopt;
   const double best =
       std::ranges::max_element(scores, {}, [](const auto& s) { return s.second; })->second;
   if (best <= 0) return std::nullopt;

@@ -27,8 +27,8 @@ struct LineFacts {
   dsp::Hertz baud{600};
 };
 
-/// What is told is kept. A line that tells nothing is idle high, of 600 Bd. A rate within 2.5 % of
-/// a standard one is that.
+/// What is told is kept; what is found is at most 1 MBd. A line that tells nothing is idle high, of
+/// 600 Bd. A rate within 2.5 % of a standard one is that.
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<dsp::Hertz> baud);
 

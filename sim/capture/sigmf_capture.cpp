@@ -1,11 +1,13 @@
 #include "sim/capture/sigmf_capture.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <map>
+
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -75,8 +77,12 @@ Layout layout_of(const fs::path& meta, const std::optional<dsp::Hertz>& told_rat
     layout.channels = global.value("core:num_channels", std::size_t{1});
     layout.sample_rate =
         told_rate ? *told_rate : dsp::Hertz(global.at("core:sample_rate").get<double>());
-  } catch (const nlohmann::json::exception& error) {
-    throw unreadable(meta, error.what());
+  } catch (const nlohmann::json::parse_error& error) {
+    throw unreadable(meta, fmt::format("no JSON from byte {} on", error.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw unreadable(meta,
+                     "its core:datatype, core:sample_rate or core:num_channels is not there, "
+                     "or of another type");
   }
   if (!is_sample_rate(layout.sample_rate))
     throw unreadable(meta, "core:sample_rate is not from 1 Hz to 1 THz");

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "sim/failure.hpp"
+#include "sim/text/existing_file.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {
@@ -17,9 +19,27 @@ namespace {
 constexpr const char* give = "give a WAV file of numbers, as sox or an oscilloscope writes it";
 constexpr std::size_t frames_a_read = 8192;
 
+/// Throws where the file is shorter than its head says. A writer into a pipe, which cannot know,
+/// says nothing or as much as there can be.
+void refuse_if_cut(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) return;  // a pipe
+  const std::string head = beginning_of(path, 8);
+  if (head.size() < 8 || !head.starts_with("RIFF")) return;
+  std::uint32_t said = 0;
+  for (std::size_t i = 8; i-- > 4;) said = said << 8U | static_cast<std::uint8_t>(head[i]);
+  constexpr std::uint32_t unknown_from = 0x7fff'0000;
+  if (said < unknown_from && std::uint64_t{said} + 8 > size)
+    throw bad_input("cannot decode " + path.string(),
+                    fmt::format("{} of its {} bytes are there", size, std::uint64_t{said} + 8),
+                    "copy it again");
+}
+
 class WavCapture : public SampleCapture {
  public:
   WavCapture(const std::filesystem::path& path, const std::string& channel) : name_(path.string()) {
+    refuse_if_cut(path);
     file_.reset(sf_open(path.c_str(), SFM_READ, &info_));
     if (file_ == nullptr) throw bad_input("cannot read " + name_, sf_strerror(nullptr), give);
     channel_ = number_of(channel);

@@ -92,6 +92,15 @@ std::string verdict_of(const FrameOutcome& outcome) {
   return outcome.delivered ? "delivered" : "lost";
 }
 
+/// What a decoder that says no characters accepted between the markers.
+std::string accepted_text(const Decoded& decoded, std::uint32_t trial) {
+  std::string text;
+  const auto accepted = accepted_between_markers(decoded.accepted, trial);
+  for (const std::string& message : accepted.value_or(std::vector<std::string>()))
+    text += fmt::format("    accepted \"{}\"\n", escaped(message));
+  return text;
+}
+
 /// The lines that ended or not between the markers, as the plain decoder takes them.
 std::string lines_of(const std::vector<protocol::UartByte>& bytes, const FrameOnLine& place) {
   std::string text;
@@ -141,11 +150,26 @@ OneFrame hear_frame(const JudgedPoint& point, std::uint32_t trial) {
   return {std::move(judged), std::move(line), trial - first};
 }
 
-FrameOutcome outcome_of(const Decoder& decoder, const OneFrame& frame) {
-  const Decoded decoded = decoder.decode(frame.line);
+namespace {
+
+FrameOutcome outcome_of(const Decoded& decoded, const OneFrame& frame) {
   if (decoded.fault) return {.unknown = true};
   return outcomes_between_markers(decoded.accepted, frame.judged.link.message, frame.line.first,
                                   frame.line.frames.size())[frame.index];
+}
+
+std::string verdict_lines(const Decoder& decoder, const OneFrame& frame,
+                          const std::vector<protocol::UartByte>& characters) {
+  const Decoded decoded = decoder.decode(frame.line);
+  return fmt::format("{}: {}\n", decoder.name(), verdict_of(outcome_of(decoded, frame))) +
+         (characters.empty() ? accepted_text(decoded, frame.trial())
+                             : lines_of(characters, frame.frame()));
+}
+
+}  // namespace
+
+FrameOutcome outcome_of(const Decoder& decoder, const OneFrame& frame) {
+  return outcome_of(decoder.decode(frame.line), frame);
 }
 
 std::string frame_story(const OneFrame& frame, const std::vector<const Decoder*>& decoders) {
@@ -158,9 +182,7 @@ std::string frame_story(const OneFrame& frame, const std::vector<const Decoder*>
   for (const Decoder* decoder : decoders) readings.push_back(decoder->characters(frame.line));
   text += table_of(frame, decoders, readings);
   for (std::size_t i = 0; i < decoders.size(); ++i)
-    text +=
-        fmt::format("{}: {}\n", decoders[i]->name(), verdict_of(outcome_of(*decoders[i], frame))) +
-        lines_of(readings[i], frame.frame());
+    text += verdict_lines(*decoders[i], frame, readings[i]);
   return text;
 }
 

@@ -50,7 +50,7 @@ std::vector<LoadedScenario> wanted_scenarios(const BaselineRequest& request,
 std::string wanted_decoder(const BaselineRequest& request, const std::optional<Baseline>& old,
                            const std::vector<LoadedScenario>& scenarios) {
   if (!request.decoder.empty()) return request.decoder;
-  if (old) return old->decoder;
+  if (old) return own_decoder(*old);
   const std::string& uart = scenarios.front().base.uart.receiver;
   for (const LoadedScenario& scenario : scenarios)
     if (scenario.base.uart.receiver != uart)

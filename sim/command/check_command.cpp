@@ -155,8 +155,8 @@ ExitCode check_command(const CheckRequest& request) {
   const Baseline baseline = read_baseline(request.baseline);
   const std::vector<JudgedPoint> points = points_of(request);
   const auto counterparts = counterparts_of(request, baseline, points);
-  const auto candidate = make_decoder(request.decoder.empty() ? baseline.decoder : request.decoder,
-                                      request.program_settings);
+  const auto candidate = make_decoder(
+      request.decoder.empty() ? own_decoder(baseline) : request.decoder, request.program_settings);
   const auto again = make_built_in_decoder(baseline.decoder);
   if (request.junit) const NewFile probe(*request.junit);
   const CheckSetup setup{.rule = request.rule,

@@ -5,6 +5,7 @@
 #include "sim/result/hdf5_handle.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_probe.hpp"
+#include "sim/text/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -151,7 +152,8 @@ bool is_result_of_run(const std::filesystem::path& path) {
 }
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& path) try
-    : state_(new State{path.string(), SilentErrors(), open_file(path)}) {
+    : state_((refuse_no_file(path, "result"),
+              new State{path.string(), SilentErrors(), open_file(path)})) {
 } catch (const Hdf5Failure&) {
   throw bad_input(path.string(), "not an HDF5 file that can be read", "choose another file");
 }

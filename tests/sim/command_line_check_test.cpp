@@ -237,6 +237,23 @@ TEST_F(CheckCommand, BaselinesAreRenewedAndSayWhatIsOther) {
                  "scenarios/quickstart.toml -o B.h5");
 }
 
+TEST_F(CheckCommand, ABaselineStartsNoProgram) {
+  write("mine.sh", "#!/bin/sh\ntouch started\ncat\n");
+  ASSERT_EQ(program({"baseline", "weak.toml", "-n", "128", "-q", "-o", "p.h5", "--decoder",
+                     "sh mine.sh <{bytes}"})
+                .code,
+            0);
+  std::filesystem::remove(path("started"));
+  const std::string refusal =
+      "no --decoder (the baseline's is a program, which no file may start) say it: --decoder 'sh "
+      "mine.sh <{bytes}'";
+  expect_refused({"check", "weak.toml", "--baseline", "p.h5"}, 2, refusal);
+  expect_refused({"baseline", "-o", "p.h5"}, 2, refusal);
+  EXPECT_FALSE(std::filesystem::exists(path("started")));
+  EXPECT_EQ(program({"baseline", "-o", "p.h5", "-q", "--decoder", "sh mine.sh <{bytes}"}).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("started")));
+}
+
 TEST_F(CheckCommand, ABaselineOfSeveralScenariosIsOneFile) {
   write("two.toml", scenario("[0]"));
   ASSERT_EQ(program({"baseline", "weak.toml", "two.toml", "-n", "128", "-q", "-o", "both.h5"}).code,

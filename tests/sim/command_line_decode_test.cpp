@@ -1,4 +1,6 @@
 // encode and decode from outside: formats, and how long a capture may be.
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -168,6 +170,12 @@ TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
   write_capture(path("t.vcd"), "IND 011111 OK 46\n");
   const std::string decode = std::string(COSYS_PROGRAM) + " decode /dev/stdin";
   EXPECT_NE(tool("sh", {"-c", "cat t.vcd | " + decode}).find(" ok "), std::string::npos);
+  EXPECT_NE(
+      tool("sh", {"-c", "cat t.vcd | " + std::string(COSYS_PROGRAM) + " decode -"}).find(" ok "),
+      std::string::npos);
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  expect_refused({"decode", "pipe"}, 2,
+                 "cannot decode pipe (nothing is in it) of a pipe, start the writer first");
   write("t.bin", sampled(message_line(600), 1e5, false));
   EXPECT_NE(
       tool("sh", {"-c", "cat t.bin | " + decode + " --format bin --sample-rate 1e5"}).find(" ok "),

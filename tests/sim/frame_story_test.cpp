@@ -65,6 +65,19 @@ TEST(FrameStory, SaysWhatWasSentSeenAndRead) {
     EXPECT_NE(story.find(part), std::string::npos) << part << " in\n" << story;
 }
 
+TEST(FrameStory, SaysWhatADecoderAcceptedThatSaysNoCharacters) {
+  const ScriptedDecoder decoder([](std::uint32_t trial) {
+    return trial == 3 ? std::vector<std::string>{"A C", "D\x01"} : std::vector<std::string>{"A B"};
+  });
+  const JudgedPoint clear = judged_points(loaded("device.message = 'A B'", clear_link())).front();
+  const auto end_of = [&](std::uint32_t trial) {
+    const std::string story = frame_story(hear_frame(clear, trial), {&decoder});
+    return story.substr(story.find("scripted:"));
+  };
+  EXPECT_EQ(end_of(3), "scripted: deceived\n    accepted \"A C\"\n    accepted \"D\\x01\"\n");
+  EXPECT_EQ(end_of(4), "scripted: delivered\n    accepted \"A B\"\n");
+}
+
 TEST(Minimise, FindsTheLeastThatOnlyTheCandidateLosesBy) {
   const Rivals rivals;
   const auto trials = lost_by_edges_alone(rivals);
