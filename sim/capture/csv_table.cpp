@@ -30,6 +30,12 @@ char separator_of(std::string_view line) {
   return ' ';
 }
 
+/// "(ms)", in a row of its own below the names: PicoScope, Siglent.
+bool is_unit(std::string_view field) {
+  const std::string_view text = trimmed(field);
+  return text.starts_with('(') && text.ends_with(')');
+}
+
 /// "; Channels (2/2): rx, tx" of sigrok.
 std::vector<std::string> sigrok_channels(std::string_view line) {
   std::vector<std::string> names;
@@ -85,6 +91,10 @@ void CsvTable::read_head_line(std::string_view line) {
 void CsvTable::read_names(std::string_view line) {
   const auto fields = split(line);
   if (grid_field_ > 0 && !grid_) return read_grid(fields);
+  if (fields.size() == columns_.size() && std::ranges::all_of(fields, is_unit)) {
+    columns_.front() += trimmed(fields.front());  // that of the time
+    return;
+  }
   columns_.clear();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string_view name = trimmed(fields[i]),
