@@ -289,7 +289,8 @@ TEST_F(ListeningCommand, RunAndCompareSayWhatIsAcceptedAnHour) {
   const Outcome compared = program(
       {"compare", "quiet.toml", "-q", "--json", "--decoder", "atmega", "--decoder", "soft"});
   EXPECT_EQ(compared.code, 0) << compared.err;
-  for (const auto& decoder : nlohmann::json::parse(compared.out)["points"][0]["decoders"])
+  const auto comparison = nlohmann::json::parse(compared.out);
+  for (const auto& decoder : comparison["points"][0]["decoders"])
     EXPECT_NEAR(decoder["wrong_per_hour_ci_high"], 110.67, 0.01) << decoder;
 }
 
