@@ -157,8 +157,8 @@ std::string minimised_text(const Minimised& least, const Decoder& candidate,
                         level_text(least.frame.line.wire, least.pieces[i]));
   return text +
          fmt::format(
-             "\n/* \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "
-             "microseconds. */\n",
+             "\n// \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "
+             "microseconds.\n",
              escaped(link.message), protocol::cosys_checksum(link.message),
              least.frame.judged.baud.value) +
          vector_text(least);

@@ -10,6 +10,8 @@
 namespace sim {
 namespace {
 
+constexpr double most_frames = 1e9;  // of a point
+
 void add_gate_rule(CLI::App& check, GateRule& rule) {
   check
       .add_option("--worse-than", rule.worse_than,
@@ -103,20 +105,22 @@ void add_check(CLI::App& app, CheckRequest& request) {
           },
           "frames of each point at most; as many as the baseline has if not given")
       ->type_name("N")
-      ->check(a_count(1e9));
+      ->check(a_count(most_frames));
   auto* explain =
       check
           .add_option(
               "--explain", request.explain,
               "in place of the check: what was sent, seen and read of this frame of a point")
           ->type_name("N")
-          ->check(an_index);
+          ->check(an_index)
+          ->check(between(0, most_frames - 1));
   check
       .add_option("--minimise", request.minimise,
                   "in place of the check: the fewest disturbed bits by which only the candidate "
                   "loses this frame of a point, as a test vector")
       ->type_name("N")
       ->check(an_index)
+      ->check(between(0, most_frames - 1))
       ->excludes(explain);
   add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to write");
   add_scenario_options(check, request.options);

@@ -158,6 +158,13 @@ TEST_F(CheckCommand, ExplainsAFrameAndFindsTheLeastThatBreaksIt) {
                  "--minimise " + trial +
                      " (it is no frame that atmega loses and atmega does not) take one that the "
                      "check lists as lost by the candidate alone");
+  // Frames are counted in 32 bits, markers behind them included.
+  for (const std::string option : {"--explain", "--minimise"})
+    expect_refused(
+        {"check", "weak.toml", "--baseline", "b.h5", "--point", "0", option, "1000000000"}, 2,
+        option +
+            ": 1000000000 is no number from 0 to 999999999 (wrong usage) see "
+            "cosys-sim check --help");
 }
 
 TEST_F(CheckCommand, WritesJunitThatIsValid) {
