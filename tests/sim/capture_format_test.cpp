@@ -242,6 +242,7 @@ TEST_F(CaptureFormat, CsvKeepsWiresAndChannelsApart) {
 TEST_F(CaptureFormat, CsvErrorsNameTheLine) {
   const std::string give = ") give rows of numbers, a column for each wire";
   EXPECT_EQ(refusal("", "csv"), "no row of numbers in FILE:1 (there is nothing to decode" + give);
+  EXPECT_EQ(refusal(" ", "csv"), "no row of numbers in FILE:2 (there is nothing to decode" + give);
   EXPECT_EQ(refusal("a,b\nc,d\n", "csv"),
             "no row of numbers in FILE:3 (there is nothing to decode" + give);
   EXPECT_EQ(refusal("time,rx\n0,1\n1,x\n2,1\n", "csv"),
