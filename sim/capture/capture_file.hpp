@@ -30,7 +30,7 @@ struct Capture {
 };
 
 /// Throws Failure(bad_input) for what is no capture.
-Capture open_capture(const std::filesystem::path& path, const CaptureSettings& settings);
+Capture open_capture(const std::filesystem::path& named, const CaptureSettings& settings);
 
 /// The wire that was asked for; without one "rx", else the first.
 std::size_t wanted_wire(const std::vector<std::string>& wires, const std::string& wanted,

@@ -91,8 +91,7 @@ void CsvTable::read_head_line(std::string_view line) {
 void CsvTable::read_names(std::string_view line) {
   const auto fields = split(line);
   if (grid_field_ > 0 && !grid_) return read_grid(fields);
-  if (!fields.empty() && fields.size() == columns_.size() &&
-      std::ranges::all_of(fields, is_unit)) {
+  if (!fields.empty() && fields.size() == columns_.size() && std::ranges::all_of(fields, is_unit)) {
     columns_.front() += trimmed(fields.front());  // that of the time
     return;
   }
