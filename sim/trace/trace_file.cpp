@@ -16,6 +16,7 @@
 #include "sim/trace/session_write.hpp"
 #include "sim/trace/sigmf_write.hpp"
 #include "sim/trace/trace_netcdf.hpp"
+#include "sim/trace/trace_picture.hpp"
 #include "sim/trace/vcd.hpp"
 #include "sim/trace/wav_write.hpp"
 
@@ -98,6 +99,7 @@ constexpr Format formats[] = {
     {".ook", one_place, one_file<to_pulses>, is_own_pulses, false},
     {".bin", one_place, one_file<trace_as_raw>, is_own_raw, false,
      "known to be one of cosys-sim's"},
+    {".svg", one_place, one_file<trace_as_picture>, is_picture_of_trace, false},
     {".csv", one_place, one_file<to_csv>, is_own_csv, true},
     {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, true},
     {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, true},

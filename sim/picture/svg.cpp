@@ -1,0 +1,80 @@
+#include "sim/picture/svg.hpp"
+
+#include <fmt/format.h>
+
+namespace sim {
+namespace {
+
+constexpr const char* style_sheet = R"(<style>
+svg { background: #fff; color: #222; font: 12px sans-serif; }
+text { fill: currentColor; }
+line, path { stroke: currentColor; fill: none; stroke-width: 1; }
+.grid { stroke-opacity: .15; }
+.axis { stroke-opacity: .5; }
+.light { stroke: #d55e00; }
+.wire { stroke: #0072b2; stroke-width: 1.5; }
+.heading { font-size: 15px; font-weight: bold; }
+.small { fill-opacity: .75; }
+.middle, .wrong { text-anchor: middle; }
+.end { text-anchor: end; }
+.character { text-anchor: middle; font: 13px monospace; }
+.wrong { font: bold 13px monospace; fill: #cc3311; }
+@media (prefers-color-scheme: dark) {
+  svg { background: #181818; color: #ddd; }
+  .light { stroke: #e69f00; }
+  .wire { stroke: #56b4e9; }
+  .wrong { fill: #ff7766; }
+}
+@media print { svg { background: #fff; color: #000; } }
+</style>
+)";
+
+}  // namespace
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+SvgDrawing::SvgDrawing(double width, double height, std::string_view title,
+                       std::string_view description) {
+  text_ = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
+      "height=\"{1:g}\" role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n{4}",
+      width, height, xml_escaped(title), xml_escaped(description), style_sheet);
+}
+
+void SvgDrawing::line(SvgPoint from, SvgPoint to, std::string_view style) {
+  text_ +=
+      fmt::format("<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n",
+                  style, from.x, from.y, to.x, to.y);
+}
+
+void SvgDrawing::path(std::string_view data, std::string_view style) {
+  if (!data.empty()) text_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style, data);
+}
+
+void SvgDrawing::text(SvgPoint at, std::string_view words, std::string_view style) {
+  text_ += fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", style, at.x,
+                       at.y, xml_escaped(words));
+}
+
+}  // namespace sim

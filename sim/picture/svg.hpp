@@ -1,0 +1,34 @@
+#pragma once
+// A drawing as SVG 1.1 (W3C Recommendation of 2011), for browsers and for paper. Lengths are pixels
+// from the upper left corner. How things look is said by the style sheet alone (svg.cpp), in
+// colours that the colour-blind tell apart (Okabe and Ito 2008), in light and in dark.
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+struct SvgPoint {
+  double x = 0, y = 0;
+};
+
+/// Text for XML: the characters that mean something there are named.
+std::string xml_escaped(std::string_view text);
+
+class SvgDrawing {
+ public:
+  /// Title and description are for who cannot see it. All texts are UTF-8 without control
+  /// characters; a style is the name of a class of the style sheet.
+  SvgDrawing(double width, double height, std::string_view title, std::string_view description);
+
+  void line(SvgPoint from, SvgPoint to, std::string_view style);
+  /// `data` is the path's "d"; none is drawn of an empty one.
+  void path(std::string_view data, std::string_view style);
+  void text(SvgPoint at, std::string_view words, std::string_view style);
+
+  std::string finished() const { return text_ + "</svg>\n"; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace sim
