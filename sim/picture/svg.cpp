@@ -13,6 +13,14 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .axis { stroke-opacity: .5; }
 .light { stroke: #d55e00; }
 .wire { stroke: #0072b2; stroke-width: 1.5; }
+.curve1 { stroke: #0072b2; }
+.curve2 { stroke: #d55e00; }
+.curve3 { stroke: #009e73; }
+.curve4 { stroke: #cc79a7; }
+.curve5 { stroke: #e69f00; }
+.curve6 { stroke: #56b4e9; }
+.theory { stroke-dasharray: 6 4; }
+.dot { stroke-width: 2; }
 .heading { font-size: 15px; font-weight: bold; }
 .small { fill-opacity: .75; }
 .middle, .wrong { text-anchor: middle; }

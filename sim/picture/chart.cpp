@@ -1,0 +1,164 @@
+#include "sim/picture/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/picture/scale.hpp"
+#include "sim/picture/svg.hpp"
+
+namespace sim {
+namespace {
+
+// Pixels.
+constexpr double width = 720, height = 440;
+constexpr double left = 80, right = 700, top = 50, bottom = 380;
+constexpr double arrow_length = 24, whisker = 4, legend_step = 16;
+
+constexpr std::array styles{"curve1", "curve2", "curve3", "curve4", "curve5", "curve6"};
+
+/// A chart's axis: values, or their decimal logarithms, to places.
+class Positions {
+ public:
+  Positions(const ChartAxis& axis, double at_from, double at_to)
+      : logarithmic_(axis.logarithmic), scale_{0, 1, at_from, at_to} {}
+
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+  void cover(double value) {
+    if (!shows(value)) return;
+    least_ = std::min(least_, on_axis(value));
+    greatest_ = std::max(greatest_, on_axis(value));
+  }
+  /// To be called once when all is covered.
+  void settle() {
+    if (!(least_ <= greatest_)) least_ = 0, greatest_ = 1;
+    if (logarithmic_) least_ = std::floor(least_), greatest_ = std::ceil(greatest_);
+    if (least_ == greatest_) least_ -= 0.5, greatest_ += 0.5;
+    scale_.from = least_;
+    scale_.to = greatest_;
+  }
+  double operator()(double value) const { return scale_(on_axis(value)); }
+
+  /// Values worth a mark.
+  std::vector<double> marks() const {
+    std::vector<double> values = round_values(least_, greatest_, 9);
+    if (!logarithmic_) return values;
+    std::erase_if(values, [](double exponent) { return exponent != std::round(exponent); });
+    for (double& value : values) value = std::pow(10, value);
+    return values;
+  }
+  std::string label(double value) const {
+    if (logarithmic_ && (value < 1e-2 || value > 1e4))
+      return fmt::format("1e{:.0f}", std::log10(value));
+    return fmt::format("{:g}", value);
+  }
+
+ private:
+  double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+  bool logarithmic_;
+  Scale scale_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double greatest_ = -std::numeric_limits<double>::infinity();
+};
+
+struct Paper {
+  Positions x, y;
+};
+
+Paper paper_for(const Chart& chart) {
+  Paper paper{{chart.x, left, right}, {chart.y, bottom, top}};
+  for (const ChartCurve& curve : chart.curves)
+    for (const ChartPoint& point : curve.points) {
+      paper.x.cover(point.x);
+      for (const double value : {point.y, point.low, point.high}) paper.y.cover(value);
+    }
+  paper.x.settle();
+  paper.y.settle();
+  return paper;
+}
+
+void draw_axes(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
+  for (const double value : paper.x.marks()) {
+    drawing.line({paper.x(value), top}, {paper.x(value), bottom}, "grid");
+    drawing.text({paper.x(value), bottom + 18}, paper.x.label(value), "middle small");
+  }
+  for (const double value : paper.y.marks()) {
+    drawing.line({left, paper.y(value)}, {right, paper.y(value)}, "grid");
+    drawing.text({left - 8, paper.y(value) + 4}, paper.y.label(value), "end small");
+  }
+  drawing.line({left, bottom}, {right, bottom}, "axis");
+  drawing.line({left, top}, {left, bottom}, "axis");
+  drawing.text({(left + right) / 2, bottom + 42}, chart.x.label, "middle");
+  drawing.text({left - 60, top - 12}, chart.y.label, "");
+  drawing.text({left - 60, 20}, chart.title, "heading");
+}
+
+/// From point to point; broken where nothing is known.
+std::string line_through(const ChartCurve& curve, const Paper& paper) {
+  std::string path;
+  bool down = false;
+  for (const ChartPoint& point : curve.points) {
+    const bool shown = !point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y);
+    if (shown)
+      path += fmt::format("{}{:.2f} {:.2f}", down ? 'L' : 'M', paper.x(point.x), paper.y(point.y));
+    down = shown;
+  }
+  return path;
+}
+
+/// An arrow downward from the upper end.
+void draw_limit(SvgDrawing& drawing, double x, double y, const std::string& style) {
+  drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker,
+                           y, 2 * whisker, x, y, arrow_length, whisker, whisker, whisker, whisker,
+                           whisker, whisker),
+               style);
+}
+
+void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& point,
+                   const std::string& style) {
+  if (!paper.x.shows(point.x) || !paper.y.shows(point.high)) return;
+  const double x = paper.x(point.x), high = paper.y(point.high);
+  if (point.is_limit) return draw_limit(drawing, x, high, style);
+  const double low = paper.y.shows(point.low) ? paper.y(point.low) : bottom;
+  drawing.path(fmt::format("M{0:.2f} {2:.2f}h{4}M{1:.2f} {2:.2f}V{3:.2f}m-{5} 0h{4}", x - whisker,
+                           x, high, low, 2 * whisker, whisker),
+               style);
+}
+
+void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,
+                const std::string& style) {
+  drawing.path(line_through(curve, paper), style);
+  if (curve.is_theory) return;
+  for (const ChartPoint& point : curve.points) {
+    draw_interval(drawing, paper, point, style);
+    if (!point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y))
+      drawing.path(fmt::format("M{:.2f} {:.2f}m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0",
+                               paper.x(point.x), paper.y(point.y)),
+                   style + " dot");
+  }
+}
+
+}  // namespace
+
+std::string chart_as_svg(const Chart& chart) {
+  SvgDrawing drawing(width, height, chart.title, chart.description);
+  const Paper paper = paper_for(chart);
+  draw_axes(drawing, chart, paper);
+  double legend = top + 14;
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const ChartCurve& curve = chart.curves[i];
+    const std::string style =
+        std::string(styles[i % styles.size()]) + (curve.is_theory ? " theory" : "");
+    draw_curve(drawing, paper, curve, style);
+    drawing.line({right - 170, legend - 4}, {right - 145, legend - 4}, style);
+    drawing.text({right - 138, legend}, curve.name, "");
+    legend += legend_step;
+  }
+  return drawing.finished();
+}
+
+}  // namespace sim

@@ -1,0 +1,37 @@
+#pragma once
+// A chart of curves with their intervals, of what was measured and of what theory says. The same
+// chart is a still picture here and a live one in a report.
+#include <string>
+#include <vector>
+
+namespace sim {
+
+struct ChartPoint {
+  double x = 0;
+  double y = 0;              // NaN where nothing is known
+  double low = 0, high = 0;  // the interval; both y where there is none
+  bool is_limit = false;     // nothing was found: the value lies somewhere below `high`
+};
+
+struct ChartCurve {
+  std::string name;
+  std::vector<ChartPoint> points;
+  bool is_theory = false;
+};
+
+struct ChartAxis {
+  std::string label;  // with its unit
+  bool logarithmic = false;
+};
+
+struct Chart {
+  std::string title, description;
+  ChartAxis x, y;
+  std::vector<ChartCurve> curves;
+};
+
+/// As SVG. On a logarithmic axis what is not positive has no place, but limits, which are drawn as
+/// arrows from their upper end.
+std::string chart_as_svg(const Chart& chart);
+
+}  // namespace sim
