@@ -72,7 +72,7 @@ void add_trace(CLI::App& app, TraceRequest& request) {
             "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same and "
             "all taps, for sigrok; .ook, the pulses of rx, for rtl_433; .bin, the wires, a byte a "
             "sample at 1 MHz; .csv, all taps, a row a sample; .h5, the same in HDF5, and spectra; "
-            ".wav, the light; .sigmf-meta, the light and its baseband")
+            ".wav, the light; .sigmf-meta, the light and its baseband; .svg, a picture")
       ->required();
   add_scenario_options(trace, request.options);
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");

@@ -11,7 +11,7 @@ namespace sim {
 /// .vcd: wires tx and rx; .sr: the same and every tap beside them, where there are some; .ook: the
 /// light of rx; .bin: the wires as raw samples; .csv: time and every tap, a row a sample; .h5: the
 /// same and spectra; .wav: the light at the module; .sigmf-meta: the same and its baseband, each
-/// with its data beside it.
+/// with its data beside it; .svg: a picture of light and pin.
 void write_trace(const std::filesystem::path& path, const TracedTrial& trial);
 
 /// Throws the Failure that write_trace would throw for this name, before any work is done, and

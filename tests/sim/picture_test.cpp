@@ -1,0 +1,134 @@
+// Drawing: places and round values, waveforms without lost spikes, text that stays text, charts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "sim/picture/chart.hpp"
+#include "sim/picture/scale.hpp"
+#include "sim/picture/svg.hpp"
+#include "sim/picture/waveform.hpp"
+
+namespace sim {
+namespace {
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double from, double to) {
+  return std::uniform_real_distribution<double>(from, to)(random);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(Scale, PlacesAndValuesUndoEachOther) {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Scale scale{uniform(random, -9, 0), uniform(random, 1, 9), uniform(random, 0, 99),
+                      uniform(random, 100, 999)};
+    const double value = uniform(random, -20, 20);
+    EXPECT_NEAR(scale.value_at(scale(value)), value, 1e-9);
+    EXPECT_DOUBLE_EQ(scale(scale.from), scale.at_from);
+    EXPECT_NEAR(scale(scale.to), scale.at_to, 1e-9);
+  }
+}
+
+TEST(RoundValues, AreWithinEvenlyApartAndNotTooMany) {
+  Random random(2);
+  for (int i = 0; i < 10000; ++i) {
+    const double from = uniform(random, -1, 1) * std::pow(10, uniform(random, -9, 9));
+    const double to = from + std::pow(10, uniform(random, -9, 9));
+    if (!(to - from > 1e-6 * std::abs(from))) continue;
+    const int most = std::uniform_int_distribution(2, 20)(random);
+    const auto values = round_values(from, to, most);
+    ASSERT_LE(values.size(), static_cast<std::size_t>(most));
+    ASSERT_GE(values.size() + 2, static_cast<std::size_t>(most) / 3);
+    const double slack = 1e-8 * (to - from);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      EXPECT_GE(values[k], from - slack);
+      EXPECT_LE(values[k], to + slack);
+      if (k >= 2) {
+        EXPECT_NEAR(values[k] - values[k - 1], values[k - 1] - values[k - 2], slack);
+      }
+    }
+  }
+  EXPECT_EQ(round_values(-1, 1, 5), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
+  EXPECT_FALSE(std::signbit(round_values(-0.4, 1, 12)[2]));
+}
+
+TEST(SampledPath, LosesNoSpikeOfTenMillionSamples) {
+  std::vector<float> samples(10'000'000, 0);
+  samples[7'654'321] = 3;
+  samples[1'234'567] = -2;
+  const Scale x{0, 10, 0, 1000}, y{-2, 3, 100, 0};
+  const std::string path = sampled_path({samples, 0, 1e-6}, x, y);
+  EXPECT_EQ(count(path, "V0.00"), 1U);
+  EXPECT_EQ(count(path, "L123.5 100.00"), 1U) << "the column of the negative one begins at it";
+  EXPECT_EQ(count(path, "V"), 1000U);
+}
+
+TEST(SampledPath, GoesFromSampleToSampleWhereThereIsRoom) {
+  const std::vector<float> samples{0, 1, 0.5F};
+  EXPECT_EQ(sampled_path({samples, 1, 1}, {1, 3.5, 0, 250}, {0, 1, 10, 0}),
+            "M0.00 10.00L100.00 0.00L200.00 5.00");
+  EXPECT_EQ(sampled_path({samples, 1, 1}, {5, 6, 0, 250}, {0, 1, 10, 0}), "");
+}
+
+TEST(WirePath, BeginsAtItsLevelAndTurnsAtEachFlipOfTheWindow) {
+  dsp::LogicTrace wire(true, dsp::Seconds(10));
+  for (const double at : {1.0, 2.0, 4.0, 8.0}) wire.flip_at(dsp::Seconds(at));
+  EXPECT_EQ(wire_path(wire, {1.5, 6.5, 0, 50}, {0, 1, 10, 0}),
+            "M0.00 10.00H5.00V0.00H25.00V10.00H50.00");
+  EXPECT_EQ(wire_path(wire, {8, 12, 0, 40}, {0, 1, 10, 0}), "M0.00 0.00H20.00");
+}
+
+TEST(SvgDrawing, ShowsTextAsText) {
+  SvgDrawing drawing(10, 20, "<script>", "a & b");
+  drawing.text({1, 2}, "\"<script>alert(1)</script>\"", "small");
+  const std::string text = drawing.finished();
+  EXPECT_EQ(text.find("<script"), std::string::npos);
+  EXPECT_NE(text.find("&quot;&lt;script&gt;alert(1)&lt;/script&gt;&quot;"), std::string::npos);
+  EXPECT_NE(text.find("<desc>a &amp; b</desc>"), std::string::npos);
+}
+
+Chart chart_of(std::vector<ChartPoint> points, bool logarithmic) {
+  return {.title = "t",
+          .description = "d",
+          .x = {"x", false},
+          .y = {"y", logarithmic},
+          .curves = {{"c", std::move(points)}}};
+}
+
+TEST(Chart, ShowsAPointWithoutErrorsAsALimit) {
+  const std::string with =
+      chart_as_svg(chart_of({{1, 0, 0, 1e-3, true}, {2, 0.1, 0.05, 0.2}}, true));
+  const std::string without = chart_as_svg(chart_of({{2, 0.1, 0.05, 0.2}}, true));
+  EXPECT_EQ(count(with, "v24m"), 1U) << "an arrow";
+  EXPECT_EQ(count(without, "v24m"), 0U);
+  EXPECT_NE(with.find(">1e-3<"), std::string::npos) << "the axis reaches down to the limit";
+}
+
+TEST(Chart, StandsOnPaperWhateverItIsGiven) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const bool logarithmic : {false, true})
+    for (const auto& points :
+         std::vector<std::vector<ChartPoint>>{{},
+                                              {{1, nan, nan, nan}},
+                                              {{nan, 1, 1, 1}},
+                                              {{1, 0, 0, 0}},
+                                              {{1, -1, -2, infinity}},
+                                              {{1, 1e-300, 0, 1e300}, {1, 5, 5, 5}}}) {
+      const std::string text = chart_as_svg(chart_of(points, logarithmic));
+      EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+      EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+    }
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,89 @@
+// The picture of a traced trial: what was sent, what was read, and where they differ.
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+#include "protocol/uart.hpp"
+#include "sim/trace/trace_picture.hpp"
+
+namespace {
+
+constexpr dsp::Hertz baud(600), carrier(59e3);
+
+dsp::LogicTrace wire_with(const std::vector<std::string>& messages, double delay_s = 0) {
+  dsp::LogicTrace wire;
+  dsp::Seconds at(0.01 + delay_s);
+  for (const std::string& message : messages) {
+    for (const char c : message)
+      at = protocol::send_byte(wire, static_cast<std::uint8_t>(c), at, baud);
+    at = at + dsp::Seconds(0.3);
+  }
+  wire.observe_until(at);
+  return wire;
+}
+
+sim::TracedTrial trial_of(const std::vector<std::string>& sent,
+                          const std::vector<std::string>& read) {
+  sim::TracedTrial trial;
+  trial.tx = wire_with(sent);
+  trial.rx = wire_with(read, 200e-6);
+  trial.sample_rate = dsp::Hertz(472e3);
+  trial.carrier = carrier;
+  trial.baud = baud;
+  return trial;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(TracePicture, ShowsTheLastMessageAsSentAndAsRead) {
+  const std::string text =
+      sim::trace_as_picture(trial_of({"AB C\n", "IND 0\n"}, {"AB C\n", "IND 0\n"}));
+  EXPECT_NE(text.find("Sent: IND\u24230\\n ; read at the receiver's pin: IND\u24230\\n"),
+            std::string::npos)
+      << text.substr(0, 400);
+  EXPECT_EQ(count(text, "class=\"wrong\""), 0U);
+  EXPECT_EQ(count(text, ">N</text>"), 2U);
+  EXPECT_EQ(count(text, ">A</text>"), 0U) << "of a message before";
+  EXPECT_NE(text.find("Its character 1, "), std::string::npos);
+}
+
+TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
+  const std::string text = sim::trace_as_picture(trial_of({"IND 0\n"}, {"INE 0\n"}));
+  EXPECT_NE(text.find("Its character 3, &quot;D&quot;"), std::string::npos);
+  EXPECT_EQ(count(text, "class=\"wrong\""), 2U)
+      << "the character, and the bit of it that is not as sent";
+  EXPECT_NE(text.find("read at the receiver's pin: INE"), std::string::npos);
+}
+
+TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {
+  sim::TracedTrial trial = trial_of({"IND 0\n"}, {"IND 0\n"});
+  EXPECT_NE(sim::trace_as_picture(trial).find("as keyed"), std::string::npos);
+  trial.taps.irradiance.assign(
+      static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value), 0.25F);
+  trial.taps.irradiance[4800] = 12.5F;
+  EXPECT_NE(sim::trace_as_picture(trial).find("to 12.5 mW/m\u00b2"), std::string::npos);
+}
+
+TEST(TracePicture, StandsWhereNothingWasSentOrRead) {
+  const std::string silent = sim::trace_as_picture(trial_of({}, {}));
+  EXPECT_NE(silent.find("read at the receiver's pin: nothing"), std::string::npos);
+  const std::string unheard = sim::trace_as_picture(trial_of({"IND 0\n"}, {}));
+  EXPECT_NE(unheard.find("Its character 1, "), std::string::npos);
+}
+
+class TracePictureFile : public CommandLine {};
+
+TEST_F(TracePictureFile, IsWellFormedAndReplacesItsLikeAlone) {
+  write("s.toml", "title = \"a <b> & c\"\n");
+  EXPECT_EQ(program({"trace", "s.toml", "-o", "x.svg"}).code, 0);
+  EXPECT_EQ(program({"trace", "s.toml", "-o", "x.svg"}).code, 0) << "again";
+  EXPECT_EQ(std::system(("xmllint --noout " + path("x.svg").string()).c_str()), 0);
+  write("mine.svg", "<svg>mine</svg>");
+  EXPECT_EQ(program({"trace", "s.toml", "-o", "mine.svg"}).code, 2);
+  EXPECT_EQ(content(path("mine.svg")), "<svg>mine</svg>");
+}
+
+}  // namespace
