@@ -1,11 +1,15 @@
 #pragma once
-// The line on stderr that says how far a run is: rewritten in place on a terminal, a plain line
-// every few seconds elsewhere.
+// The line on stderr that says how far a run is: rewritten in place on a terminal, behind a bar; a
+// plain line every few seconds elsewhere.
 #include <chrono>
+#include <string>
 
 #include "sim/engine/experiment.hpp"
 
 namespace sim {
+
+/// ", about 3 min left" of a run of which this share took so long; empty while nobody can know.
+std::string time_left(double share, double elapsed_s);
 
 class ProgressLine {
  public:
@@ -23,7 +27,7 @@ class ProgressLine {
   bool shown_, terminal_;
   std::chrono::milliseconds pause_;
   bool drawn_ = false;
-  Clock::time_point last_ = Clock::now();
+  Clock::time_point began_ = Clock::now(), last_ = began_;
 };
 
 }  // namespace sim

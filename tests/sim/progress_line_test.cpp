@@ -35,6 +35,15 @@ TEST(ProgressLine, SaysHowFarARunIs) {
             "point 2 of 2: 16 of at most 4000000000 frames, 3 lost, BER 0.02\n");
 }
 
+TEST(ProgressLine, SaysHowLongItWillTakeOnceThatCanBeKnown) {
+  EXPECT_EQ(time_left(0.5, 1), "");
+  EXPECT_EQ(time_left(0.01, 100), "");
+  EXPECT_EQ(time_left(0.25, 10), ", about 30 s left");
+  EXPECT_EQ(time_left(0.5, 120), ", about 2 min left");
+  EXPECT_EQ(time_left(0.1, 3600), ", about 9 h left");
+  EXPECT_EQ(time_left(1, 3600), ", about 0 s left");
+}
+
 // Of frames that are drawn to fail the counts say nothing, their weights do.
 TEST(ProgressLine, SaysOfWeightedFramesWhatTheyAreWorth) {
   ExperimentResult drawn = two_points();
