@@ -14,9 +14,10 @@ namespace sim {
 namespace {
 
 // Pixels.
-constexpr double width = 720, height = 440;
+constexpr double width = 720;
 constexpr double left = 80, right = 700, top = 50, bottom = 380;
-constexpr double arrow_length = 24, whisker = 4, legend_step = 16;
+constexpr double arrow_length = 24, whisker = 4;
+constexpr double legend_top = bottom + 66, legend_step = 16;
 
 constexpr std::array styles{"curve1", "curve2", "curve3", "curve4", "curve5", "curve6"};
 
@@ -145,17 +146,18 @@ void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve
 }  // namespace
 
 std::string chart_as_svg(const Chart& chart) {
+  const double height = legend_top + legend_step * static_cast<double>(chart.curves.size());
   SvgDrawing drawing(width, height, chart.title, chart.description);
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
-  double legend = top + 14;
+  double legend = legend_top;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];
     const std::string style =
         std::string(styles[i % styles.size()]) + (curve.is_theory ? " theory" : "");
     draw_curve(drawing, paper, curve, style);
-    drawing.line({right - 170, legend - 4}, {right - 145, legend - 4}, style);
-    drawing.text({right - 138, legend}, curve.name, "");
+    drawing.line({left, legend - 4}, {left + 25, legend - 4}, style);
+    drawing.text({left + 32, legend}, curve.name, "");
     legend += legend_step;
   }
   return drawing.finished();

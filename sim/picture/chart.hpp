@@ -1,6 +1,6 @@
 #pragma once
-// A chart of curves with their intervals, of what was measured and of what theory says. The same
-// chart is a still picture here and a live one in a report.
+// A chart of curves with their intervals, of what was measured and of what theory says: one for
+// paper, for a terminal and for a report.
 #include <string>
 #include <vector>
 
@@ -29,6 +29,10 @@ struct Chart {
   ChartAxis x, y;
   std::vector<ChartCurve> curves;
 };
+
+/// 18 lines of characters, each ended by a newline: what the marks are, the paper, the lower axis.
+/// Intervals are not shown. A logarithmic axis leaves out what is not positive.
+std::string chart_as_text(const Chart& chart);
 
 /// As SVG. On a logarithmic axis what is not positive has no place, but limits, which are drawn as
 /// arrows from their upper end.

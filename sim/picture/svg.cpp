@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/text/existing_file.hpp"
+
 namespace sim {
 namespace {
+
+constexpr std::string_view head = "<!-- by cosys-sim -->\n";
 
 constexpr const char* style_sheet = R"(<style>
 svg { background: #fff; color: #222; font: 12px sans-serif; }
@@ -19,6 +23,23 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .curve4 { stroke: #cc79a7; }
 .curve5 { stroke: #e69f00; }
 .curve6 { stroke: #56b4e9; }
+.frame { fill: none; stroke: currentColor; stroke-opacity: .3; }
+.fill0 { fill: #999; fill-opacity: .35; }
+.fill1 { fill: #0072b2; }
+.fill2 { fill: #e69f00; }
+.fill3 { fill: #cc79a7; }
+.fill4 { fill: #009e73; }
+.fill5 { fill: #d55e00; }
+.fill6 { fill: #56b4e9; }
+.heat0 { fill: #440154; }
+.heat1 { fill: #46327e; }
+.heat2 { fill: #365c8d; }
+.heat3 { fill: #277f8e; }
+.heat4 { fill: #1fa187; }
+.heat5 { fill: #4ac16d; }
+.heat6 { fill: #a0da39; }
+.heat7 { fill: #fde725; }
+.contour { stroke-width: 3; stroke: #d55e00; }
 .theory { stroke-dasharray: 6 4; }
 .dot { stroke-width: 2; }
 .heading { font-size: 15px; font-weight: bold; }
@@ -65,9 +86,9 @@ std::string xml_escaped(std::string_view text) {
 SvgDrawing::SvgDrawing(double width, double height, std::string_view title,
                        std::string_view description) {
   text_ = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
-      "height=\"{1:g}\" role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n{4}",
-      width, height, xml_escaped(title), xml_escaped(description), style_sheet);
+      "{0}<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {1:g} {2:g}\" width=\"{1:g}\" "
+      "height=\"{2:g}\" role=\"img\">\n<title>{3}</title>\n<desc>{4}</desc>\n{5}",
+      head, width, height, xml_escaped(title), xml_escaped(description), style_sheet);
 }
 
 void SvgDrawing::line(SvgPoint from, SvgPoint to, std::string_view style) {
@@ -80,9 +101,19 @@ void SvgDrawing::path(std::string_view data, std::string_view style) {
   if (!data.empty()) text_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style, data);
 }
 
+void SvgDrawing::rectangle(SvgPoint corner, double width, double height, std::string_view style) {
+  text_ += fmt::format(
+      "<rect class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n", style,
+      corner.x, corner.y, width, height);
+}
+
 void SvgDrawing::text(SvgPoint at, std::string_view words, std::string_view style) {
   text_ += fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", style, at.x,
                        at.y, xml_escaped(words));
+}
+
+bool is_drawing(const std::filesystem::path& path) {
+  return beginning_of(path, head.size()) == head;
 }
 
 }  // namespace sim

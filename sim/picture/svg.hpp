@@ -2,6 +2,7 @@
 // A drawing as SVG 1.1 (W3C Recommendation of 2011), for browsers and for paper. Lengths are pixels
 // from the upper left corner. How things look is said by the style sheet alone (svg.cpp), in
 // colours that the colour-blind tell apart (Okabe and Ito 2008), in light and in dark.
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,7 @@ class SvgDrawing {
   void line(SvgPoint from, SvgPoint to, std::string_view style);
   /// `data` is the path's "d"; none is drawn of an empty one.
   void path(std::string_view data, std::string_view style);
+  void rectangle(SvgPoint corner, double width, double height, std::string_view style);
   void text(SvgPoint at, std::string_view words, std::string_view style);
 
   std::string finished() const { return text_ + "</svg>\n"; }
@@ -30,5 +32,8 @@ class SvgDrawing {
  private:
   std::string text_;
 };
+
+/// Whether a file is such a drawing.
+bool is_drawing(const std::filesystem::path& path);
 
 }  // namespace sim

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/text_plot.hpp"
+#include "sim/picture/chart.hpp"
 
 namespace sim {
 namespace {
@@ -71,10 +71,30 @@ std::string rms_line(const Comparison& c) {
                      c.model.size());
 }
 
+ChartAxis chart_axis(const FigureAxis& axis) {
+  const std::string unit = bracketed(axis.unit);
+  return {axis.name + (unit.empty() ? "" : " " + unit), axis.logarithmic};
+}
+
+ChartCurve chart_curve(const char* name, const std::vector<double>& x,
+                       const std::vector<double>& y) {
+  ChartCurve curve{name, {}};
+  for (std::size_t i = 0; i < x.size(); ++i) curve.points.push_back({x[i], y[i], y[i], y[i]});
+  return curve;
+}
+
+Chart chart_of(const Comparison& c) {
+  return {.title = c.figure.name,
+          .description = c.figure.title,
+          .x = chart_axis(c.figure.x),
+          .y = chart_axis(c.figure.y),
+          .curves = {chart_curve("data sheet", c.sheet.x, c.sheet.y),
+                     chart_curve("model", c.sheet.x, c.model)}};
+}
+
 std::string comparison_text(const Comparison& c) {
   return fmt::format("\n{}: {}\n  {}\n", c.figure.name, c.figure.title, c.sheet.source) +
-         points_table(c) + rms_line(c) +
-         text_plot(c.figure.x, c.figure.y, {c.sheet.x, c.sheet.y, c.model});
+         points_table(c) + rms_line(c) + chart_as_text(chart_of(c));
 }
 
 std::string number_lines(const PartSheet& sheet) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/picture/svg.hpp"
 #include "sim/scenario/fidelity.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/text/existing_file.hpp"
@@ -99,7 +100,7 @@ constexpr Format formats[] = {
     {".ook", one_place, one_file<to_pulses>, is_own_pulses, false},
     {".bin", one_place, one_file<trace_as_raw>, is_own_raw, false,
      "known to be one of cosys-sim's"},
-    {".svg", one_place, one_file<trace_as_picture>, is_picture_of_trace, false},
+    {".svg", one_place, one_file<trace_as_picture>, is_drawing, false},
     {".csv", one_place, one_file<to_csv>, is_own_csv, true},
     {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, true},
     {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, true},

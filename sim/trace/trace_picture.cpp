@@ -13,7 +13,6 @@
 #include "sim/picture/svg.hpp"
 #include "sim/picture/waveform.hpp"
 #include "sim/text/escaped_text.hpp"
-#include "sim/text/existing_file.hpp"
 
 namespace sim {
 namespace {
@@ -256,11 +255,6 @@ std::string trace_as_picture(const TracedTrial& trial) {
   draw_character(drawing, signals, character);
   draw_edge(drawing, signals, character);
   return drawing.finished();
-}
-
-bool is_picture_of_trace(const std::filesystem::path& path) {
-  return beginning_of(path, 4096).find(fmt::format("<title>{}</title>", title)) !=
-         std::string::npos;
 }
 
 }  // namespace sim

@@ -2,7 +2,6 @@
 // The figure of the COSYS protocol's document ("PHYSICAL LAYER": over-the-air waveform above the
 // decoded signal) for any trial: its last message, one character of it, and the cycles of light at
 // an edge.
-#include <filesystem>
 #include <string>
 
 #include "sim/trace/trace.hpp"
@@ -11,8 +10,5 @@ namespace sim {
 
 /// As SVG. Where no samples were made the light is drawn as it was keyed.
 std::string trace_as_picture(const TracedTrial& trial);
-
-/// Whether a file is such a picture.
-bool is_picture_of_trace(const std::filesystem::path& path);
 
 }  // namespace sim

@@ -7,7 +7,6 @@
 #include "sim/parts/digitised_curve.hpp"
 #include "sim/parts/parts.hpp"
 #include "sim/report/part_sheet.hpp"
-#include "sim/report/text_plot.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/text/text_file.hpp"
 
@@ -219,18 +218,6 @@ TEST(ModelAgainstSheet, Tsal6200IsNearEveryCurveOfItsSheet) {
   const auto rms = deviations("tsal6200");
   ASSERT_EQ(rms.size(), 3u);
   for (const auto& [figure, deviation] : rms) EXPECT_LT(deviation, 0.01) << figure;
-}
-
-TEST(TextPlot, MarksBothCurvesAndLeavesOutWhatIsNotKnown) {
-  const double unknown = std::nan("");
-  const std::string plot =
-      sim::text_plot({"x", "m"}, {"y", "1"}, {{0, 1, 2}, {0, 5, 10}, {0, unknown, 20}});
-  EXPECT_EQ(std::ranges::count(plot, '\n'), 18);
-  EXPECT_TRUE(has(plot, "        20 |" + std::string(63, ' ') + "x\n")) << plot;
-  EXPECT_TRUE(has(plot, "         0 |*\n")) << plot;
-  EXPECT_TRUE(has(plot, "|" + std::string(63, ' ') + "o\n")) << plot;
-  EXPECT_TRUE(has(plot, "|" + std::string(32, ' ') + "o\n")) << plot;
-  EXPECT_TRUE(has(plot, "+" + std::string(64, '-') + "\n")) << plot;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "occurrences.hpp"
 #include "sim/picture/chart.hpp"
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
@@ -18,12 +19,6 @@ using Random = std::mt19937_64;
 
 double uniform(Random& random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 TEST(Scale, PlacesAndValuesUndoEachOther) {
@@ -67,9 +62,10 @@ TEST(SampledPath, LosesNoSpikeOfTenMillionSamples) {
   samples[1'234'567] = -2;
   const Scale x{0, 10, 0, 1000}, y{-2, 3, 100, 0};
   const std::string path = sampled_path({samples, 0, 1e-6}, x, y);
-  EXPECT_EQ(count(path, "V0.00"), 1U);
-  EXPECT_EQ(count(path, "L123.5 100.00"), 1U) << "the column of the negative one begins at it";
-  EXPECT_EQ(count(path, "V"), 1000U);
+  EXPECT_EQ(occurrences(path, "V0.00"), 1U);
+  EXPECT_EQ(occurrences(path, "L123.5 100.00"), 1U)
+      << "the column of the negative one begins at it";
+  EXPECT_EQ(occurrences(path, "V"), 1000U);
 }
 
 TEST(SampledPath, GoesFromSampleToSampleWhereThereIsRoom) {
@@ -108,8 +104,8 @@ TEST(Chart, ShowsAPointWithoutErrorsAsALimit) {
   const std::string with =
       chart_as_svg(chart_of({{1, 0, 0, 1e-3, true}, {2, 0.1, 0.05, 0.2}}, true));
   const std::string without = chart_as_svg(chart_of({{2, 0.1, 0.05, 0.2}}, true));
-  EXPECT_EQ(count(with, "v24m"), 1U) << "an arrow";
-  EXPECT_EQ(count(without, "v24m"), 0U);
+  EXPECT_EQ(occurrences(with, "v24m"), 1U) << "an arrow";
+  EXPECT_EQ(occurrences(without, "v24m"), 0U);
   EXPECT_NE(with.find(">1e-3<"), std::string::npos) << "the axis reaches down to the limit";
 }
 
@@ -128,6 +124,34 @@ TEST(Chart, StandsOnPaperWhateverItIsGiven) {
       EXPECT_EQ(text.find("nan"), std::string::npos) << text;
       EXPECT_EQ(text.find("inf"), std::string::npos) << text;
     }
+}
+
+TEST(ChartText, MarksBothCurvesAndLeavesOutWhatIsNotKnown) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::string plot = chart_as_text(
+      {.title = "",
+       .description = "",
+       .x = {"x [m]"},
+       .y = {"y"},
+       .curves = {{"a", {{0, 0}, {1, 5}, {2, 10}}}, {"b", {{0, 0}, {1, unknown}, {2, 20}}}}});
+  EXPECT_EQ(occurrences(plot, "\n"), 18U);
+  EXPECT_NE(plot.find("y; o a, x b, * both\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("        20 |" + std::string(63, ' ') + "x\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("         0 |*\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("|" + std::string(63, ' ') + "o\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("|" + std::string(32, ' ') + "o\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("+" + std::string(64, '-') + "\n"), std::string::npos) << plot;
+}
+
+TEST(ChartText, MarksLimitsAndLetsWhatWasMeasuredCoverTheory) {
+  Chart chart = chart_of({{1, 0, 0, 1e-3, true}, {2, 0.1, 0.05, 0.2}}, true);
+  chart.curves.push_back({"theory", {{1, 1e-4}, {2, 0.1}}, true});
+  const std::string plot = chart_as_text(chart);
+  EXPECT_NE(plot.find("y, logarithmic; o c, . theory, v less than that\n"), std::string::npos)
+      << plot;
+  EXPECT_NE(plot.find("|" + std::string(63, ' ') + "o\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("|v\n"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("|.\n"), std::string::npos) << plot;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The picture of a traced trial: what was sent, what was read, and where they differ.
 #include <gtest/gtest.h>
 
+#include "occurrences.hpp"
 #include "program.hpp"
 #include "protocol/uart.hpp"
 #include "sim/trace/trace_picture.hpp"
@@ -32,28 +33,22 @@ sim::TracedTrial trial_of(const std::vector<std::string>& sent,
   return trial;
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
-
 TEST(TracePicture, ShowsTheLastMessageAsSentAndAsRead) {
   const std::string text =
       sim::trace_as_picture(trial_of({"AB C\n", "IND 0\n"}, {"AB C\n", "IND 0\n"}));
   EXPECT_NE(text.find("Sent: IND\u24230\\n ; read at the receiver's pin: IND\u24230\\n"),
             std::string::npos)
       << text.substr(0, 400);
-  EXPECT_EQ(count(text, "class=\"wrong\""), 0U);
-  EXPECT_EQ(count(text, ">N</text>"), 2U);
-  EXPECT_EQ(count(text, ">A</text>"), 0U) << "of a message before";
+  EXPECT_EQ(sim::occurrences(text, "class=\"wrong\""), 0U);
+  EXPECT_EQ(sim::occurrences(text, ">N</text>"), 2U);
+  EXPECT_EQ(sim::occurrences(text, ">A</text>"), 0U) << "of a message before";
   EXPECT_NE(text.find("Its character 1, "), std::string::npos);
 }
 
 TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
   const std::string text = sim::trace_as_picture(trial_of({"IND 0\n"}, {"INE 0\n"}));
   EXPECT_NE(text.find("Its character 3, &quot;D&quot;"), std::string::npos);
-  EXPECT_EQ(count(text, "class=\"wrong\""), 2U)
+  EXPECT_EQ(sim::occurrences(text, "class=\"wrong\""), 2U)
       << "the character, and the bit of it that is not as sent";
   EXPECT_NE(text.find("read at the receiver's pin: INE"), std::string::npos);
 }

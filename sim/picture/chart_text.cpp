@@ -1,0 +1,139 @@
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "sim/picture/chart.hpp"
+
+namespace sim {
+namespace {
+
+constexpr int columns = 64, rows = 15;
+constexpr int label_width = 10;
+
+constexpr std::string_view marks = "ox+#@%";  // of the curves that were measured, in turn
+constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*';
+
+/// Values along one axis, as the paper has them.
+class CellScale {
+ public:
+  CellScale(const ChartAxis& axis, int cells) : logarithmic_(axis.logarithmic), cells_(cells) {}
+
+  void cover(double value) {
+    if (!shows(value)) return;
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+  int cell(double value) const {
+    const double span = on_paper(high_) - on_paper(low_);
+    const double share = span > 0 ? (on_paper(value) - on_paper(low_)) / span : 0.5;
+    return static_cast<int>(std::lround(share * (cells_ - 1)));
+  }
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+ private:
+  double on_paper(double value) const { return logarithmic_ ? std::log(value) : value; }
+
+  bool logarithmic_;
+  int cells_;
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+};
+
+class Paper {
+ public:
+  Paper(const CellScale& x, const CellScale& y)
+      : x_(x), y_(y), lines_(rows, std::string(static_cast<std::size_t>(columns), ' ')) {}
+
+  void mark(double x, double y, char with) {
+    if (!x_.shows(x) || !y_.shows(y)) return;
+    char& at = lines_[static_cast<std::size_t>(rows - 1 - y_.cell(y))]
+                     [static_cast<std::size_t>(x_.cell(x))];
+    if (at == ' ' || at == with || at == theory_mark)
+      at = with;
+    else if (with != theory_mark)
+      at = several_mark;
+  }
+  const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  const CellScale& x_;
+  const CellScale& y_;
+  std::vector<std::string> lines_;
+};
+
+std::string label(const ChartAxis& axis) {
+  return axis.label + (axis.logarithmic ? ", logarithmic" : "");
+}
+
+std::vector<char> marks_of(const std::vector<ChartCurve>& curves) {
+  std::vector<char> found;
+  std::size_t measured = 0;
+  for (const ChartCurve& curve : curves)
+    found.push_back(curve.is_theory ? theory_mark : marks[measured++ % marks.size()]);
+  return found;
+}
+
+bool has_limits(const Chart& chart) {
+  return std::ranges::any_of(chart.curves, [](const ChartCurve& curve) {
+    return std::ranges::any_of(curve.points, &ChartPoint::is_limit);
+  });
+}
+
+std::string legend(const Chart& chart) {
+  std::vector<std::string> names;
+  const std::vector<char> found = marks_of(chart.curves);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    names.push_back(fmt::format("{} {}", found[i], chart.curves[i].name));
+  if (has_limits(chart)) names.push_back(fmt::format("{} less than that", limit_mark));
+  const auto measured = std::ranges::count(chart.curves, false, &ChartCurve::is_theory);
+  if (measured > 1)
+    names.push_back(fmt::format("{} {}", several_mark, measured == 2 ? "both" : "several"));
+  return fmt::format("{:>{}}  {}; {}\n", "", label_width, label(chart.y), fmt::join(names, ", "));
+}
+
+/// Where a point is marked: a limit at its upper end.
+double height_of(const ChartPoint& point) { return point.is_limit ? point.high : point.y; }
+
+std::string framed(const Paper& paper, const CellScale& x, const CellScale& y,
+                   const ChartAxis& axis) {
+  std::string text;
+  for (std::size_t i = 0; i < paper.lines().size(); ++i) {
+    const bool top = i == 0, bottom = i + 1 == paper.lines().size();
+    const std::string edge = top      ? fmt::format("{:.4g}", y.high())
+                             : bottom ? fmt::format("{:.4g}", y.low())
+                                      : "";
+    std::string line = fmt::format("{:>{}} |{}", edge, label_width, paper.lines()[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  text += fmt::format("{:>{}} +{:-<{}}\n", "", label_width, "", columns);
+  text += fmt::format("{:>{}}  {:<{}.4g}{:^{}}{:>{}.4g}\n", "", label_width, x.low(), 10,
+                      label(axis), columns - 20, x.high(), 10);
+  return text;
+}
+
+}  // namespace
+
+std::string chart_as_text(const Chart& chart) {
+  CellScale across(chart.x, columns), up(chart.y, rows);
+  for (const ChartCurve& curve : chart.curves)
+    for (const ChartPoint& point : curve.points) {
+      across.cover(point.x);
+      up.cover(height_of(point));
+    }
+  Paper paper(across, up);
+  const std::vector<char> found = marks_of(chart.curves);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const ChartPoint& point : chart.curves[i].points)
+      paper.mark(point.x, height_of(point), point.is_limit ? limit_mark : found[i]);
+  return legend(chart) + framed(paper, across, up, chart.x);
+}
+
+}  // namespace sim

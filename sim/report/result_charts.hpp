@@ -1,0 +1,24 @@
+#pragma once
+// The curves of a link's result: its ratios with their intervals over a swept number.
+#include <string>
+#include <vector>
+
+#include "sim/picture/chart.hpp"
+#include "sim/picture/heat_map.hpp"
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+/// "receiver.range_m [m]": what is written along an axis.
+std::string axis_name(const Axis& axis);
+
+/// BER and FLR over the swept number with the most values, a curve for each combination of the
+/// others, and theory where there is one. Points without an error are limits; those never reached
+/// are left out. Empty where no number was swept.
+std::vector<Chart> result_charts(const ExperimentResult& result);
+
+/// FLR over the two swept numbers with the most values, a map for each combination of the others'
+/// values. Empty where less than two numbers were swept.
+std::vector<HeatMap> result_maps(const ExperimentResult& result);
+
+}  // namespace sim

@@ -1,0 +1,90 @@
+// Curves and maps of a result: which points they have, and what they are called.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/report/result_charts.hpp"
+
+namespace sim {
+namespace {
+
+PointResult point_of(std::vector<double> coordinates, std::uint64_t frames, std::uint64_t lost) {
+  PointResult point{.coordinates = std::move(coordinates)};
+  point.tally.n_frames = frames;
+  point.tally.n_frames_lost = point.tally.n_bit_errors = lost;
+  point.tally.n_frames_ok = frames - lost;
+  point.tally.n_bits = 100 * frames;
+  point.tally.n_frames_bit_errors = point.tally.sum_bit_errors_squared = lost;
+  point.tally.sum_bits_squared = 100 * 100 * frames;
+  point.tally.sum_bit_errors_times_bits = 100 * lost;
+  return point;
+}
+
+TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
+  ExperimentResult result;
+  result.axes = {{"receiver.ebn0_db", "dB", "", {0, 10, 20}}};
+  result.points = {point_of({0}, 10, 5), point_of({10}, 10, 0), point_of({20}, 0, 0)};
+  result.points[0].operating.ber_theory = 0.04;
+  const std::vector<Chart> charts = result_charts(result);
+  ASSERT_EQ(charts.size(), 2U);
+  EXPECT_EQ(charts[0].title, "Bit errors");
+  EXPECT_EQ(charts[1].title, "Frame loss");
+  EXPECT_EQ(charts[0].x.label, "receiver.ebn0_db [dB]");
+  EXPECT_FALSE(charts[0].x.logarithmic);
+  ASSERT_EQ(charts[0].curves.size(), 2U);
+  EXPECT_EQ(charts[0].curves[1].name, "theory");
+  EXPECT_TRUE(charts[0].curves[1].is_theory);
+  EXPECT_EQ(charts[0].curves[1].points.front().y, 0.04);
+  ASSERT_EQ(charts[1].curves.size(), 1U);
+  const std::vector<ChartPoint>& loss = charts[1].curves[0].points;
+  ASSERT_EQ(loss.size(), 2U) << "the third was never reached";
+  EXPECT_EQ(loss[0].y, 0.5);
+  EXPECT_FALSE(loss[0].is_limit);
+  EXPECT_TRUE(loss[1].is_limit);
+  EXPECT_GT(loss[1].high, 0.2);
+}
+
+TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
+  ExperimentResult result;
+  result.axes = {{"receiver.range_m", "m", "", {0.1, 100, 1000}},
+                 {"receiver.module", "", "", {0, 1}, {"A", "B"}}};
+  for (const double range : {0.1, 100.0, 1000.0})
+    for (const double module : {0, 1}) result.points.push_back(point_of({range, module}, 10, 1));
+  const Chart chart = result_charts(result)[1];
+  EXPECT_TRUE(chart.x.logarithmic) << "over two decades";
+  ASSERT_EQ(chart.curves.size(), 2U);
+  EXPECT_EQ(chart.curves[1].name, "receiver.module = B");
+  EXPECT_EQ(chart.curves[1].points.size(), 3U);
+}
+
+TEST(ResultCharts, OfASinglePointAreNone) {
+  ExperimentResult result;
+  result.points = {point_of({}, 10, 5)};
+  EXPECT_TRUE(result_charts(result).empty());
+  EXPECT_TRUE(result_maps(result).empty());
+}
+
+TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
+  ExperimentResult result;
+  result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
+                 {"receiver.range_m", "m", "", {1, 2, 3}},
+                 {"ambient.daylight_lux", "lx", "", {0, 100}}};
+  for (const double module : {0, 1})
+    for (const double range : {1, 2, 3})
+      for (const double lux : {0, 100}) {
+        result.points.push_back(
+            point_of({module, range, lux}, 10, module == 1 && range == 3 && lux == 100 ? 4 : 0));
+      }
+  result.points[1].tally = {};
+  const std::vector<HeatMap> maps = result_maps(result);
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps[0].title, "Map of frame loss, receiver.module = A");
+  EXPECT_EQ(maps[1].columns, (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(maps[1].rows, (std::vector<std::string>{"0", "100"}));
+  EXPECT_EQ(maps[1].values[1][2], 0.4);
+  EXPECT_EQ(maps[1].values[0][2], 0);
+  EXPECT_TRUE(std::isnan(maps[0].values[1][0]));
+}
+
+}  // namespace
+}  // namespace sim
