@@ -31,7 +31,7 @@ openssl/.*           sim/trace/.*[.]cpp
 '
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
-sim_order='text picture threads noise counting scenario parts link loading trial result capture engine trace report serial
+sim_order='text picture threads noise counting scenario parts link loading trial result capture engine trace report page serial
            check listening arena guard exchange location node serve command'
 
 # shellcheck disable=SC2016 # the $ are those of awk

@@ -58,6 +58,7 @@ struct Requests {
   FindRequest find;
   LocateRequest locate;
   MergeRequest merge;
+  ReportRequest report;
   DiffRequest diff;
   CheckRequest check;
   BaselineRequest baseline;
@@ -96,6 +97,7 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("locate")) return locate_command(requests.locate);
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
+  if (app.got_subcommand("report")) return report_command(requests.report);
   if (app.got_subcommand("check")) return check_command(requests.check);
   if (app.got_subcommand("baseline")) return baseline_command(requests.baseline);
   if (app.got_subcommand("compare")) return compare_command(requests.compare);
@@ -122,6 +124,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_find(app, requests.find);
   add_locate(app, requests.locate);
   add_merge(app, requests.merge);
+  add_report(app, requests.report);
   add_diff(app, requests.diff);
   add_baseline(app, requests.baseline);
   add_check(app, requests.check);

@@ -45,6 +45,7 @@ struct RunRequest {
   bool quiet = false, json = false;
   bool resume = false;  // go on with what the result files have
   Shard shard;
+  bool plot = false;         // draw the ratios as characters
   bool profile = false;      // say where the time went
   bool plan = false;         // say what the run would take, and run nothing else
   double time_budget_s = 0;  // choose stop.max_frames so that it takes so long; 0: as given
@@ -126,6 +127,14 @@ struct MergeRequest {
 };
 /// Adds shards of one experiment up.
 ExitCode merge_command(const MergeRequest& request);
+
+struct ReportRequest {
+  std::vector<std::filesystem::path> results;  // at least one
+  std::filesystem::path output = "report.html";
+  std::optional<std::filesystem::path> pictures;  // a folder for each picture by itself
+  int threads = 0;                                // 0: one per processor
+};
+ExitCode report_command(const ReportRequest& request);
 
 struct DiffRequest {
   std::filesystem::path one, other;  // result files

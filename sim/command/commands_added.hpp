@@ -10,6 +10,7 @@ void add_run(CLI::App& app, RunRequest& request);
 void add_trace(CLI::App& app, TraceRequest& request);
 void add_find(CLI::App& app, FindRequest& request);
 void add_merge(CLI::App& app, MergeRequest& request);
+void add_report(CLI::App& app, ReportRequest& request);
 void add_diff(CLI::App& app, DiffRequest& request);
 void add_encode(CLI::App& app, EncodeRequest& request);
 void add_decode(CLI::App& app, DecodeRequest& request);

@@ -17,6 +17,7 @@
 #include "sim/report/experiment_run.hpp"
 #include "sim/report/report_json.hpp"
 #include "sim/report/report_table.hpp"
+#include "sim/report/result_charts.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/unfinished.hpp"
@@ -108,6 +109,13 @@ std::string profile_of(const ExperimentResult& result) {
   return profile_lines(profile, samples);
 }
 
+std::string plots(const RunRequest& request, const ExperimentResult& result) {
+  if (!request.plot) return "";
+  std::string text;
+  for (const Chart& chart : result_charts(result)) text += "\n" + chart_as_text(chart);
+  return text.empty() ? "no number is swept: nothing to plot\n" : text + "\n";
+}
+
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
   Keeper keeper(run.output, request.program);
   ProgressLine progress(!request.quiet);
@@ -125,8 +133,9 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
   keeper.keep(result);
   if (request.profile) say(profile_of(result));
-  print(request.json ? to_json(result) + "\n"
-                     : missing_lines(result) + closing_lines(result, run.output));
+  print(request.json
+            ? to_json(result) + "\n"
+            : plots(request, result) + missing_lines(result) + closing_lines(result, run.output));
 }
 
 // ---- experiments that are no links ----
@@ -134,9 +143,10 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
 /// What such a run would not heed.
 void refuse_link_options(const RunRequest& request, const fs::path& scenario, const Team* team) {
   const std::pair<bool, const char*> options[] = {
-      {request.resume, "--resume"},   {request.shard != Shard{}, "--shard"},
-      {request.plan, "--plan"},       {request.time_budget_s > 0, "--time-budget"},
-      {request.profile, "--profile"}, {team != nullptr, "mpirun"}};
+      {request.resume, "--resume"}, {request.shard != Shard{}, "--shard"},
+      {request.plan, "--plan"},     {request.time_budget_s > 0, "--time-budget"},
+      {request.plot, "--plot"},     {request.profile, "--profile"},
+      {team != nullptr, "mpirun"}};
   for (const auto& [given, name] : options)
     if (given)
       throw bad_input(fmt::format("{} with {}", name, scenario.string()),

@@ -37,6 +37,7 @@ void add_run(CLI::App& app, RunRequest& request) {
          "is SCENARIO-KofN.h5 if not given")
       ->type_name("K/N")
       ->check(a_shard);
+  run.add_flag("--plot", request.plot, "draw the ratios over the swept number, as characters");
   run.add_flag("--profile", request.profile,
                "say on stderr where the time went, stage by stage; looking costs some of it")
       ->excludes("--resume");
@@ -110,6 +111,17 @@ void add_merge(CLI::App& app, MergeRequest& request) {
   add_place(merge, "RESULT", request.results, "", "result files (.h5)")->required();
   add_place(merge, "-o,--output", request.output, "OUT.h5", "result file to write")->required();
   merge.footer("Example: cosys-sim merge quickstart-1of2.h5 quickstart-2of2.h5 -o quickstart.h5");
+}
+
+void add_report(CLI::App& app, ReportRequest& request) {
+  auto& report = *app.add_subcommand(
+      "report", "Show results as pictures and tables in one HTML file that needs nothing else");
+  add_place(report, "RESULT", request.results, "", "result files (.h5) of links")->required();
+  add_place(report, "-o,--output", request.output, "FILE",
+            "file to write; report.html if not given");
+  add_place(report, "--svg", request.pictures, "DIR", "put each picture there too, as SVG");
+  add_threads(report, request.threads);
+  report.footer("Example: cosys-sim report quickstart.h5 -o report.html");
 }
 
 void add_diff(CLI::App& app, DiffRequest& request) {

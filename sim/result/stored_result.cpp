@@ -1,7 +1,11 @@
 #include "sim/result/stored_result.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -92,6 +96,8 @@ bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
   return shards && result_digest(result) == file.text("result_digest");
 }
 
+namespace {
+
 /// Who reads a result cannot mend its scenario.
 LoadedScenario carried_scenario(const Origin& origin, const std::filesystem::path& path) {
   try {
@@ -102,6 +108,26 @@ LoadedScenario carried_scenario(const Origin& origin, const std::filesystem::pat
                     "choose another file");
   }
 }
+
+/// "1.3" as 1, 3; of what is no version 0, 0.
+std::pair<int, int> version_numbers(const std::string& version) {
+  int major = 0, minor = 0;
+  char dot = ' ';
+  std::istringstream text(version);
+  if (!(text >> major >> dot >> minor) || dot != '.') return {0, 0};
+  return {major, minor};
+}
+
+void refuse_newer(const Origin& origin, const std::filesystem::path& path) {
+  const std::string own = NetcdfFile::format_version;
+  if (version_numbers(origin.format_version) <= version_numbers(own)) return;
+  throw bad_input(path.string(),
+                  fmt::format("its format {} is newer than {}, the newest known here",
+                              origin.format_version, own),
+                  "read it with the cosys-sim that wrote it, or a later one");
+}
+
+}  // namespace
 
 StoredResult read_result(const std::filesystem::path& path) {
   std::error_code error;
@@ -115,6 +141,7 @@ StoredResult read_result(const std::filesystem::path& path) {
                     "give a file that run wrote");
   const NetcdfReader file(path);
   StoredResult stored{origin_of(file), {}, {}};
+  refuse_newer(stored.origin, path);
   stored.scenario = carried_scenario(stored.origin, path);
   stored.result = unfinished(stored.scenario, file.text("command"));
   stored.result.scenario_toml = stored.origin.scenario_toml;

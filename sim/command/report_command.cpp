@@ -1,0 +1,90 @@
+// `cosys-sim report`: results as pictures and tables.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "sim/command/commands.hpp"
+#include "sim/command/judging.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/failure.hpp"
+#include "sim/page/page.hpp"
+#include "sim/page/report_contents.hpp"
+#include "sim/picture/svg.hpp"
+#include "sim/result/stored_result.hpp"
+#include "sim/text/existing_file.hpp"
+#include "sim/text/new_file.hpp"
+#include "sim/text/standard_output.hpp"
+#include "sim/threads/stop_signals.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+ReportedResult read(const fs::path& path, int threads) {
+  StoredResult stored = read_result(path);
+  describe_points(stored.scenario, stored.result);
+  Omissions omissions = leave_out(stored.scenario, stored.result, threads, heed_stop_signals());
+  return {path.stem().string(), std::move(stored.result), std::move(omissions)};
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  NewFile file(path);
+  file.write(text);
+  file.take_place();
+}
+
+using PlacedPictures = std::map<fs::path, const PagePicture*>;
+
+/// The files that pictures become: bit-errors.svg, bit-errors-2.svg...
+PlacedPictures places_of(const Page& page, const fs::path& folder) {
+  PlacedPictures places;
+  for (const PageSection& section : page.sections) {
+    if (!section.picture) continue;
+    const std::string& name = section.picture->name;
+    fs::path place = folder / (name + ".svg");
+    for (int i = 2; places.contains(place); ++i) place = folder / fmt::format("{}-{}.svg", name, i);
+    places[place] = &*section.picture;
+  }
+  return places;
+}
+
+fs::path made_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Failure(ExitCode::environment,
+                  fmt::format("cannot create the folder {} ({}) choose another place",
+                              folder.string(), error.message()));
+  return folder;
+}
+
+void write_pictures(const PlacedPictures& places) {
+  for (const auto& [path, picture] : places) {
+    write_file(path, picture->svg);
+    print(path.string() + "\n");
+  }
+}
+
+}  // namespace
+
+ExitCode report_command(const ReportRequest& request) {
+  refuse_to_lose(request.output, is_page, "a report of cosys-sim");
+  std::vector<ReportedResult> results;
+  const std::atomic<bool>& stopping = heed_stop_signals();
+  for (const fs::path& path : request.results)
+    results.push_back(read(path, threads_for(request.threads)));
+  if (stopping) return end_interrupted();
+  const Page page = report_of(results);
+  PlacedPictures pictures;
+  if (request.pictures) pictures = places_of(page, made_folder(*request.pictures));
+  for (const auto& [path, picture] : pictures)
+    refuse_to_lose(path, is_drawing, "a picture of cosys-sim");
+  write_file(request.output, page_as_html(page));
+  print(request.output.string() + "\n");
+  write_pictures(pictures);
+  return ExitCode::done;
+}
+
+}  // namespace sim

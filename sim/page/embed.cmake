@@ -1,0 +1,17 @@
+# Writes OUTPUT, a C++ file in which sim::NAME is the content of FILE: cmake -D NAME -D FILE -D OUTPUT -P embed.cmake
+# An empty FILE gives an empty text.
+set(bytes "")
+if(FILE)
+  file(READ ${FILE} hex HEX)
+  string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${hex}")
+endif()
+file(WRITE ${OUTPUT} "#include \"sim/page/embedded.hpp\"
+
+namespace {
+constexpr char bytes[] = {${bytes}'\\0'};
+}  // namespace
+
+namespace sim {
+const std::string_view ${NAME}{bytes, sizeof bytes - 1};
+}  // namespace sim
+")

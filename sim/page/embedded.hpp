@@ -1,0 +1,11 @@
+#pragma once
+// Files that are built into the program (embed.cmake).
+#include <string_view>
+
+namespace sim {
+
+extern const std::string_view report_script, report_style;
+/// uPlot 1.6 (MIT), by npm; empty where it was not there when the program was built.
+extern const std::string_view uplot_script, uplot_style;
+
+}  // namespace sim

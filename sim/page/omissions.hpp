@@ -1,0 +1,40 @@
+#pragma once
+// What limits a link, asked of the link itself: the point where it fails is run again, each
+// time without one of the things that trouble it.
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "sim/counting/tally.hpp"
+#include "sim/result/result.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+struct Omission {
+  std::string without;  // "noise"; empty: nothing is left out
+  Tally tally;
+};
+
+struct Omissions {
+  std::string place;                // "receiver.range_m = 2.2 m"; empty of a single point
+  std::vector<Omission> omissions;  // first the link as it is
+};
+
+/// Where the link fails: the point that loses the least of those that lose half their frames, or
+/// else the one that loses the most. Null where no frame is lost.
+const PointResult* failing_point(const ExperimentResult& result);
+
+/// "receiver.range_m = 2.2 m"; empty where nothing was swept.
+std::string place_of(const ExperimentResult& result, const PointResult& point);
+
+/// At the failing point, with at most 100 frames each. Empty where
+/// there is none, of ideal receivers, which noise alone troubles, and of weighted trials. Worth
+/// nothing once `interrupt` is true.
+Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result, int threads,
+                    const std::atomic<bool>& interrupt);
+
+/// What the loss is clearly less without, at 95 %: "the gain control".
+std::vector<std::string> limits_of(const Omissions& omissions);
+
+}  // namespace sim

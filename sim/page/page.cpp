@@ -1,0 +1,136 @@
+#include "sim/page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "sim/page/embedded.hpp"
+#include "sim/picture/svg.hpp"
+#include "sim/text/existing_file.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view page_head = "<!DOCTYPE html>\n<!-- by cosys-sim -->\n";
+
+std::string element(const char* name, const std::string& text) {
+  return fmt::format("<{0}>{1}</{0}>\n", name, xml_escaped(text));
+}
+
+std::string paragraphs(const std::string& text) {
+  std::string html;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) html += element("p", line);
+  return html;
+}
+
+std::string row_of(const std::vector<std::string>& cells, const char* kind) {
+  std::string html = "<tr>";
+  for (const std::string& cell : cells)
+    html +=
+        fmt::format("<{}>{}</{}>", kind, xml_escaped(cell), std::string_view(kind).substr(0, 2));
+  return html + "</tr>\n";
+}
+
+std::string table_html(const PageTable& table) {
+  constexpr std::size_t long_table = 20;  // rows; these open by a click
+  std::string html =
+      fmt::format("<details{}><summary>Table of {} rows</summary>\n<div class=\"table\">",
+                  table.rows.size() > long_table ? "" : " open", table.rows.size()) +
+      "<table class=\"numbers\">\n<thead>" + row_of(table.head, "th scope=\"col\"") +
+      "</thead>\n<tbody>\n";
+  for (const auto& cells : table.rows) html += row_of(cells, "td");
+  return html + "</tbody>\n</table></div></details>\n";
+}
+
+std::string picture_html(const PagePicture& picture) {
+  const std::string still = "<div class=\"still\">\n" + picture.svg + "</div>";
+  const std::string live =
+      fmt::format("<div class=\"chart\" role=\"group\" aria-label=\"{}\">{}</div>",
+                  xml_escaped(picture.caption), still);
+  return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
+                     picture.live ? live : still, xml_escaped(picture.caption));
+}
+
+std::string section_html(const PageSection& section) {
+  std::string html = "<section>\n" + element("h2", section.heading) + paragraphs(section.text);
+  if (!section.preformatted.empty()) html += element("pre", section.preformatted);
+  if (section.picture) html += picture_html(*section.picture);
+  if (section.table) html += table_html(*section.table);
+  return html + "</section>\n";
+}
+
+Json axis_json(const ChartAxis& axis) {
+  return {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
+}
+
+Json chart_json(const Chart& chart) {
+  Json curves = Json::array();
+  for (const ChartCurve& curve : chart.curves) {
+    Json points = Json::array();
+    for (const ChartPoint& p : curve.points)
+      points.push_back(
+          {{"x", p.x}, {"y", p.y}, {"low", p.low}, {"high", p.high}, {"is_limit", p.is_limit}});
+    curves.push_back({{"name", curve.name}, {"is_theory", curve.is_theory}, {"points", points}});
+  }
+  return {{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
+}
+
+/// Within a script element nothing may look like its end.
+std::string within_script(std::string text) {
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+std::string charts_json(const Page& page) {
+  Json charts = Json::array();
+  for (const PageSection& section : page.sections)
+    if (section.picture && section.picture->live)
+      charts.push_back(chart_json(*section.picture->live));
+  return within_script(charts.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// "Bit errors" as bit-errors.
+std::string file_name(const std::string& title) {
+  std::string name;
+  for (const char c : title)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0
+                ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
+                : '-';
+  return name;
+}
+
+}  // namespace
+
+PagePicture picture_of(Chart chart) {
+  std::string svg = chart_as_svg(chart);
+  return {file_name(chart.title), chart.description, std::move(svg), std::move(chart)};
+}
+
+std::string page_as_html(const Page& page) {
+  std::string html = fmt::format(
+      "{}<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
+      page_head, xml_escaped(page.title), uplot_style, report_style);
+  html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.verdict) +
+          "</div>\n";
+  for (const PageSection& section : page.sections) html += section_html(section);
+  html += "</main>\n<script type=\"application/json\" id=\"charts\">" + charts_json(page) +
+          "</script>\n";
+  if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
+  return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", report_script);
+}
+
+bool is_page(const std::filesystem::path& path) {
+  return beginning_of(path, page_head.size()) == page_head;
+}
+
+}  // namespace sim

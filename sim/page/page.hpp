@@ -1,0 +1,47 @@
+#pragma once
+// A report as one HTML file that needs nothing else: still pictures and tables, which a script
+// makes live where the browser runs it and uPlot was at hand when the program was built.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/picture/chart.hpp"
+
+namespace sim {
+
+struct PageTable {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;  // as long as the head each
+};
+
+struct PagePicture {
+  std::string name;     // of its file, without the ending
+  std::string caption;  // also for who cannot see it
+  std::string svg;
+  std::optional<Chart> live = {};  // the same, for the script to draw
+};
+
+PagePicture picture_of(Chart chart);
+
+struct PageSection {
+  std::string heading;
+  std::string text = {};          // a paragraph a line
+  std::string preformatted = {};  // a scenario, a command
+  std::optional<PagePicture> picture = {};
+  std::optional<PageTable> table = {};
+};
+
+/// All texts are UTF-8 of any content: they are shown, never obeyed.
+struct Page {
+  std::string title;
+  std::string verdict;  // a paragraph a line
+  std::vector<PageSection> sections;
+};
+
+std::string page_as_html(const Page& page);
+
+/// Whether a file is such a page.
+bool is_page(const std::filesystem::path& path);
+
+}  // namespace sim

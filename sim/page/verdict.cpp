@@ -1,0 +1,93 @@
+#include "sim/page/verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "sim/counting/statistics.hpp"
+#include "sim/report/closing_lines.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/report/text_table.hpp"
+#include "sim/result/ranking.hpp"
+
+namespace sim {
+namespace {
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string size_of(const ExperimentResult& result) {
+  std::uint64_t frames = 0, lost = 0;
+  for (const PointResult& point : result.points) {
+    frames += point.tally.n_frames;
+    lost += point.tally.n_frames_lost;
+  }
+  const auto points = std::ranges::count_if(result.points, measured);
+  return fmt::format("{} frames were simulated{}; {} of them were lost.\n", frames,
+                     points > 1 ? fmt::format(" at {} points", points) : "", lost);
+}
+
+/// Where there are many rows they have a section of their own.
+std::string reach_of(const ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (ranking.rows.size() <= 1) return sentence(ranking_lines(result, ranking));
+  return fmt::format("How far {} links reach is listed below.\n", ranking.rows.size());
+}
+
+std::string loss_in_percent(const Estimate& loss) {
+  return fmt::format("{:.3g} % [{:.3g} %, {:.3g} %]", 100 * loss.value, 100 * loss.low,
+                     100 * loss.high);
+}
+
+std::string noise_note(double snr_db) {
+  if (!std::isfinite(snr_db)) return "";
+  return fmt::format("; noise is {:.0f} dB below the signal behind the band-pass", snr_db);
+}
+
+std::string where_it_fails(const ExperimentResult& result) {
+  const PointResult* point = failing_point(result);
+  if (point == nullptr) return "";
+  const std::string place = place_of(result, *point);
+  return sentence(fmt::format("{}{} of frames are lost{}.\n",
+                              place.empty() ? "" : "at " + place + " ",
+                              loss_in_percent(frame_loss_ratio(point->tally, result.ci_level)),
+                              noise_note(point->operating.snr_db)));
+}
+
+/// ", 3 without noise".
+std::string counts_without(const Omissions& omissions, const std::vector<std::string>& limits) {
+  std::string text;
+  for (const Omission& o : omissions.omissions)
+    if (std::ranges::find(limits, o.without) != limits.end())
+      text += fmt::format(", {} without {}", o.tally.n_frames_lost, o.without);
+  return text;
+}
+
+std::string what_limits(const Omissions& omissions) {
+  if (omissions.omissions.size() < 2) return "";
+  const Tally& whole = omissions.omissions.front().tally;
+  const std::vector<std::string> limits = limits_of(omissions);
+  if (!limits.empty())
+    return fmt::format("What limits it there: of {} frames sent again {} are lost{}.\n",
+                       whole.n_frames, whole.n_frames_lost, counts_without(omissions, limits));
+  std::vector<std::string> all;
+  for (const Omission& o : omissions.omissions)
+    if (!o.without.empty()) all.push_back(o.without);
+  return fmt::format(
+      "What limits it there is none of these alone: without {} not clearly less is lost.\n",
+      fmt::join(all, ", or without "));
+}
+
+}  // namespace
+
+std::string verdict_of(const ExperimentResult& result, const Omissions& omissions) {
+  return size_of(result) + reach_of(result) + where_it_fails(result) + what_limits(omissions) +
+         missing_lines(result);
+}
+
+}  // namespace sim

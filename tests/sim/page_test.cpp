@@ -1,0 +1,244 @@
+// Reports as pages: what stands in them, that texts stay texts, and their answer on top.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "occurrences.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/page/page.hpp"
+#include "sim/page/report_contents.hpp"
+#include "sim/page/verdict.hpp"
+#include "sim/picture/heat_map.hpp"
+#include "sim/picture/share_bars.hpp"
+#include "sim/result/unfinished.hpp"
+
+namespace sim {
+namespace {
+
+const std::string hostile = "</script><script>alert(\"1\")</script>&<!--";
+
+Chart chart_named(const std::string& name) {
+  return {.title = name,
+          .description = name,
+          .x = {name, false},
+          .y = {name, true},
+          .curves = {{name, {{1, 0.1, 0.05, 0.2}}}}};
+}
+
+/// What the script of a page is given.
+nlohmann::json charts_of(const std::string& page) {
+  const std::string begin = "id=\"charts\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+TEST(Page, ShowsTextsAsTexts) {
+  const std::string page =
+      page_as_html({.title = hostile,
+                    .verdict = hostile + "\n" + hostile,
+                    .sections = {{.heading = hostile,
+                                  .text = hostile,
+                                  .preformatted = hostile,
+                                  .picture = picture_of(chart_named(hostile)),
+                                  .table = PageTable{{hostile}, {{hostile}}}}}});
+  EXPECT_EQ(occurrences(page, "<script>alert"), 0U);
+  EXPECT_EQ(occurrences(page, "<!--"), 2U) << "its own mark, and the drawing's";
+  EXPECT_GE(occurrences(page, "&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)"), 8U);
+  EXPECT_EQ(charts_of(page)[0]["x"]["label"], hostile);
+}
+
+TEST(Page, KeepsTextThatIsNoUtf8) {
+  const std::string page =
+      page_as_html({.title = "a",
+                    .verdict = {},
+                    .sections = {{.heading = "b", .picture = picture_of(chart_named("\xff"))}}});
+  EXPECT_EQ(charts_of(page)[0]["x"]["label"], "\xef\xbf\xbd");
+}
+
+TEST(Page, HasEachLiveChartAsAStillPictureToo) {
+  Chart chart = chart_named("Loss");
+  chart.curves[0].points.push_back({2, 0, 0, 0.02, true});
+  chart.curves[0].points.push_back({3, std::nan(""), std::nan(""), std::nan("")});
+  const std::string page = page_as_html(
+      {.title = "t",
+       .verdict = {},
+       .sections = {{.heading = "one", .picture = picture_of(chart)},
+                    {.heading = "two", .picture = PagePicture{"still", "words", "<svg></svg>"}},
+                    {.heading = "three", .picture = picture_of(chart_named("BER"))}}});
+  EXPECT_EQ(occurrences(page, "<div class=\"chart\""), 2U);
+  EXPECT_EQ(occurrences(page, "<div class=\"still\">"), 3U);
+  const auto charts = charts_of(page);
+  ASSERT_EQ(charts.size(), 2U);
+  EXPECT_EQ(charts[1]["y"]["label"], "BER");
+  EXPECT_EQ(charts[0]["curves"][0]["points"][0],
+            nlohmann::json::parse(R"({"x":1.0,"y":0.1,"low":0.05,"high":0.2,"is_limit":false})"));
+  EXPECT_EQ(charts[0]["curves"][0]["points"][1]["is_limit"], true);
+  EXPECT_TRUE(charts[0]["curves"][0]["points"][2]["y"].is_null());
+}
+
+TEST(Page, IsKnownByItsBeginning) {
+  EXPECT_EQ(page_as_html({.title = "t", .verdict = {}, .sections = {}})
+                .find("<!DOCTYPE html>\n<!-- by cosys-sim -->\n"),
+            0U);
+}
+
+// ---- what reports say ----
+
+PointResult point_of(double x, std::uint64_t frames, std::uint64_t lost) {
+  PointResult point{.coordinates = {x}};
+  point.operating.snr_db = 30 - x;
+  point.tally.n_frames = frames;
+  point.tally.n_frames_lost = point.tally.n_frames_unheard = lost;
+  point.tally.n_frames_ok = frames - lost;
+  point.tally.n_bits = 170 * frames;
+  point.tally.sum_bits_squared = 170 * 170 * frames;
+  return point;
+}
+
+ExperimentResult sweep_of(std::vector<PointResult> points) {
+  ExperimentResult result;
+  result.title = "Title";
+  result.scenario_toml = "text";
+  result.command = "command";
+  Axis axis{"receiver.range_m", "m", "range", {}};
+  for (const PointResult& point : points) axis.values.push_back(point.coordinates[0]);
+  result.axes = {axis};
+  result.points = std::move(points);
+  return result;
+}
+
+TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
+                                                 point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
+                                       {});
+  EXPECT_EQ(words.find("4000 frames were simulated at 4 points; 1200 of them were lost.\n"), 0U);
+  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m (a jump)\n"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(
+      words.find("\nAt receiver.range_m = 4 m 100 % [99.6 %, 100 %] of frames are lost; noise is "
+                 "26 dB below the signal behind the band-pass.\n"),
+      std::string::npos)
+      << words;
+}
+
+TEST(Verdict, OfNoLossNamesNone) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
+  EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
+            std::string::npos);
+  EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
+}
+
+Omission omission(const std::string& without, std::uint64_t lost) {
+  return {without, point_of(0, 100, lost).tally};
+}
+
+TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
+  const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
+  const Omissions some{
+      "", {omission("", 90), omission("noise", 85), omission("the lamp", 3), omission("gain", 60)}};
+  EXPECT_EQ(limits_of(some), (std::vector<std::string>{"the lamp", "gain"}));
+  EXPECT_NE(verdict_of(result, some)
+                .find("\nWhat limits it there: of 100 frames sent again 90 are "
+                      "lost, 3 without the lamp, 60 without gain.\n"),
+            std::string::npos);
+  const Omissions none{"", {omission("", 90), omission("noise", 85), omission("gain", 90)}};
+  EXPECT_NE(verdict_of(result, none)
+                .find("\nWhat limits it there is none of these alone: without "
+                      "noise, or without gain not clearly less is lost.\n"),
+            std::string::npos);
+}
+
+TEST(Omissions, FindTheGainControlOfTheQuickstart) {
+  const LoadedScenario scenario = load_scenario(COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
+                                                {"stop.max_frames=8", "receiver.range_m=2,2.3,3"},
+                                                {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const ExperimentResult result =
+      run_experiment(scenario, unfinished(scenario, ""), {.threads = 2});
+  const Omissions found = leave_out(scenario, result, 2, never);
+  EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
+  std::vector<std::string> names;
+  for (const Omission& o : found.omissions) names.push_back(o.without);
+  EXPECT_EQ(names, (std::vector<std::string>{"", "noise", "the module's automatic gain control",
+                                             "ambient light"}));
+  EXPECT_EQ(limits_of(found),
+            (std::vector<std::string>{"the module's automatic gain control", "ambient light"}))
+      << "without ambient light the same margin lies lower";
+}
+
+TEST(Report, HasThePicturesAndTablesOfAResult) {
+  const Page page = report_of({{"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}}});
+  EXPECT_EQ(page.title, "Title");
+  std::vector<std::string> headings;
+  for (const PageSection& section : page.sections) headings.push_back(section.heading);
+  EXPECT_EQ(headings,
+            (std::vector<std::string>{"Bit errors", "Frame loss", "What became of the frames",
+                                      "All numbers", "The scenario"}));
+  const PageTable& fates = *page.sections[2].table;
+  EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
+  EXPECT_EQ(fates.rows[1], (std::vector<std::string>{"2", "0", "0", "0", "10"}));
+  EXPECT_EQ(page.sections[4].text, "To repeat it: command");
+  EXPECT_EQ(page.sections[4].preformatted, "text");
+}
+
+TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
+  ExperimentResult result = sweep_of({});
+  result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
+                 {"receiver.range_m", "m", "", {}}};
+  for (int x = 0; x < 40; ++x) result.axes[1].values.push_back(x);
+  for (const double module : {0, 1})
+    for (int x = 0; x < 40; ++x) {
+      result.points.push_back(point_of(x, 10, module == 1 && x == 39 ? 4 : 0));
+      result.points.back().coordinates = {module, static_cast<double>(x)};
+    }
+  const Page page = report_of({{"file", result, {}}});
+  const auto section =
+      std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
+  ASSERT_NE(section, page.sections.end());
+  ASSERT_EQ(section->table->rows.size(), 40U);
+  EXPECT_EQ(section->table->rows[39], (std::vector<std::string>{"39", "16", "0", "0", "4"}));
+}
+
+// ---- bars of shares ----
+
+TEST(ShareBars, AreAsWideAsTheirShares) {
+  const std::string svg = share_bars_as_svg({.title = "t",
+                                             .description = "d",
+                                             .rows_label = "x",
+                                             .kinds = {"a", "b", "c"},
+                                             .rows = {{"one", {3, 0, 1}}, {"none", {0, 0, 0}}}});
+  EXPECT_EQ(occurrences(svg, "class=\"frame\""), 2U);
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill0\" x=\"170.00\" y=\"60.00\" width=\"397.50\""),
+            1U);
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill2\" x=\"567.50\" y=\"60.00\" width=\"132.50\""),
+            1U);
+  EXPECT_EQ(occurrences(svg, "class=\"fill1\""), 1U) << "in the legend";
+}
+
+// ---- maps ----
+
+TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
+  const double unknown = std::nan("");
+  const std::string svg = heat_map_as_svg({.title = "t",
+                                           .description = "d",
+                                           .x_label = "x",
+                                           .y_label = "y",
+                                           .columns = {"1", "2"},
+                                           .rows = {"low", "high"},
+                                           .values = {{0, 0.5}, {0.005, unknown}}});
+  for (const char* style : {"heat0", "heat2", "heat6"})
+    EXPECT_EQ(occurrences(svg, "class=\"" + std::string(style) + "\""), 2U) << "cell and legend";
+  EXPECT_EQ(occurrences(svg, "class=\"heat5\""), 1U);
+  EXPECT_EQ(occurrences(svg, "class=\"frame\""), 1U) << "nothing is known";
+  EXPECT_NE(svg.find("<path class=\"contour\" d=\"M340.00 76.00v26\"/>"), std::string::npos)
+      << "between 0 and 0.5 alone\n"
+      << svg;
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,122 @@
+// `cosys-sim report` from outside: what it writes, and what it refuses.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "occurrences.hpp"
+#include "program.hpp"
+
+namespace sim {
+namespace {
+
+class ReportCommand : public CommandLine {
+ protected:
+  void run(const std::string& name, const std::string& sweep, const Words& options = {}) const {
+    write_scenario(name + ".toml", sweep);
+    Words words{"run", name + ".toml", "-q", "-o", name + ".h5"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome o = program(words);
+    ASSERT_EQ(o.code, 0) << o.err;
+  }
+  std::string report(const Words& results) const {
+    Words words{"report", "-o", "r.html"};
+    words.insert(words.end(), results.begin(), results.end());
+    const Outcome o = program(words);
+    EXPECT_EQ(o.code, 0) << o.err;
+    return content(path("r.html"));
+  }
+};
+
+TEST_F(ReportCommand, SaysWhatWasCountedInOneFile) {
+  run("near", "receiver.range_m = [1, 11]", {"--set", "device.message=\"IND <b> & OK\""});
+  const std::string page = report({"near.h5"});
+  EXPECT_EQ(page.find("<!DOCTYPE html>\n"), 0U);
+  EXPECT_NE(page.find("32 frames were simulated at 2 points; "), std::string::npos);
+  EXPECT_NE(page.find("rame loss crosses 1 %"), std::string::npos);
+  EXPECT_NE(page.find("<p>To repeat it: cosys-sim run near.toml"), std::string::npos);
+  EXPECT_NE(page.find("IND &lt;b&gt; &amp; OK"), std::string::npos) << "the scenario";
+  for (const char* what : {"<b>", " src=", " href=", "url(", "@import"})
+    EXPECT_EQ(occurrences(page, what), 0U) << what;
+  EXPECT_EQ(files(), (std::set<std::string>{"near.toml", "near.h5", "r.html"}));
+  EXPECT_NE(report({"near.h5"}).find("near"), std::string::npos) << "its own reports it replaces";
+}
+
+TEST_F(ReportCommand, ComparesResultsInOnePicture) {
+  run("one", "receiver.range_m = [1, 11]");
+  run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
+  const std::string page = report({"one.h5", "two.h5"});
+  EXPECT_EQ(occurrences(page, "<h2>Frame loss</h2>"), 1U);
+  EXPECT_NE(page.find(">one, measured</text>"), std::string::npos);
+  EXPECT_NE(page.find(">two, measured</text>"), std::string::npos);
+  for (const char* heading : {"All numbers", "The scenario", "What became of the frames"})
+    for (const char* name : {"one", "two"})
+      EXPECT_EQ(occurrences(page, fmt::format("<h2>{} of {}</h2>", heading, name)), 1U);
+}
+
+TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
+  run("near", "receiver.range_m = [1, 11]");
+  EXPECT_EQ(program({"report", "near.h5", "--svg", "a/b"}).out,
+            "report.html\na/b/bit-errors.svg\na/b/fates.svg\na/b/frame-loss.svg\n");
+  for (const char* name : {"a/b/bit-errors.svg", "a/b/fates.svg", "a/b/frame-loss.svg"})
+    EXPECT_EQ(content(path(name)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;
+  write("a/b/fates.svg", "mine");
+  expect_refused({"report", "near.h5", "--svg", "a/b"}, 2,
+                 "cannot write a/b/fates.svg (it exists and is not a picture of cosys-sim) choose "
+                 "another name");
+  EXPECT_EQ(content(path("a/b/fates.svg")), "mine");
+  expect_refused({"report", "near.h5", "--svg", "near.toml"}, 3,
+                 "cannot create the folder near.toml (Not a directory) choose another place");
+}
+
+TEST_F(ReportCommand, RefusesWhatIsNoResult) {
+  run("near", "receiver.range_m = [1, 11]");
+  const std::string whole = content(path("near.h5"));
+  write("cut.h5", whole.substr(0, whole.size() / 2));
+  write("text.h5", "receiver.range_m = 1\n");
+  for (const std::string name : {"cut.h5", "text.h5", "near.toml"})
+    expect_refused({"report", name}, 2,
+                   name + " (not a result of cosys-sim, or damaged) give a file that run wrote");
+  expect_refused({"report", "none.h5"}, 2, "none.h5 (no such file) check the path");
+  write("mine.html", "mine");
+  expect_refused(
+      {"report", "near.h5", "-o", "mine.html"}, 2,
+      "cannot write mine.html (it exists and is not a report of cosys-sim) choose another "
+      "name");
+  EXPECT_EQ(content(path("mine.html")), "mine");
+  expect_refused({"report", "near.h5", "-o", "none/r.html"}, 3,
+                 "cannot write none/r.html (its folder does not exist) create the folder or choose "
+                 "another");
+}
+
+TEST_F(ReportCommand, RefusesNewerFormats) {
+  run("near", "receiver.range_m = [1, 11]");
+  std::string file = content(path("near.h5"));
+  const std::size_t at = file.find("1.3", file.find("format_version"));
+  ASSERT_NE(at, std::string::npos);
+  for (const std::string version : {"1.9", "2.0", "9.3"}) {
+    write("near.h5", file.replace(at, 3, version));
+    expect_refused({"report", "near.h5"}, 2,
+                   "near.h5 (its format " + version +
+                       " is newer than 1.3, the newest known here) read it with the cosys-sim that "
+                       "wrote it, or a later one");
+  }
+  write("near.h5", file.replace(at, 3, "1.2"));
+  EXPECT_EQ(program({"report", "near.h5"}).code, 0);
+}
+
+TEST_F(ReportCommand, RunDrawsItsCurvesAsText) {
+  write_scenario("near.toml", "receiver.range_m = [1, 2, 11]");
+  const Outcome o = program({"run", "near.toml", "-q", "--plot"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("bit error ratio (BER), logarithmic; o measured"), std::string::npos)
+      << o.out;
+  EXPECT_NE(o.out.find("frame loss ratio (FLR), logarithmic; o measured, v less than that\n"),
+            std::string::npos);
+  EXPECT_NE(o.out.find(" receiver.range_m [m] "), std::string::npos);
+  write("still.toml", "[stop]\nmax_frames = 2\n");
+  EXPECT_NE(program({"run", "still.toml", "-q", "--plot"})
+                .out.find("no number is swept: nothing to plot\n"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace sim
