@@ -26,7 +26,7 @@ boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp
 pugixml[.]hpp        sim/.*[.]cpp
 (zip|sndfile)[.]h    sim/(capture|trace|check)/.*[.]cpp
-openssl/.*           sim/trace/.*[.]cpp
+openssl/.*           sim/(page|trace)/.*[.]cpp
 (sys/)?[a-z]+[.]h    sim/.*
 '
 

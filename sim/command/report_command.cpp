@@ -8,6 +8,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/loading/point_scenario.hpp"
 #include "sim/page/page.hpp"
 #include "sim/page/report_contents.hpp"
 #include "sim/picture/svg.hpp"
@@ -16,17 +17,42 @@
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
+#include "sim/trace/traced_message.hpp"
 
 namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// The first that is misread where the link fails, or else the first of all: with taps, if any.
+std::optional<TracedTrial> trial_to_show(const StoredResult& stored) {
+  constexpr std::uint32_t enough = 20;
+  const std::vector<PointResult>& points = stored.result.points;
+  const PointResult* failing = failing_point(stored.result);
+  const auto number = static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - points.data());
+  const Scenario point = numbered_point(stored.scenario, number);
+  if (point.simulation.fidelity != "waveform" || is_weighted(stored.result)) return std::nullopt;
+  std::optional<TracedTrial> first;
+  for (std::uint32_t i = 0; i < (failing == nullptr ? 1 : enough); ++i) {
+    TracedTrial trial = trace_trial(point, i);
+    trial.origin = {.program = stored.origin.program,
+                    .scenario_toml = stored.origin.scenario_toml,
+                    .seed = stored.origin.seed,
+                    .point = number,
+                    .trial = i};
+    if (message_of(trial).sent.empty()) return std::nullopt;
+    if (message_of(trial).first_wrong()) return trial;
+    if (!first) first = std::move(trial);
+  }
+  return first;
+}
+
 ReportedResult read(const fs::path& path, int threads) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
   Omissions omissions = leave_out(stored.scenario, stored.result, threads, heed_stop_signals());
-  return {path.stem().string(), std::move(stored.result), std::move(omissions)};
+  std::optional<TracedTrial> trial = trial_to_show(stored);
+  return {path.stem().string(), std::move(stored.result), std::move(omissions), std::move(trial)};
 }
 
 void write_file(const fs::path& path, const std::string& text) {

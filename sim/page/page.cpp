@@ -1,6 +1,7 @@
 #include "sim/page/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <nlohmann/json.hpp>
@@ -49,19 +50,21 @@ std::string table_html(const PageTable& table) {
   return html + "</tbody>\n</table></div></details>\n";
 }
 
-std::string picture_html(const PagePicture& picture) {
+/// `kind`: what the script makes of it; empty where it stands still.
+std::string picture_html(const PagePicture& picture, const std::string& kind) {
   const std::string still = "<div class=\"still\">\n" + picture.svg + "</div>";
   const std::string live =
-      fmt::format("<div class=\"chart\" role=\"group\" aria-label=\"{}\">{}</div>",
+      fmt::format("<div class=\"{}\" role=\"group\" aria-label=\"{}\">{}</div>", kind,
                   xml_escaped(picture.caption), still);
   return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
-                     picture.live ? live : still, xml_escaped(picture.caption));
+                     kind.empty() ? still : live, xml_escaped(picture.caption));
 }
 
 std::string section_html(const PageSection& section) {
   std::string html = "<section>\n" + element("h2", section.heading) + paragraphs(section.text);
   if (!section.preformatted.empty()) html += element("pre", section.preformatted);
-  if (section.picture) html += picture_html(*section.picture);
+  if (section.picture) html += picture_html(*section.picture, section.picture->live ? "chart" : "");
+  if (section.trial) html += picture_html(section.trial->still, "trial");
   if (section.table) html += table_html(*section.table);
   return html + "</section>\n";
 }
@@ -70,7 +73,7 @@ Json axis_json(const ChartAxis& axis) {
   return {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
 }
 
-Json chart_json(const Chart& chart) {
+std::string chart_json(const Chart& chart) {
   Json curves = Json::array();
   for (const ChartCurve& curve : chart.curves) {
     Json points = Json::array();
@@ -79,7 +82,8 @@ Json chart_json(const Chart& chart) {
           {{"x", p.x}, {"y", p.y}, {"low", p.low}, {"high", p.high}, {"is_limit", p.is_limit}});
     curves.push_back({{"name", curve.name}, {"is_theory", curve.is_theory}, {"points", points}});
   }
-  return {{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
+  const Json json{{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// Within a script element nothing may look like its end.
@@ -89,12 +93,20 @@ std::string within_script(std::string text) {
   return text;
 }
 
-std::string charts_json(const Page& page) {
-  Json charts = Json::array();
-  for (const PageSection& section : page.sections)
+/// Data for the script, by the name under which it looks for it.
+std::string data_html(const char* name, const std::vector<std::string>& data) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", name,
+                     within_script(fmt::format("[{}]", fmt::join(data, ","))));
+}
+
+std::string data_of(const Page& page) {
+  std::vector<std::string> charts, trials;
+  for (const PageSection& section : page.sections) {
     if (section.picture && section.picture->live)
       charts.push_back(chart_json(*section.picture->live));
-  return within_script(charts.dump(-1, ' ', false, Json::error_handler_t::replace));
+    if (section.trial) trials.push_back(view_json(section.trial->view));
+  }
+  return data_html("charts", charts) + data_html("trials", trials);
 }
 
 /// "Bit errors" as bit-errors.
@@ -123,8 +135,7 @@ std::string page_as_html(const Page& page) {
   html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.verdict) +
           "</div>\n";
   for (const PageSection& section : page.sections) html += section_html(section);
-  html += "</main>\n<script type=\"application/json\" id=\"charts\">" + charts_json(page) +
-          "</script>\n";
+  html += "</main>\n" + data_of(page);
   if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
   return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", report_script);
 }

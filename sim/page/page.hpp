@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/page/trial_view.hpp"
 #include "sim/picture/chart.hpp"
 
 namespace sim {
@@ -24,11 +25,18 @@ struct PagePicture {
 
 PagePicture picture_of(Chart chart);
 
+/// A trial with every tap, and the same as a still picture.
+struct PageTrial {
+  TrialView view;
+  PagePicture still;
+};
+
 struct PageSection {
   std::string heading;
   std::string text = {};          // a paragraph a line
   std::string preformatted = {};  // a scenario, a command
   std::optional<PagePicture> picture = {};
+  std::optional<PageTrial> trial = {};
   std::optional<PageTable> table = {};
 };
 

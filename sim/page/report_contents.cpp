@@ -20,6 +20,7 @@
 #include "sim/report/text_table.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/trace/trace_picture.hpp"
 
 namespace sim {
 namespace {
@@ -193,12 +194,26 @@ void add_ranking(Page& page, const ReportedResult& reported, bool alone) {
          .preformatted = ranking_lines(reported.result, ranking)});
 }
 
+PageSection trial_section(const TracedTrial& trial, const std::string& of) {
+  const std::string which =
+      fmt::format("Trial {} of point {}", trial.origin.trial, trial.origin.point);
+  return {.heading = which + of,
+          .text =
+              "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
+              "pan in any of them. Above the "
+              "light what was sent, along the pin what was read; what was misread is marked.",
+          .trial = PageTrial{
+              view_of(trial),
+              {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
+}
+
 void add_result(Page& page, const ReportedResult& reported, bool alone) {
   const ExperimentResult& result = reported.result;
   const std::string of = alone ? "" : " of " + reported.name;
   page.sections.push_back(fates_section(result, of));
   if (reported.omissions.omissions.size() > 1)
     page.sections.push_back(limits_section(reported.omissions, of));
+  if (reported.trial) page.sections.push_back(trial_section(*reported.trial, of));
   page.sections.push_back({.heading = "All numbers" + of, .table = table_of(result)});
   page.sections.push_back({.heading = "The scenario" + of,
                            .text = "To repeat it: " + result.command,

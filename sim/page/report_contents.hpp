@@ -1,6 +1,7 @@
 #pragma once
 // What a report of results of links says, in the order in which people ask: how far does it reach,
 // what was simulated, the curves, what became of lost frames, all numbers.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ReportedResult {
   std::string name;  // of its file
   ExperimentResult result;
   Omissions omissions;
+  std::optional<TracedTrial> trial = {};  // one to show, with its taps
 };
 
 /// At least one result.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,7 @@
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/picture/waveform.hpp"
-#include "sim/text/escaped_text.hpp"
+#include "sim/trace/traced_message.hpp"
 
 namespace sim {
 namespace {
@@ -33,13 +32,10 @@ constexpr double cycles_before_edge = 5,
 /// What is drawn: the wires, the light as samples, what was sent and what is read at the pin.
 struct Signals {
   const TracedTrial& trial;
+  TracedMessage message;
   std::vector<float> light{};
   double light_first_s = 0, light_period_s = 0, light_from = 0, light_to = 0;
-  bool is_keyed = false;                     // no light was sampled
-  std::vector<UartByte> sent{}, received{};  // sent: of the last message
-  double character_s = 0;
-
-  double start_s(std::size_t character) const { return sent[character].start.value; }
+  bool is_keyed = false;  // no light was sampled
 };
 
 /// Light as it was keyed, for trials without samples: eight values to a cycle.
@@ -69,50 +65,10 @@ void take_light(Signals& signals) {
   signals.light_to = std::max(double{greatest}, signals.light_from + 1e-12);
 }
 
-/// The last characters without a pause between them.
-std::vector<UartByte> last_message(std::vector<UartByte> bytes, double character_s) {
-  std::size_t first = bytes.size();
-  while (first > 0 && (first == bytes.size() ||
-                       (bytes[first].start - bytes[first - 1].start).value < 1.5 * character_s))
-    --first;
-  return {bytes.begin() + static_cast<std::ptrdiff_t>(first), bytes.end()};
-}
-
 Signals signals_of(const TracedTrial& trial) {
-  Signals signals{.trial = trial};
-  signals.character_s = protocol::bits_per_byte / trial.baud.value;
-  signals.sent = last_message(protocol::receive_mid_bit(trial.tx, trial.baud), signals.character_s);
-  signals.received = protocol::receive_mid_bit(trial.rx, trial.baud);
+  Signals signals{.trial = trial, .message = message_of(trial)};
   take_light(signals);
   return signals;
-}
-
-/// The character of the message that was read at this place on the wire, if any.
-std::optional<std::size_t> place_of(const Signals& signals, const UartByte& read) {
-  for (std::size_t i = 0; i < signals.sent.size(); ++i)
-    if (std::abs((read.start - signals.sent[i].start).value) < signals.character_s / 2) return i;
-  return std::nullopt;
-}
-
-bool is_as_sent(const Signals& signals, const UartByte& read) {
-  const auto place = place_of(signals, read);
-  return place && !read.framing_error && signals.sent[*place].value == read.value;
-}
-
-/// The first character that was not read as it was sent; the first of all if there is none.
-std::size_t character_to_show(const Signals& signals) {
-  for (std::size_t i = 0; i < signals.sent.size(); ++i)
-    if (std::ranges::none_of(signals.received, [&](const UartByte& read) {
-          return place_of(signals, read) == i && is_as_sent(signals, read);
-        }))
-      return i;
-  return 0;
-}
-
-std::string shown(const UartByte& byte) {
-  const char c = static_cast<char>(byte.value);
-  const std::string text = c == ' ' ? "\u2423" : c == '\n' ? "\\n" : escaped({&c, 1});
-  return text + (byte.framing_error ? "!" : "");
 }
 
 /// A part of the trial, on a time axis of its own.
@@ -167,16 +123,16 @@ bool is_within(const Panel& panel, double time_s) {
 
 /// What was sent above the light, what is read of the pin under it.
 void draw_characters(SvgDrawing& drawing, const Panel& panel, const Signals& signals) {
-  for (const UartByte& byte : signals.sent) {
-    const double middle_s = byte.start.value + signals.character_s / 2;
+  for (const UartByte& byte : signals.message.sent) {
+    const double middle_s = byte.start.value + signals.message.character_s / 2;
     if (is_within(panel, middle_s))
       drawing.text({panel.x(middle_s), panel.top + light_top - 8}, shown(byte), "character");
   }
-  for (const UartByte& byte : signals.received) {
-    const double middle_s = byte.start.value + signals.character_s / 2;
+  for (const UartByte& byte : signals.message.received) {
+    const double middle_s = byte.start.value + signals.message.character_s / 2;
     if (is_within(panel, middle_s))
       drawing.text({panel.x(middle_s), panel.top + wire_bottom + 20}, shown(byte),
-                   is_as_sent(signals, byte) ? "character" : "wrong");
+                   signals.message.is_as_sent(byte) ? "character" : "wrong");
   }
 }
 
@@ -184,15 +140,16 @@ void draw_characters(SvgDrawing& drawing, const Panel& panel, const Signals& sig
 /// sending.
 void draw_bits(SvgDrawing& drawing, const Panel& panel, const Signals& signals,
                std::size_t character) {
-  const double bit_s = signals.character_s / protocol::bits_per_byte;
-  const auto read = std::ranges::find_if(
-      signals.received, [&](const UartByte& byte) { return place_of(signals, byte) == character; });
-  const double begun_s =
-      read == signals.received.end() ? signals.start_s(character) : read->start.value;
+  const double bit_s = signals.message.character_s / protocol::bits_per_byte;
+  const auto read = std::ranges::find_if(signals.message.received, [&](const UartByte& byte) {
+    return signals.message.place_of(byte) == character;
+  });
+  const double begun_s = read == signals.message.received.end() ? signals.message.start_s(character)
+                                                                : read->start.value;
   for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
-    const bool sent = protocol::line_bit(signals.sent[character].value, slot);
+    const bool sent = protocol::line_bit(signals.message.sent[character].value, slot);
     const char* role = slot == 0 ? "start " : slot == protocol::stop_slot ? "stop " : "";
-    const double sent_s = signals.start_s(character) + (slot + 0.5) * bit_s;
+    const double sent_s = signals.message.start_s(character) + (slot + 0.5) * bit_s;
     drawing.text({panel.x(sent_s), panel.top + light_top - 8}, fmt::format("{}{:d}", role, sent),
                  "character");
     const double read_s = begun_s + (slot + 0.5) * bit_s;
@@ -203,26 +160,27 @@ void draw_bits(SvgDrawing& drawing, const Panel& panel, const Signals& signals,
 }
 
 void draw_message(SvgDrawing& drawing, const Signals& signals) {
-  const double from = signals.start_s(0) - signals.character_s / 2;
-  const double to = signals.start_s(signals.sent.size() - 1) + 1.5 * signals.character_s;
+  const double from = signals.message.start_s(0) - signals.message.character_s / 2;
+  const double to =
+      signals.message.start_s(signals.message.sent.size() - 1) + 1.5 * signals.message.character_s;
   const Panel panel = panel_of(0, from, to);
   draw_panel(drawing, panel, signals, "The message, as sent and as read at the pin",
-             signals.start_s(0));
+             signals.message.start_s(0));
   draw_characters(drawing, panel, signals);
 }
 
 void draw_character(SvgDrawing& drawing, const Signals& signals, std::size_t character) {
-  const double start = signals.start_s(character), bit = 1 / signals.trial.baud.value;
-  const Panel panel = panel_of(1, start - bit, start + signals.character_s + bit);
+  const double start = signals.message.start_s(character), bit = 1 / signals.trial.baud.value;
+  const Panel panel = panel_of(1, start - bit, start + signals.message.character_s + bit);
   draw_panel(drawing, panel, signals,
              fmt::format("Its character {}, \"{}\", bit by bit", character + 1,
-                         shown(signals.sent[character])),
-             signals.start_s(0));
+                         shown(signals.message.sent[character])),
+             signals.message.start_s(0));
   draw_bits(drawing, panel, signals, character);
 }
 
 void draw_edge(SvgDrawing& drawing, const Signals& signals, std::size_t character) {
-  const double start = signals.start_s(character), cycle = 1 / signals.trial.carrier.value;
+  const double start = signals.message.start_s(character), cycle = 1 / signals.trial.carrier.value;
   const Panel panel =
       panel_of(2, start - cycles_before_edge * cycle, start + cycles_after_edge * cycle);
   draw_panel(drawing, panel, signals,
@@ -233,9 +191,9 @@ void draw_edge(SvgDrawing& drawing, const Signals& signals, std::size_t characte
 
 std::string description_of(const Signals& signals) {
   std::string sent, received;
-  for (const UartByte& byte : signals.sent) sent += shown(byte);
-  for (const UartByte& byte : signals.received)
-    if (place_of(signals, byte)) received += shown(byte);
+  for (const UartByte& byte : signals.message.sent) sent += shown(byte);
+  for (const UartByte& byte : signals.message.received)
+    if (signals.message.place_of(byte)) received += shown(byte);
   const TraceOrigin& origin = signals.trial.origin;
   return fmt::format("Point {}, trial {}, seed {}. Sent: {} ; read at the receiver's pin: {}",
                      origin.point, origin.trial, origin.seed, sent,
@@ -249,8 +207,8 @@ std::string trace_as_picture(const TracedTrial& trial) {
   const std::string description = description_of(signals);
   SvgDrawing drawing(width, first_panel + 3 * panel_height, title, description);
   drawing.text({left, 24}, description, "small");
-  if (signals.sent.empty()) return drawing.finished();
-  const std::size_t character = character_to_show(signals);
+  if (signals.message.sent.empty()) return drawing.finished();
+  const std::size_t character = signals.message.first_wrong().value_or(0);
   draw_message(drawing, signals);
   draw_character(drawing, signals, character);
   draw_edge(drawing, signals, character);

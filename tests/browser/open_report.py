@@ -60,6 +60,32 @@ def use_chart(driver, chart):
     ActionChains(driver).double_click(plot).perform()
 
 
+def use_trial(driver, trial):
+    """Whatever is done in one of its plots is done in all."""
+    canvases = trial.find_elements(By.TAG_NAME, "canvas")
+    expect(len(canvases) >= 2, "a trial has no taps")
+    for canvas in canvases:
+        expect(drawn_pixels(driver, canvas) > FEWEST_PIXELS, "a tap has nothing on it")
+    buttons = trial.find_elements(By.XPATH, "preceding-sibling::p[@class='views']/button")
+    expect(len(buttons) == 3, "a trial has not three views")
+    images = lambda: [image(driver, canvas) for canvas in canvases]
+    views = []
+    for button in buttons:
+        driver.execute_script("arguments[0].click()", button)
+        views.append(images())
+    for one, other in ((0, 1), (1, 2), (0, 2)):
+        expect(all(a != b for a, b in zip(views[one], views[other])), "two views are the same")
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'}); arguments[0].focus()", trial)
+    ActionChains(driver).send_keys("0").perform()
+    expect(images() == views[0], "the key 0 does not show the whole trial")
+    for act in (lambda: ActionChains(driver).send_keys("+").perform(),
+                lambda: drag_over(driver, trial.find_elements(By.CLASS_NAME, "u-over")[1])):
+        act()
+        expect(all(a != b for a, b in zip(images(), views[0])), "plots do not zoom together")
+        driver.execute_script("arguments[0].click()", buttons[0])
+        expect(images() == views[0], "the whole frame does not come back")
+
+
 def column(driver, table, index):
     """Its numbers, or None where one is none."""
     texts = driver.execute_script(
@@ -92,9 +118,11 @@ def main(report, screenshot):
         print("built without uPlot: charts stand still")
         expect(all(chart.find_element(By.TAG_NAME, "svg").is_displayed() for chart in charts),
                "a still picture is not shown")
-        charts = []
-    for chart in charts:
-        use_chart(driver, chart)
+    else:
+        for chart in charts:
+            use_chart(driver, chart)
+        for trial in driver.find_elements(By.CLASS_NAME, "trial"):
+            use_trial(driver, trial)
     tables = driver.find_elements(By.CSS_SELECTOR, "table.numbers")
     expect(tables, "there is no table of numbers")
     for table in tables:

@@ -1,0 +1,156 @@
+#include "sim/page/trial_view.hpp"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "sim/trace/traced_message.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double before_s = 0.01, after_s = 0.03;  // the message
+
+/// A stretch of samples, and how many stand for two values.
+struct Stretch {
+  std::size_t from, to, step;
+};
+
+Stretch stretch_of(const TracedTrial& trial, const TracedMessage& message, std::size_t most) {
+  const double rate = trial.sample_rate.value;
+  const auto sample_at = [&](double time_s) {
+    return static_cast<std::size_t>(
+        std::clamp(time_s * rate, 0.0, static_cast<double>(trial.taps.irradiance.size())));
+  };
+  const std::size_t from = sample_at(message.start_s(0) - before_s);
+  const std::size_t to = sample_at(message.end_s() + after_s);
+  const std::size_t count = to - from;
+  return {from, to, count <= most ? 1 : 2 * ((count + most - 1) / most)};
+}
+
+std::vector<float> values_of(std::span<const float> samples, const Stretch& stretch) {
+  const auto within = samples.subspan(stretch.from, stretch.to - stretch.from);
+  if (stretch.step == 1) return {within.begin(), within.end()};
+  std::vector<float> values;
+  for (std::size_t i = 0; i < within.size(); i += stretch.step) {
+    const auto [least, greatest] =
+        std::ranges::minmax(within.subspan(i, std::min(stretch.step, within.size() - i)));
+    values.push_back(least);
+    values.push_back(greatest);
+  }
+  return values;
+}
+
+/// Of matched receivers only the light was recorded.
+bool is_recorded(const std::vector<float>& samples) {
+  return !samples.empty() && !std::isnan(samples.front());
+}
+
+std::string quantised(const std::vector<float>& values, float least, float greatest) {
+  constexpr float steps = 65535;
+  std::vector<unsigned char> bytes;
+  bytes.reserve(2 * values.size());
+  const float scale = greatest > least ? steps / (greatest - least) : 0;
+  for (const float value : values) {
+    const auto step = static_cast<std::uint16_t>(std::lround((value - least) * scale));
+    bytes.push_back(static_cast<unsigned char>(step & 0xff));
+    bytes.push_back(static_cast<unsigned char>(step >> 8));
+  }
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
+  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), bytes.data(),
+                                     static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(length));
+  return text;
+}
+
+void add_wire(TrialView& view, const dsp::LogicTrace& rx, double zero_s, double from_s,
+              double to_s) {
+  view.wire_begins = rx.level_at(dsp::Seconds(from_s));
+  for (const dsp::Seconds flip : rx.flips())
+    if (flip.value > from_s && flip.value < to_s) view.wire_flips_s.push_back(flip.value - zero_s);
+}
+
+void add_characters(TrialView& view, const TracedMessage& message) {
+  const double zero_s = message.start_s(0), middle_s = message.character_s / 2;
+  for (const protocol::UartByte& byte : message.sent)
+    view.sent.push_back({byte.start.value - zero_s + middle_s, shown(byte), false});
+  for (const protocol::UartByte& byte : message.received)
+    if (message.place_of(byte))
+      view.read.push_back(
+          {byte.start.value - zero_s + middle_s, shown(byte), !message.is_as_sent(byte)});
+}
+
+void add_bits(TrialView& view, const TracedTrial& trial, const TracedMessage& message) {
+  const double bit_s = message.character_s / protocol::bits_per_byte;
+  for (const protocol::UartByte& byte : message.sent)
+    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
+      const double at_s = byte.start.value + (slot + 0.5) * bit_s;
+      const bool level = trial.rx.level_at(dsp::Seconds(at_s));
+      view.bits.push_back({at_s - message.start_s(0), level ? "1" : "0",
+                           level != protocol::line_bit(byte.value, slot)});
+    }
+}
+
+Json marks_json(const std::vector<ViewMark>& marks) {
+  Json all = Json::array();
+  for (const ViewMark& mark : marks) all.push_back({mark.at_s, mark.text, mark.is_wrong});
+  return all;
+}
+
+}  // namespace
+
+TrialView view_of(const TracedTrial& trial, std::size_t most) {
+  const TracedMessage message = message_of(trial);
+  const Stretch stretch = stretch_of(trial, message, most);
+  const double sample_s = 1 / trial.sample_rate.value, zero_s = message.start_s(0);
+  TrialView view;
+  view.period_s = stretch.step == 1 ? sample_s : sample_s * static_cast<double>(stretch.step) / 2;
+  view.first_s = (static_cast<double>(stretch.from) + 0.5) * sample_s - zero_s;
+  for (const Tap& tap : analogue_taps())
+    if (is_recorded(trial.taps.*tap.samples))
+      view.taps.push_back(
+          {tap.name, tap.long_name, tap.unit, values_of(trial.taps.*tap.samples, stretch)});
+  add_wire(view, trial.rx, zero_s, static_cast<double>(stretch.from) * sample_s,
+           static_cast<double>(stretch.to) * sample_s);
+  add_characters(view, message);
+  add_bits(view, trial, message);
+  view.message_s = message.end_s() - zero_s;
+  view.byte_from_s = message.start_s(message.first_wrong().value_or(0)) - zero_s;
+  view.byte_s = message.character_s;
+  view.cycle_s = 1 / trial.carrier.value;
+  return view;
+}
+
+std::string view_json(const TrialView& view) {
+  Json taps = Json::array();
+  for (const TapValues& tap : view.taps) {
+    const auto [least, greatest] = std::ranges::minmax(tap.values);
+    taps.push_back({{"key", tap.key},
+                    {"name", tap.name},
+                    {"unit", tap.unit},
+                    {"least", least},
+                    {"greatest", greatest},
+                    {"values", quantised(tap.values, least, greatest)}});
+  }
+  const Json json{{"first_s", view.first_s},
+                  {"period_s", view.period_s},
+                  {"taps", taps},
+                  {"wire_begins", view.wire_begins},
+                  {"wire_flips_s", view.wire_flips_s},
+                  {"sent", marks_json(view.sent)},
+                  {"read", marks_json(view.read)},
+                  {"bits", marks_json(view.bits)},
+                  {"message_s", view.message_s},
+                  {"byte_from_s", view.byte_from_s},
+                  {"byte_s", view.byte_s},
+                  {"cycle_s", view.cycle_s}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sim

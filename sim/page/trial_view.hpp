@@ -1,0 +1,44 @@
+#pragma once
+// One trial for the script of a page: every tap of the receiver on one time axis, to zoom and pan
+// in, with what was sent and read written along it.
+#include <string>
+#include <vector>
+
+#include "sim/trace/trace.hpp"
+
+namespace sim {
+
+/// Samples, or where they would be too many the least and the greatest of each stretch in turn, so
+/// that no spike is lost.
+struct TapValues {
+  std::string key, name, unit;
+  std::vector<float> values;
+};
+
+struct ViewMark {
+  double at_s;
+  std::string text;
+  bool is_wrong;
+};
+
+/// Seconds are since the message began.
+struct TrialView {
+  double first_s = 0, period_s = 1;  // of the values
+  std::vector<TapValues> taps;
+  bool wire_begins = true;             // level of the pin at first
+  std::vector<double> wire_flips_s;    // of the pin
+  std::vector<ViewMark> sent, read;    // characters, at their middles
+  std::vector<ViewMark> bits;          // levels of the pin in the middle of each bit that was sent
+  double message_s = 0;                // how long it is
+  double byte_from_s = 0, byte_s = 0;  // the character that is shown first: one that was misread
+  double cycle_s = 0;                  // of the carrier
+};
+
+/// Of a trial with taps and a message. At most `most` values a tap.
+TrialView view_of(const TracedTrial& trial, std::size_t most = 1'000'000);
+
+/// As JSON. Values in steps of 1/65535 of their range, as base64 of 16-bit numbers (least byte
+/// first).
+std::string view_json(const TrialView& view);
+
+}  // namespace sim

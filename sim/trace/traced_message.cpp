@@ -1,0 +1,56 @@
+#include "sim/trace/traced_message.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/text/escaped_text.hpp"
+
+namespace sim {
+namespace {
+
+using protocol::UartByte;
+
+std::vector<UartByte> last_message(const std::vector<UartByte>& bytes, double character_s) {
+  std::size_t first = bytes.size();
+  while (first > 0 && (first == bytes.size() ||
+                       (bytes[first].start - bytes[first - 1].start).value < 1.5 * character_s))
+    --first;
+  return {bytes.begin() + static_cast<std::ptrdiff_t>(first), bytes.end()};
+}
+
+}  // namespace
+
+std::optional<std::size_t> TracedMessage::place_of(const UartByte& read) const {
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    if (std::abs((read.start - sent[i].start).value) < character_s / 2) return i;
+  return std::nullopt;
+}
+
+bool TracedMessage::is_as_sent(const UartByte& read) const {
+  const auto place = place_of(read);
+  return place && !read.framing_error && sent[*place].value == read.value;
+}
+
+std::optional<std::size_t> TracedMessage::first_wrong() const {
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    if (std::ranges::none_of(received, [&](const UartByte& read) {
+          return place_of(read) == i && is_as_sent(read);
+        }))
+      return i;
+  return std::nullopt;
+}
+
+TracedMessage message_of(const TracedTrial& trial) {
+  const double character_s = protocol::bits_per_byte / trial.baud.value;
+  return {.sent = last_message(protocol::receive_mid_bit(trial.tx, trial.baud), character_s),
+          .received = protocol::receive_mid_bit(trial.rx, trial.baud),
+          .character_s = character_s};
+}
+
+std::string shown(const UartByte& byte) {
+  const char c = static_cast<char>(byte.value);
+  const std::string text = c == ' ' ? "\u2423" : c == '\n' ? "\\n" : escaped({&c, 1});
+  return text + (byte.framing_error ? "!" : "");
+}
+
+}  // namespace sim

@@ -1,0 +1,108 @@
+// A trial packed for the script of a page: no spike is lost, no time is shifted, what is misread is
+// marked.
+#include <gtest/gtest.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "protocol/uart.hpp"
+#include "sim/page/trial_view.hpp"
+
+namespace sim {
+namespace {
+
+constexpr dsp::Hertz baud(600);
+constexpr double rate = 236e3;
+
+/// One message, 0.1 s after the beginning, of which the last character is read otherwise.
+TracedTrial trial_of(const std::string& sent, const std::string& read) {
+  TracedTrial trial;
+  trial.baud = baud;
+  trial.carrier = dsp::Hertz(59e3);
+  trial.sample_rate = dsp::Hertz(rate);
+  const auto send = [](dsp::LogicTrace& wire, const std::string& text, double at_s) {
+    dsp::Seconds at(at_s);
+    for (const char c : text)
+      at = protocol::send_byte(wire, static_cast<std::uint8_t>(c), at, baud);
+    wire.observe_until(dsp::Seconds(0.5));
+  };
+  send(trial.tx, sent, 0.1);
+  send(trial.rx, read, 0.1002);
+  const auto count = static_cast<std::size_t>(0.5 * rate);
+  trial.taps = {std::vector<float>(count, 0.25F),
+                std::vector<float>(count, -1),
+                std::vector<float>(count, NAN),
+                std::vector<float>(count, 0),
+                {}};
+  return trial;
+}
+
+std::size_t sample_at(double time_s) { return static_cast<std::size_t>(time_s * rate); }
+
+TEST(TrialView, HasTheTapsThatWereRecordedOnTheMessagesTime) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.taps.irradiance[sample_at(0.11)] = 7;
+  const TrialView view = view_of(trial);
+  ASSERT_EQ(view.taps.size(), 3U)
+      << "of a matched receiver the threshold is NaN, the gain not there";
+  EXPECT_EQ(view.taps[0].key, "irradiance_mw_per_m2");
+  const auto& values = view.taps[0].values;
+  const auto spike = std::ranges::find(values, 7.0F) - values.begin();
+  EXPECT_NEAR(view.first_s + static_cast<double>(spike) * view.period_s, 0.01, 1 / rate);
+  EXPECT_NEAR(view.message_s, 0.05, 1e-9);
+  EXPECT_NEAR(view.first_s, -0.01, 1 / rate);
+}
+
+TEST(TrialView, LosesNoSpikeWhereItKeepsFewerValues) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.taps.irradiance[sample_at(0.1234)] = 9;
+  trial.taps.irradiance[sample_at(0.1345)] = -9;
+  const TrialView view = view_of(trial, 100);
+  const auto& values = view.taps[0].values;
+  EXPECT_LE(values.size(), 102U);
+  EXPECT_GE(values.size(), 40U);
+  const auto time_of = [&](float value) {
+    return view.first_s +
+           static_cast<double>(std::ranges::find(values, value) - values.begin()) * view.period_s;
+  };
+  EXPECT_NEAR(time_of(9), 0.0234, 2 * view.period_s);
+  EXPECT_NEAR(time_of(-9), 0.0345, 2 * view.period_s);
+}
+
+TEST(TrialView, MarksWhatWasMisread) {
+  const TrialView view = view_of(trial_of("OK\n", "OJ\n"));
+  ASSERT_EQ(view.sent.size(), 3U);
+  ASSERT_EQ(view.read.size(), 3U);
+  EXPECT_EQ(view.read[1].text, "J");
+  EXPECT_TRUE(view.read[1].is_wrong);
+  EXPECT_FALSE(view.read[0].is_wrong);
+  EXPECT_EQ(view.read[2].text, "\\n");
+  EXPECT_NEAR(view.byte_from_s, 10 / baud.value, 1e-9) << "the second is shown first";
+  EXPECT_EQ(view.bits.size(), 30U);
+  EXPECT_EQ(std::ranges::count(view.bits, true, &ViewMark::is_wrong), 1)
+      << "K and J: the last bit of them";
+  EXPECT_TRUE(view.wire_begins);
+  EXPECT_NEAR(view.wire_flips_s.front(), 0.0002, 1e-9);
+}
+
+TEST(TrialView, IsPackedInSixteenBits) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  for (std::size_t i = 0; i < trial.taps.irradiance.size(); ++i)
+    trial.taps.irradiance[i] = static_cast<float>(std::sin(static_cast<double>(i)));
+  const TrialView view = view_of(trial);
+  const auto tap = nlohmann::json::parse(view_json(view))["taps"][0];
+  const std::string text = tap["values"];
+  std::vector<unsigned char> bytes(3 * text.size() / 4);
+  ASSERT_GT(EVP_DecodeBlock(bytes.data(), reinterpret_cast<const unsigned char*>(text.data()),
+                            static_cast<int>(text.size())),
+            0);
+  const double least = tap["least"], greatest = tap["greatest"];
+  for (std::size_t i = 0; i < view.taps[0].values.size(); ++i)
+    ASSERT_NEAR(least + (bytes[2 * i] + 256 * bytes[2 * i + 1]) * (greatest - least) / 65535,
+                view.taps[0].values[i], 2e-5);
+}
+
+}  // namespace
+}  // namespace sim
