@@ -8,7 +8,6 @@
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
-#include "sim/loading/point_scenario.hpp"
 #include "sim/page/page.hpp"
 #include "sim/page/report_contents.hpp"
 #include "sim/picture/svg.hpp"
@@ -17,41 +16,18 @@
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
-#include "sim/trace/traced_message.hpp"
 
 namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The first that is misread where the link fails, or else the first of all: with taps, if any.
-std::optional<TracedTrial> trial_to_show(const StoredResult& stored) {
-  constexpr std::uint32_t enough = 20;
-  const std::vector<PointResult>& points = stored.result.points;
-  const PointResult* failing = failing_point(stored.result);
-  const auto number = static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - points.data());
-  const Scenario point = numbered_point(stored.scenario, number);
-  if (point.simulation.fidelity != "waveform" || is_weighted(stored.result)) return std::nullopt;
-  std::optional<TracedTrial> first;
-  for (std::uint32_t i = 0; i < (failing == nullptr ? 1 : enough); ++i) {
-    TracedTrial trial = trace_trial(point, i);
-    trial.origin = {.program = stored.origin.program,
-                    .scenario_toml = stored.origin.scenario_toml,
-                    .seed = stored.origin.seed,
-                    .point = number,
-                    .trial = i};
-    if (message_of(trial).sent.empty()) return std::nullopt;
-    if (message_of(trial).first_wrong()) return trial;
-    if (!first) first = std::move(trial);
-  }
-  return first;
-}
-
 ReportedResult read(const fs::path& path, int threads) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
-  Omissions omissions = leave_out(stored.scenario, stored.result, threads, heed_stop_signals());
-  std::optional<TracedTrial> trial = trial_to_show(stored);
+  const std::atomic<bool>& stopping = heed_stop_signals();
+  Omissions omissions = leave_out(stored.scenario, stored.result, threads, stopping);
+  std::optional<ShownTrial> trial = trial_to_show(stored, stopping);
   return {path.stem().string(), std::move(stored.result), std::move(omissions), std::move(trial)};
 }
 
@@ -63,15 +39,21 @@ void write_file(const fs::path& path, const std::string& text) {
 
 using PlacedPictures = std::map<fs::path, const PagePicture*>;
 
+const PagePicture* picture_in(const PageSection& section) {
+  if (section.trial) return &section.trial->still;
+  return section.picture ? &*section.picture : nullptr;
+}
+
 /// The files that pictures become: bit-errors.svg, bit-errors-2.svg...
 PlacedPictures places_of(const Page& page, const fs::path& folder) {
   PlacedPictures places;
   for (const PageSection& section : page.sections) {
-    if (!section.picture) continue;
-    const std::string& name = section.picture->name;
-    fs::path place = folder / (name + ".svg");
-    for (int i = 2; places.contains(place); ++i) place = folder / fmt::format("{}-{}.svg", name, i);
-    places[place] = &*section.picture;
+    const PagePicture* picture = picture_in(section);
+    if (picture == nullptr) continue;
+    fs::path place = folder / (picture->name + ".svg");
+    for (int i = 2; places.contains(place); ++i)
+      place = folder / fmt::format("{}-{}.svg", picture->name, i);
+    places[place] = picture;
   }
   return places;
 }

@@ -73,6 +73,18 @@ Json axis_json(const ChartAxis& axis) {
   return {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
 }
 
+const char* curve_kind_name(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::measured:
+      return "measured";
+    case CurveKind::theory:
+      return "theory";
+    case CurveKind::continuous:
+      break;
+  }
+  return "continuous";
+}
+
 std::string chart_json(const Chart& chart) {
   Json curves = Json::array();
   for (const ChartCurve& curve : chart.curves) {
@@ -80,7 +92,8 @@ std::string chart_json(const Chart& chart) {
     for (const ChartPoint& p : curve.points)
       points.push_back(
           {{"x", p.x}, {"y", p.y}, {"low", p.low}, {"high", p.high}, {"is_limit", p.is_limit}});
-    curves.push_back({{"name", curve.name}, {"is_theory", curve.is_theory}, {"points", points}});
+    curves.push_back(
+        {{"name", curve.name}, {"kind", curve_kind_name(curve.kind)}, {"points", points}});
   }
   const Json json{{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

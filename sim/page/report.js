@@ -40,7 +40,7 @@
   }
 
   /** Bars for intervals, arrows for limits. */
-  function drawIntervals(plot, rows) {
+  function drawIntervals(plot, chart, rows) {
     const context = plot.ctx;
     const ratio = window.devicePixelRatio || 1;
     const {left, top, width, height: tall} = plot.bbox;
@@ -49,7 +49,7 @@
     context.rect(left, top, width, tall);
     context.clip();
     rows.forEach((row, i) => {
-      if (!plot.series[i + 1].show) return;
+      if (!plot.series[i + 1].show || chart.curves[i].kind !== 'measured') return;
       context.strokeStyle = colours[i % colours.length];
       context.lineWidth = ratio;
       context.setLineDash([]);
@@ -79,8 +79,8 @@
     return chart.curves.map((curve, i) => ({
       label: curve.name,
       stroke: colours[i % colours.length],
-      dash: curve.is_theory ? [6, 4] : dashes[Math.floor(i / colours.length) % dashes.length],
-      points: {show: !curve.is_theory},
+      dash: curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(i / colours.length) % dashes.length],
+      points: {show: curve.kind === 'measured'},
       spanGaps: true,
       value: (plot, value) => text(value),
     }));
@@ -116,7 +116,7 @@
       },
       axes: [axisOf(chart.x), axisOf(chart.y)],
       series: [{label: chart.x.label}, ...seriesOf(chart)],
-      hooks: {draw: [(u) => drawIntervals(u, rows)]},
+      hooks: {draw: [(u) => drawIntervals(u, chart, rows)]},
     }, [x, ...rows.map((row) => row.map((point) => (point && !point.is_limit ? point.y : null)))], figure);
     listenToKeys(figure, plot, chart.x, whole.x);
     window.addEventListener('resize', () => plot.setSize({width: figure.clientWidth, height}));

@@ -57,8 +57,9 @@ PageTable table_of(const Chart& chart) {
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points)
       table.rows.push_back({curve.name, fmt::format("{:.6g}", point.x),
-                            curve.is_theory ? fmt::format("{:.3g}", point.y)
-                                            : estimate_text({point.y, point.low, point.high})});
+                            curve.kind != CurveKind::measured
+                                ? fmt::format("{:.3g}", point.y)
+                                : estimate_text({point.y, point.low, point.high})});
   return table;
 }
 
@@ -207,13 +208,31 @@ PageSection trial_section(const TracedTrial& trial, const std::string& of) {
               {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
 }
 
+PagePicture eye_of(const ShownTrial& shown) {
+  return {"eye", "The integrator over two bits, all bits of the message over each other",
+          eye_as_svg(shown)};
+}
+
+void add_trial(Page& page, const ShownTrial& shown, const std::string& of) {
+  page.sections.push_back(trial_section(shown.trial, of));
+  if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
+    page.sections.push_back({.heading = "Eye diagram" + of, .picture = eye_of(shown)});
+  for (Chart chart : {jitter_chart(shown), spectrum_chart(shown)}) {
+    std::string heading = chart.title + of;
+    PageTable table = table_of(chart);
+    page.sections.push_back({.heading = std::move(heading),
+                             .picture = picture_of(std::move(chart)),
+                             .table = std::move(table)});
+  }
+}
+
 void add_result(Page& page, const ReportedResult& reported, bool alone) {
   const ExperimentResult& result = reported.result;
   const std::string of = alone ? "" : " of " + reported.name;
   page.sections.push_back(fates_section(result, of));
   if (reported.omissions.omissions.size() > 1)
     page.sections.push_back(limits_section(reported.omissions, of));
-  if (reported.trial) page.sections.push_back(trial_section(*reported.trial, of));
+  if (reported.trial) add_trial(page, *reported.trial, of);
   page.sections.push_back({.heading = "All numbers" + of, .table = table_of(result)});
   page.sections.push_back({.heading = "The scenario" + of,
                            .text = "To repeat it: " + result.command,

@@ -7,6 +7,7 @@
 
 #include "sim/page/omissions.hpp"
 #include "sim/page/page.hpp"
+#include "sim/page/shown_trial.hpp"
 #include "sim/result/result.hpp"
 
 namespace sim {
@@ -15,7 +16,7 @@ struct ReportedResult {
   std::string name;  // of its file
   ExperimentResult result;
   Omissions omissions;
-  std::optional<TracedTrial> trial = {};  // one to show, with its taps
+  std::optional<ShownTrial> trial = {};
 };
 
 /// At least one result.

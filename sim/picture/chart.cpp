@@ -133,7 +133,7 @@ void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& po
 void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,
                 const std::string& style) {
   drawing.path(line_through(curve, paper), style);
-  if (curve.is_theory) return;
+  if (curve.kind != CurveKind::measured) return;
   for (const ChartPoint& point : curve.points) {
     draw_interval(drawing, paper, point, style);
     if (!point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y))
@@ -154,7 +154,7 @@ std::string chart_as_svg(const Chart& chart) {
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];
     const std::string style =
-        std::string(styles[i % styles.size()]) + (curve.is_theory ? " theory" : "");
+        std::string(styles[i % styles.size()]) + (curve.kind == CurveKind::theory ? " theory" : "");
     draw_curve(drawing, paper, curve, style);
     drawing.line({left, legend - 4}, {left + 25, legend - 4}, style);
     drawing.text({left + 32, legend}, curve.name, "");

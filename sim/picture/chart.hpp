@@ -13,10 +13,16 @@ struct ChartPoint {
   bool is_limit = false;     // nothing was found: the value lies somewhere below `high`
 };
 
+enum class CurveKind {
+  measured,    // points with their intervals
+  theory,      // dashed, without marks
+  continuous,  // a line through many points, without marks
+};
+
 struct ChartCurve {
   std::string name;
   std::vector<ChartPoint> points;
-  bool is_theory = false;
+  CurveKind kind = CurveKind::measured;
 };
 
 struct ChartAxis {

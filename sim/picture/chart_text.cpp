@@ -76,7 +76,8 @@ std::vector<char> marks_of(const std::vector<ChartCurve>& curves) {
   std::vector<char> found;
   std::size_t measured = 0;
   for (const ChartCurve& curve : curves)
-    found.push_back(curve.is_theory ? theory_mark : marks[measured++ % marks.size()]);
+    found.push_back(curve.kind == CurveKind::theory ? theory_mark
+                                                    : marks[measured++ % marks.size()]);
   return found;
 }
 
@@ -92,7 +93,8 @@ std::string legend(const Chart& chart) {
   for (std::size_t i = 0; i < found.size(); ++i)
     names.push_back(fmt::format("{} {}", found[i], chart.curves[i].name));
   if (has_limits(chart)) names.push_back(fmt::format("{} less than that", limit_mark));
-  const auto measured = std::ranges::count(chart.curves, false, &ChartCurve::is_theory);
+  const auto measured = std::ranges::count_if(
+      chart.curves, [](const ChartCurve& curve) { return curve.kind != CurveKind::theory; });
   if (measured > 1)
     names.push_back(fmt::format("{} {}", several_mark, measured == 2 ? "both" : "several"));
   return fmt::format("{:>{}}  {}; {}\n", "", label_width, label(chart.y), fmt::join(names, ", "));

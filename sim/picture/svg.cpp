@@ -40,6 +40,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .heat6 { fill: #a0da39; }
 .heat7 { fill: #fde725; }
 .contour { stroke-width: 3; stroke: #d55e00; }
+.eye { stroke: #0072b2; stroke-opacity: .25; }
 .theory { stroke-dasharray: 6 4; }
 .dot { stroke-width: 2; }
 .heading { font-size: 15px; font-weight: bold; }

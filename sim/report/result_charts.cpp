@@ -63,7 +63,8 @@ ChartPoint chart_point(double x, const Estimate& estimate) {
 ChartCurve& curve_of(std::vector<ChartCurve>& curves, const std::string& name, bool is_theory) {
   const auto found = std::ranges::find(curves, name, &ChartCurve::name);
   if (found != curves.end()) return *found;
-  return curves.emplace_back(ChartCurve{name, {}, is_theory});
+  return curves.emplace_back(
+      ChartCurve{name, {}, is_theory ? CurveKind::theory : CurveKind::measured});
 }
 
 struct Ratio {

@@ -145,7 +145,7 @@ TEST(ChartText, MarksBothCurvesAndLeavesOutWhatIsNotKnown) {
 
 TEST(ChartText, MarksLimitsAndLetsWhatWasMeasuredCoverTheory) {
   Chart chart = chart_of({{1, 0, 0, 1e-3, true}, {2, 0.1, 0.05, 0.2}}, true);
-  chart.curves.push_back({"theory", {{1, 1e-4}, {2, 0.1}}, true});
+  chart.curves.push_back({"theory", {{1, 1e-4}, {2, 0.1}}, CurveKind::theory});
   const std::string plot = chart_as_text(chart);
   EXPECT_NE(plot.find("y, logarithmic; o c, . theory, v less than that\n"), std::string::npos)
       << plot;

@@ -54,10 +54,15 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
 
 TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
   run("near", "receiver.range_m = [1, 11]");
-  EXPECT_EQ(program({"report", "near.h5", "--svg", "a/b"}).out,
-            "report.html\na/b/bit-errors.svg\na/b/fates.svg\na/b/frame-loss.svg\n");
-  for (const char* name : {"a/b/bit-errors.svg", "a/b/fates.svg", "a/b/frame-loss.svg"})
-    EXPECT_EQ(content(path(name)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;
+  const Outcome o = program({"report", "near.h5", "--svg", "a/b"});
+  std::string names = "report.html\n";
+  for (const char* name :
+       {"bit-errors", "delay-of-edges", "eye", "fates", "frame-loss", "spectrum", "trial"}) {
+    const std::string place = fmt::format("a/b/{}.svg", name);
+    names += place + "\n";
+    EXPECT_EQ(content(path(place)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;
+  }
+  EXPECT_EQ(o.out, names) << o.err;
   write("a/b/fates.svg", "mine");
   expect_refused({"report", "near.h5", "--svg", "a/b"}, 2,
                  "cannot write a/b/fates.svg (it exists and is not a picture of cosys-sim) choose "

@@ -33,7 +33,7 @@ TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   EXPECT_FALSE(charts[0].x.logarithmic);
   ASSERT_EQ(charts[0].curves.size(), 2U);
   EXPECT_EQ(charts[0].curves[1].name, "theory");
-  EXPECT_TRUE(charts[0].curves[1].is_theory);
+  EXPECT_EQ(charts[0].curves[1].kind, CurveKind::theory);
   EXPECT_EQ(charts[0].curves[1].points.front().y, 0.04);
   ASSERT_EQ(charts[1].curves.size(), 1U);
   const std::vector<ChartPoint>& loss = charts[1].curves[0].points;

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "occurrences.hpp"
 #include "protocol/uart.hpp"
+#include "sim/page/shown_trial.hpp"
 #include "sim/page/trial_view.hpp"
 
 namespace sim {
@@ -102,6 +105,62 @@ TEST(TrialView, IsPackedInSixteenBits) {
   for (std::size_t i = 0; i < view.taps[0].values.size(); ++i)
     ASSERT_NEAR(least + (bytes[2 * i] + 256 * bytes[2 * i + 1]) * (greatest - least) / 65535,
                 view.taps[0].values[i], 2e-5);
+}
+
+// ---- pictures of a trial ----
+
+ShownTrial shown_of(TracedTrial trial) {
+  ShownTrial shown{std::move(trial), {}, {}, 1};
+  add_delays(shown.delays, shown.trial);
+  return shown;
+}
+
+double most_at(const ChartCurve& curve) {
+  return std::ranges::max(curve.points, {}, &ChartPoint::y).x;
+}
+
+TEST(ShownTrial, MeasuresHowLateEachEdgeIs) {
+  const ShownTrial shown = shown_of(trial_of("OK\n", "OK\n"));
+  ASSERT_EQ(shown.delays.falling_us.size(), shown.delays.rising_us.size());
+  ASSERT_GE(shown.delays.falling_us.size(), 6U);
+  for (const auto* delays : {&shown.delays.falling_us, &shown.delays.rising_us})
+    for (const double delay : *delays) EXPECT_NEAR(delay, 200, 1e-3);
+  const Chart jitter = jitter_chart(shown);
+  ASSERT_EQ(jitter.curves.size(), 2U);
+  EXPECT_NEAR(most_at(jitter.curves[0]), 200, 1);
+  double edges = 0;
+  for (const ChartPoint& point : jitter.curves[0].points) edges += point.y;
+  EXPECT_EQ(edges, static_cast<double>(shown.delays.falling_us.size()));
+}
+
+TEST(ShownTrial, HasNoDelayOfAnEdgeThatThePinLacks) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.rx = dsp::LogicTrace();
+  trial.rx.observe_until(dsp::Seconds(0.5));
+  const ShownTrial shown = shown_of(std::move(trial));
+  EXPECT_TRUE(shown.delays.falling_us.empty());
+  EXPECT_TRUE(jitter_chart(shown).curves[0].points.empty());
+}
+
+TEST(ShownTrial, DrawsAnEyeOfAllBits) {
+  const std::string svg = eye_as_svg(shown_of(trial_of("OK\n", "OK\n")));
+  EXPECT_EQ(occurrences(svg, "class=\"eye\""), 30U);
+}
+
+TEST(ShownTrial, ShowsTheCarrierInItsSpectrumUnderTheModulesResponse) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  constexpr double carrier = 59e3;
+  for (std::size_t i = 0; i < trial.taps.irradiance.size(); ++i)
+    trial.taps.irradiance[i] = static_cast<float>(
+        std::sin(2 * std::numbers::pi * carrier * static_cast<double>(i) / rate));
+  const Chart chart = spectrum_chart(shown_of(std::move(trial)));
+  ASSERT_EQ(chart.curves.size(), 3U);
+  EXPECT_NEAR(most_at(chart.curves[0]), 59, 0.1);
+  EXPECT_NEAR(most_at(chart.curves[2]), 56, 0.1) << "f0 of the module";
+  const auto half = std::ranges::find_if(chart.curves[2].points,
+                                         [](const ChartPoint& p) { return p.x > 56 * 1.05; });
+  EXPECT_NEAR(half->y / std::ranges::max(chart.curves[2].points, {}, &ChartPoint::y).y, 0.5, 0.03)
+      << "3 dB width f0/10, Vishay 82459 rev 1.8 Fig. 5";
 }
 
 }  // namespace
