@@ -122,21 +122,24 @@ has_settings() { # has_settings DIR NAME:TYPE=VALUE...
   done
 }
 
-# Charts of reports are alive with uPlot; the program does without.
+uplot=$root/build/node_modules/uplot/dist/uPlot.iife.min.js
+
+# Charts of reports are alive with uPlot; the program does without. Asked for once (npm.log).
 need_uplot() {
-  [[ ! -d $root/build/node_modules/uplot ]] && command -v npm >/dev/null || return 0
+  [[ ! -e $uplot && ! -e $root/build/npm.log ]] && command -v npm >/dev/null || return 0
   quietly npm.log npm install --prefix "$root/build" --no-audit --no-fund --fetch-retries=1 \
     --fetch-timeout=20000 uplot@1.6.32 || say "npm brought no uPlot (see above): charts in reports will stand still"
 }
 
 configure() { # configure PRESET [NAME:TYPE=VALUE]...
-  local dir=$root/build/$1 settings=("${@:2}") fresh=()
+  local dir=$root/build/$1 settings=("${@:2}") fresh=() found=()
+  need_uplot
+  [[ ! -e $uplot ]] || found=("COSYS_UPLOT_SCRIPT:FILEPATH=$uplot")
   if ! is_set_up "$dir"; then
     fresh=(--fresh)
-  elif has_settings "$dir" "${settings[@]}"; then
+  elif has_settings "$dir" "${settings[@]}" "${found[@]}"; then
     return
   fi
-  need_uplot
   if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
   (cd "$root" && quietly "$1.log" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}")
 }
