@@ -208,6 +208,21 @@ PageSection trial_section(const TracedTrial& trial, const std::string& of) {
               {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
 }
 
+void add_wrong_bits(Page& page, const ShownTrial& shown, const std::string& of) {
+  if (shown.wrong.bursts.empty()) return;
+  const HeatMap map = wrong_bits_map(shown);
+  page.sections.push_back(
+      {.heading = map.title + of,
+       .picture = PagePicture{"wrong-bits", map.description, heat_map_as_svg(map)},
+       .table = table_of(map)});
+  Chart bursts = burst_chart(shown);
+  std::string heading = bursts.title + of;
+  PageTable table = table_of(bursts);
+  page.sections.push_back({.heading = std::move(heading),
+                           .picture = picture_of(std::move(bursts)),
+                           .table = std::move(table)});
+}
+
 PagePicture eye_of(const ShownTrial& shown) {
   return {"eye", "The integrator over two bits, all bits of the message over each other",
           eye_as_svg(shown)};
@@ -217,6 +232,7 @@ void add_trial(Page& page, const ShownTrial& shown, const std::string& of) {
   page.sections.push_back(trial_section(shown.trial, of));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     page.sections.push_back({.heading = "Eye diagram" + of, .picture = eye_of(shown)});
+  add_wrong_bits(page, shown, of);
   for (Chart chart : {jitter_chart(shown), spectrum_chart(shown)}) {
     std::string heading = chart.title + of;
     PageTable table = table_of(chart);

@@ -18,7 +18,7 @@
 namespace sim {
 namespace {
 
-constexpr std::uint32_t trials_looked_at = 20;
+constexpr int trials_looked_at = 20;
 
 TracedTrial numbered_trial(const StoredResult& stored, const Scenario& scenario,
                            std::uint64_t point, std::uint32_t number) {
@@ -118,6 +118,34 @@ void add_delays(EdgeDelays& delays, const TracedTrial& trial) {
   }
 }
 
+void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay) {
+  const TracedMessage message = message_of(trial);
+  const double bit_s = message.character_s / protocol::bits_per_byte;
+  if (wrong.counts.empty()) wrong.counts.resize(message.sent.size());
+  wrong.characters.clear();
+  std::size_t burst = 0;
+  const auto end_burst = [&] {
+    if (burst == 0) return;
+    if (wrong.bursts.size() < burst) wrong.bursts.resize(burst);
+    ++wrong.bursts[burst - 1];
+    burst = 0;
+  };
+  for (std::size_t i = 0; i < std::min(message.sent.size(), wrong.counts.size()); ++i) {
+    wrong.characters.push_back(shown(message.sent[i]));
+    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
+      const double middle_s = message.start_s(i) + (slot + 0.5) * bit_s + delay.value;
+      if (trial.rx.level_at(dsp::Seconds(middle_s)) ==
+          protocol::line_bit(message.sent[i].value, slot)) {
+        end_burst();
+      } else {
+        ++burst;
+        ++wrong.counts[i][static_cast<std::size_t>(slot)];
+      }
+    }
+  }
+  end_burst();
+}
+
 std::optional<ShownTrial> trial_to_show(const StoredResult& stored,
                                         const std::atomic<bool>& interrupt) {
   const std::vector<PointResult>& points = stored.result.points;
@@ -125,18 +153,19 @@ std::optional<ShownTrial> trial_to_show(const StoredResult& stored,
   const auto number = static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - points.data());
   const Scenario scenario = numbered_point(stored.scenario, number);
   if (scenario.simulation.fidelity != "waveform" || is_weighted(stored.result)) return std::nullopt;
-  ShownTrial shown{numbered_trial(stored, scenario, number, 0), make_link(scenario).module, {}};
+  const Link link = make_link(scenario);
+  ShownTrial shown{numbered_trial(stored, scenario, number, 0), link.module};
+  if (message_of(shown.trial).sent.empty()) return std::nullopt;
   bool is_misread = message_of(shown.trial).first_wrong().has_value();
-  add_delays(shown.delays, shown.trial);
-  for (std::uint32_t i = 1; i < trials_looked_at && !interrupt; ++i) {
-    TracedTrial trial = numbered_trial(stored, scenario, number, i);
+  for (; shown.trials < trials_looked_at && !interrupt; ++shown.trials) {
+    TracedTrial trial =
+        numbered_trial(stored, scenario, number, static_cast<std::uint32_t>(shown.trials));
     add_delays(shown.delays, trial);
+    add_wrong_bits(shown.wrong, trial, link.delay);
     if (is_misread || !message_of(trial).first_wrong()) continue;
     is_misread = true;
     shown.trial = std::move(trial);
   }
-  shown.delays_of = trials_looked_at;
-  if (message_of(shown.trial).sent.empty()) return std::nullopt;
   return shown;
 }
 
@@ -160,13 +189,48 @@ Chart spectrum_chart(const ShownTrial& shown) {
   return chart;
 }
 
+HeatMap wrong_bits_map(const ShownTrial& shown) {
+  HeatMap map{
+      .title = "Wrong bits",
+      .description = fmt::format("share of {} trials in which a bit is wrong at the pin, by its "
+                                 "character, from the first above, and its place in it",
+                                 shown.trials),
+      .x_label = "bit, in the order of sending",
+      .y_label = "character",
+      .columns = {"start", "0", "1", "2", "3", "4", "5", "6", "7", "stop"},
+      .rows = {},
+      .values = {}};
+  for (std::size_t i = shown.wrong.characters.size(); i-- > 0;) {
+    map.rows.push_back(fmt::format("{}: {}", i + 1, shown.wrong.characters[i]));
+    std::vector<double>& shares = map.values.emplace_back();
+    for (const int count : shown.wrong.counts[i])
+      shares.push_back(static_cast<double>(count) / std::max(1, shown.trials));
+  }
+  return map;
+}
+
+Chart burst_chart(const ShownTrial& shown) {
+  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::continuous};
+  const std::vector<int>& bursts = shown.wrong.bursts;
+  for (std::size_t n = 0; n <= bursts.size() + 1; ++n) {  // from nothing to nothing
+    const double count = n == 0 || n > bursts.size() ? 0 : bursts[n - 1];
+    curve.points.push_back({static_cast<double>(n), count, count, count});
+  }
+  return {.title = "Bursts of wrong bits",
+          .description = fmt::format(
+              "How often so many wrong bits followed each other in {} trials", shown.trials),
+          .x = {"wrong bits in a row", false},
+          .y = {"bursts", false},
+          .curves = {curve}};
+}
+
 Chart jitter_chart(const ShownTrial& shown) {
   const double step_us = step_for(shown.delays);
   return {.title = "Delay of edges",
           .description =
               fmt::format("Histogram of how much later than the light's the edges of the pin "
                           "are, in steps of {:g} us, of {} trials",
-                          step_us, shown.delays_of),
+                          step_us, shown.trials),
           .x = {"delay [us]", false},
           .y = {"edges", false},
           .curves = {histogram("falling: light begins", shown.delays.falling_us, step_us),

@@ -110,8 +110,9 @@ TEST(TrialView, IsPackedInSixteenBits) {
 // ---- pictures of a trial ----
 
 ShownTrial shown_of(TracedTrial trial) {
-  ShownTrial shown{std::move(trial), {}, {}, 1};
+  ShownTrial shown{std::move(trial), {}, 1};
   add_delays(shown.delays, shown.trial);
+  add_wrong_bits(shown.wrong, shown.trial, dsp::Seconds(200e-6));
   return shown;
 }
 
@@ -140,6 +141,20 @@ TEST(ShownTrial, HasNoDelayOfAnEdgeThatThePinLacks) {
   const ShownTrial shown = shown_of(std::move(trial));
   EXPECT_TRUE(shown.delays.falling_us.empty());
   EXPECT_TRUE(jitter_chart(shown).curves[0].points.empty());
+}
+
+TEST(ShownTrial, SaysWhichBitsAreWrongAndHowManyInARow) {
+  const ShownTrial shown = shown_of(trial_of("OAK\n", "OFK\n"));
+  EXPECT_EQ(shown.wrong.characters, (std::vector<std::string>{"O", "A", "K", "\\n"}));
+  EXPECT_EQ(shown.wrong.counts[1], (std::array<int, 10>{0, 1, 1, 1, 0, 0, 0, 0, 0, 0}))
+      << "0x41 and 0x46: bits 0 to 2";
+  EXPECT_EQ(shown.wrong.counts[0], (std::array<int, 10>{}));
+  EXPECT_EQ(shown.wrong.bursts, (std::vector<int>{0, 0, 1}));
+  const HeatMap map = wrong_bits_map(shown);
+  EXPECT_EQ(map.rows, (std::vector<std::string>{"4: \\n", "3: K", "2: A", "1: O"}));
+  EXPECT_EQ(map.values[2][1], 1);
+  EXPECT_EQ(most_at(burst_chart(shown).curves[0]), 3);
+  EXPECT_TRUE(shown_of(trial_of("OK\n", "OK\n")).wrong.bursts.empty());
 }
 
 TEST(ShownTrial, DrawsAnEyeOfAllBits) {
