@@ -1,6 +1,7 @@
 // `cosys-sim report`: results as pictures and tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "sim/command/commands.hpp"
@@ -22,13 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ReportedResult read(const fs::path& path, int threads) {
+/// Its name without folder and ending, unless another has the same.
+std::string name_of(const fs::path& path, const std::vector<fs::path>& all) {
+  const auto same = [&](const fs::path& other) { return other.stem() == path.stem(); };
+  return std::ranges::count_if(all, same) > 1 ? path.string() : path.stem().string();
+}
+
+ReportedResult read(const fs::path& path, const ReportRequest& request) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
   const std::atomic<bool>& stopping = heed_stop_signals();
-  Omissions omissions = leave_out(stored.scenario, stored.result, threads, stopping);
+  Omissions omissions =
+      leave_out(stored.scenario, stored.result, threads_for(request.threads), stopping);
   std::optional<ShownTrial> trial = trial_to_show(stored, stopping);
-  return {path.stem().string(), std::move(stored.result), std::move(omissions), std::move(trial)};
+  return {name_of(path, request.results), std::move(stored.result), std::move(omissions),
+          std::move(trial)};
 }
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -81,8 +90,7 @@ ExitCode report_command(const ReportRequest& request) {
   refuse_to_lose(request.output, is_page, "a report of cosys-sim");
   std::vector<ReportedResult> results;
   const std::atomic<bool>& stopping = heed_stop_signals();
-  for (const fs::path& path : request.results)
-    results.push_back(read(path, threads_for(request.threads)));
+  for (const fs::path& path : request.results) results.push_back(read(path, request));
   if (stopping) return end_interrupted();
   const Page page = report_of(results);
   PlacedPictures pictures;

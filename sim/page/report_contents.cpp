@@ -63,6 +63,14 @@ PageTable table_of(const Chart& chart) {
   return table;
 }
 
+PageSection chart_section(Chart chart, const std::string& of) {
+  std::string heading = chart.title + of;
+  PageTable table = table_of(chart);
+  return {.heading = std::move(heading),
+          .picture = picture_of(std::move(chart)),
+          .table = std::move(table)};
+}
+
 /// Curves of several results in one picture, each named by its file.
 std::vector<Chart> charts_of(const std::vector<ReportedResult>& results) {
   std::vector<Chart> charts;
@@ -198,14 +206,15 @@ void add_ranking(Page& page, const ReportedResult& reported, bool alone) {
 PageSection trial_section(const TracedTrial& trial, const std::string& of) {
   const std::string which =
       fmt::format("Trial {} of point {}", trial.origin.trial, trial.origin.point);
-  return {.heading = which + of,
-          .text =
-              "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
-              "pan in any of them. Above the "
-              "light what was sent, along the pin what was read; what was misread is marked.",
-          .trial = PageTrial{
-              view_of(trial),
-              {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
+  return {
+      .heading = which + of,
+      .text =
+          "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
+          "pan in any of them. Above the light what was sent, along the pin what was read; what "
+          "was misread is marked.",
+      .trial =
+          PageTrial{view_of(trial),
+                    {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
 }
 
 void add_wrong_bits(Page& page, const ShownTrial& shown, const std::string& of) {
@@ -215,12 +224,7 @@ void add_wrong_bits(Page& page, const ShownTrial& shown, const std::string& of) 
       {.heading = map.title + of,
        .picture = PagePicture{"wrong-bits", map.description, heat_map_as_svg(map)},
        .table = table_of(map)});
-  Chart bursts = burst_chart(shown);
-  std::string heading = bursts.title + of;
-  PageTable table = table_of(bursts);
-  page.sections.push_back({.heading = std::move(heading),
-                           .picture = picture_of(std::move(bursts)),
-                           .table = std::move(table)});
+  page.sections.push_back(chart_section(burst_chart(shown), of));
 }
 
 PagePicture eye_of(const ShownTrial& shown) {
@@ -233,13 +237,8 @@ void add_trial(Page& page, const ShownTrial& shown, const std::string& of) {
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     page.sections.push_back({.heading = "Eye diagram" + of, .picture = eye_of(shown)});
   add_wrong_bits(page, shown, of);
-  for (Chart chart : {jitter_chart(shown), spectrum_chart(shown)}) {
-    std::string heading = chart.title + of;
-    PageTable table = table_of(chart);
-    page.sections.push_back({.heading = std::move(heading),
-                             .picture = picture_of(std::move(chart)),
-                             .table = std::move(table)});
-  }
+  page.sections.push_back(chart_section(jitter_chart(shown), of));
+  page.sections.push_back(chart_section(spectrum_chart(shown), of));
 }
 
 void add_result(Page& page, const ReportedResult& reported, bool alone) {
@@ -263,13 +262,8 @@ Page report_of(const std::vector<ReportedResult>& results) {
     page.verdict += (results.size() > 1 ? reported.name + ": " : "") +
                     verdict_of(reported.result, reported.omissions);
   for (const ReportedResult& reported : results) add_ranking(page, reported, results.size() == 1);
-  for (Chart& chart : charts_of(results)) {
-    PageTable table = table_of(chart);
-    std::string heading = chart.title;
-    page.sections.push_back({.heading = std::move(heading),
-                             .picture = picture_of(std::move(chart)),
-                             .table = std::move(table)});
-  }
+  for (Chart& chart : charts_of(results))
+    page.sections.push_back(chart_section(std::move(chart), ""));
   for (const ReportedResult& reported : results) add_maps(page, reported, results.size() == 1);
   for (const ReportedResult& reported : results) add_result(page, reported, results.size() == 1);
   return page;

@@ -52,6 +52,15 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
       EXPECT_EQ(occurrences(page, fmt::format("<h2>{} of {}</h2>", heading, name)), 1U);
 }
 
+TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
+  run("one", "receiver.range_m = [1, 11]");
+  std::filesystem::create_directory(path("old"));
+  std::filesystem::copy_file(path("one.h5"), path("old/one.h5"));
+  const std::string page = report({"one.h5", "old/one.h5"});
+  EXPECT_NE(page.find(">one.h5, measured</text>"), std::string::npos);
+  EXPECT_NE(page.find(">old/one.h5, measured</text>"), std::string::npos);
+}
+
 TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
   run("near", "receiver.range_m = [1, 11]");
   const Outcome o = program({"report", "near.h5", "--svg", "a/b"});

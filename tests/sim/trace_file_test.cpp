@@ -185,7 +185,7 @@ TEST_F(TraceFile, MetadataComesBehindItsDataAndGoesBefore) {
 TEST_F(TraceFile, NamesTheFormatsThatItKnows) {
   EXPECT_EQ(failure_of("x.txt"),
             "cannot trace into x.txt (its ending names no format) end the name in .vcd or .sr or "
-            ".ook or .bin or .csv or .h5 or .wav or .sigmf-meta");
+            ".ook or .bin or .svg or .csv or .h5 or .wav or .sigmf-meta");
   EXPECT_EQ(failure_of(path("missing") / "t.h5"),
             "cannot write " + (path("missing") / "t.h5").string() +
                 " (its folder does not exist) create the folder or choose another");
