@@ -42,7 +42,7 @@ std::string row_of(const std::vector<std::string>& cells, const char* kind) {
 std::string table_html(const PageTable& table) {
   constexpr std::size_t long_table = 20;  // rows; these open by a click
   std::string html =
-      fmt::format("<details{}><summary>Table of {} rows</summary>\n<div class=\"table\">",
+      fmt::format("<details{}><summary>Table, rows: {}</summary>\n<div class=\"table\">",
                   table.rows.size() > long_table ? "" : " open", table.rows.size()) +
       "<table class=\"numbers\">\n<thead>" + row_of(table.head, "th scope=\"col\"") +
       "</thead>\n<tbody>\n";

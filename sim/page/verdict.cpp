@@ -9,8 +9,6 @@
 
 #include "sim/counting/statistics.hpp"
 #include "sim/report/closing_lines.hpp"
-#include "sim/report/report_table.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/result/ranking.hpp"
 
 namespace sim {
@@ -28,8 +26,9 @@ std::string size_of(const ExperimentResult& result) {
     lost += point.tally.n_frames_lost;
   }
   const auto points = std::ranges::count_if(result.points, measured);
-  return fmt::format("{} frames were simulated{}; {} of them were lost.\n", frames,
-                     points > 1 ? fmt::format(" at {} points", points) : "", lost);
+  return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", frames,
+                     points > 1 ? fmt::format(" at {} points", points) : "", lost,
+                     is_weighted(result) ? ", as drawn by importance sampling" : "");
 }
 
 /// Where there are many rows they have a section of their own.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "sim/picture/axis_span.hpp"
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
 
@@ -21,49 +21,42 @@ constexpr double legend_top = bottom + 66, legend_step = 16;
 
 constexpr std::array styles{"curve1", "curve2", "curve3", "curve4", "curve5", "curve6"};
 
-/// A chart's axis: values, or their decimal logarithms, to places.
+/// Places of values along an axis.
 class Positions {
  public:
   Positions(const ChartAxis& axis, double at_from, double at_to)
-      : logarithmic_(axis.logarithmic), scale_{0, 1, at_from, at_to} {}
+      : span_(axis), scale_{0, 1, at_from, at_to} {}
 
-  bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
-  void cover(double value) {
-    if (!shows(value)) return;
-    least_ = std::min(least_, on_axis(value));
-    greatest_ = std::max(greatest_, on_axis(value));
-  }
+  bool shows(double value) const { return span_.shows(value); }
+  void cover(double value) { span_.cover(value); }
   /// To be called once when all is covered.
   void settle() {
-    if (!(least_ <= greatest_)) least_ = 0, greatest_ = 1;
-    if (logarithmic_) least_ = std::floor(least_), greatest_ = std::ceil(greatest_);
-    if (least_ == greatest_) least_ -= 0.5, greatest_ += 0.5;
-    scale_.from = least_;
-    scale_.to = greatest_;
+    if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
+    double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
+    if (span_.is_logarithmic()) least = std::floor(least), greatest = std::ceil(greatest);
+    if (least == greatest) least -= 0.5, greatest += 0.5;
+    scale_.from = least;
+    scale_.to = greatest;
   }
-  double operator()(double value) const { return scale_(on_axis(value)); }
+  double operator()(double value) const { return scale_(span_.on_axis(value)); }
 
   /// Values worth a mark.
   std::vector<double> marks() const {
-    std::vector<double> values = round_values(least_, greatest_, 9);
-    if (!logarithmic_) return values;
+    std::vector<double> values = round_values(scale_.from, scale_.to, 9);
+    if (!span_.is_logarithmic()) return values;
     std::erase_if(values, [](double exponent) { return exponent != std::round(exponent); });
     for (double& value : values) value = std::pow(10, value);
     return values;
   }
   std::string label(double value) const {
-    if (logarithmic_ && (value < 1e-2 || value > 1e4))
+    if (span_.is_logarithmic() && (value < 1e-2 || value > 1e4))
       return fmt::format("1e{:.0f}", std::log10(value));
     return fmt::format("{:g}", value);
   }
 
  private:
-  double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
-
-  bool logarithmic_;
+  AxisSpan span_;
   Scale scale_;
-  double least_ = std::numeric_limits<double>::infinity();
-  double greatest_ = -std::numeric_limits<double>::infinity();
 };
 
 struct Paper {

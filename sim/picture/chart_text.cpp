@@ -1,12 +1,11 @@
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
+#include "sim/picture/axis_span.hpp"
 #include "sim/picture/chart.hpp"
 
 namespace sim {
@@ -19,31 +18,18 @@ constexpr std::string_view marks = "ox+#@%";  // of the curves that were measure
 constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*';
 
 /// Values along one axis, as the paper has them.
-class CellScale {
+class CellScale : public AxisSpan {
  public:
-  CellScale(const ChartAxis& axis, int cells) : logarithmic_(axis.logarithmic), cells_(cells) {}
+  CellScale(const ChartAxis& axis, int cells) : AxisSpan(axis), cells_(cells) {}
 
-  void cover(double value) {
-    if (!shows(value)) return;
-    low_ = std::min(low_, value);
-    high_ = std::max(high_, value);
-  }
-  bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
   int cell(double value) const {
-    const double span = on_paper(high_) - on_paper(low_);
-    const double share = span > 0 ? (on_paper(value) - on_paper(low_)) / span : 0.5;
+    const double from = on_axis(least()), span = on_axis(greatest()) - from;
+    const double share = span > 0 ? (on_axis(value) - from) / span : 0.5;
     return static_cast<int>(std::lround(share * (cells_ - 1)));
   }
-  double low() const { return low_; }
-  double high() const { return high_; }
 
  private:
-  double on_paper(double value) const { return logarithmic_ ? std::log(value) : value; }
-
-  bool logarithmic_;
   int cells_;
-  double low_ = std::numeric_limits<double>::infinity();
-  double high_ = -std::numeric_limits<double>::infinity();
 };
 
 class Paper {
@@ -108,16 +94,16 @@ std::string framed(const Paper& paper, const CellScale& x, const CellScale& y,
   std::string text;
   for (std::size_t i = 0; i < paper.lines().size(); ++i) {
     const bool top = i == 0, bottom = i + 1 == paper.lines().size();
-    const std::string edge = top      ? fmt::format("{:.4g}", y.high())
-                             : bottom ? fmt::format("{:.4g}", y.low())
+    const std::string edge = top      ? fmt::format("{:.4g}", y.greatest())
+                             : bottom ? fmt::format("{:.4g}", y.least())
                                       : "";
     std::string line = fmt::format("{:>{}} |{}", edge, label_width, paper.lines()[i]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
   text += fmt::format("{:>{}} +{:-<{}}\n", "", label_width, "", columns);
-  text += fmt::format("{:>{}}  {:<{}.4g}{:^{}}{:>{}.4g}\n", "", label_width, x.low(), 10,
-                      label(axis), columns - 20, x.high(), 10);
+  text += fmt::format("{:>{}}  {:<{}.4g}{:^{}}{:>{}.4g}\n", "", label_width, x.least(), 10,
+                      label(axis), columns - 20, x.greatest(), 10);
   return text;
 }
 

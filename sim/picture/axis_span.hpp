@@ -1,0 +1,34 @@
+#pragma once
+// What a chart's axis covers: values, or their decimal logarithms, from the least to the greatest.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/picture/chart.hpp"
+
+namespace sim {
+
+class AxisSpan {
+ public:
+  explicit AxisSpan(const ChartAxis& axis) : logarithmic_(axis.logarithmic) {}
+
+  bool is_logarithmic() const { return logarithmic_; }
+  /// Whether a value has a place on the axis.
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+  void cover(double value) {
+    if (!shows(value)) return;
+    least_ = std::min(least_, value);
+    greatest_ = std::max(greatest_, value);
+  }
+  /// Infinite, and the greater first, where nothing was covered.
+  double least() const { return least_; }
+  double greatest() const { return greatest_; }
+  double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+ private:
+  bool logarithmic_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double greatest_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace sim
