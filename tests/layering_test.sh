@@ -18,7 +18,7 @@ immintrin[.]h        dsp/.*
 fftw3[.]h            dsp/spectrum[.]cpp
 Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)|dsp/truncated_orthant[.][ch]pp|sim/(link/importance_link|noise/.*|trial/.*proposal)[.][ch]pp
 armadillo            sim/.*[.]cpp
-hdf5.*[.]h|H5.*[.]h  sim/result/(netcdf[.]cpp|hdf5_handle[.]hpp)
+hdf5.*[.]h|H5.*[.]h  sim/result/(netcdf(_reader)?[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/scenario/entries[.]cpp
 CLI/.*               sim/command/(command_line|commands_added|.*_options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp

@@ -1,5 +1,9 @@
 #include "sim/result/dataset.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -47,6 +51,19 @@ void add_variable(NetcdfFile& file, const Dataset& data, const Dataset::Variable
   if (!variable.flags.empty()) file.set_flags(variable.facts.name, variable.flags);
 }
 
+bool is_digested(const Dataset::Variable& variable) {
+  return std::holds_alternative<std::vector<std::int64_t>>(variable.values) &&
+         variable.flags.empty();
+}
+
+/// In the order in which the digest takes them.
+std::string names_of_digested(const Dataset& data) {
+  std::string names;
+  for (const Dataset::Variable& variable : data.variables)
+    if (is_digested(variable)) names += (names.empty() ? "" : " ") + variable.facts.name;
+  return names;
+}
+
 std::string image_of(const Dataset& data, const ProgramInfo& program) {
   NetcdfFile file(experiment_result_type, program);
   for (const Axis& axis : data.axes) add_axis(file, axis);
@@ -59,6 +76,7 @@ std::string image_of(const Dataset& data, const ProgramInfo& program) {
   file.set_text(root, "experiment", data.experiment);
   file.set_numbers(root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
   file.set_text(root, "result_digest", dataset_digest(data));
+  file.set_text(root, "digest_variables", names_of_digested(data));
   return file.image();
 }
 
@@ -96,13 +114,43 @@ Dataset dataset_of(const LoadedScenario& scenario, const std::string& command) {
 std::string dataset_digest(const Dataset& data) {
   std::string bytes;
   for (const Dataset::Variable& variable : data.variables) {
-    const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
-    if (counts == nullptr || !variable.flags.empty()) continue;
+    if (!is_digested(variable)) continue;
     bytes += variable.facts.name;
-    for (std::int64_t count : *counts)
+    for (std::int64_t count : std::get<std::vector<std::int64_t>>(variable.values))
       for (int i = 0; i < 8; ++i, count >>= 8) bytes += static_cast<char>(count & 0xff);
   }
   return digest_of(bytes);
+}
+
+const Dataset::Variable* find_variable(const Dataset& data, const std::string& name) {
+  for (const Dataset::Variable& variable : data.variables)
+    if (variable.facts.name == name) return &variable;
+  return nullptr;
+}
+
+std::vector<double> numbers_of(const Dataset::Variable& variable) {
+  return std::visit(
+      [](const auto& values) { return std::vector<double>(values.begin(), values.end()); },
+      variable.values);
+}
+
+const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name) {
+  const auto found =
+      std::ranges::find(data.dimensions, name, [](const auto& d) { return d.facts.name; });
+  assert(found != data.dimensions.end());
+  return *found;
+}
+
+std::string value_text(const Dataset::Dimension& dimension, std::size_t i) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&dimension.values))
+    return (*texts)[i];
+  return fmt::format("{:g}", std::get<std::vector<double>>(dimension.values)[i]);
+}
+
+std::size_t cells_a_point(const Dataset& data, const Dataset::Variable& variable) {
+  std::size_t cells = 1;
+  for (const std::string& name : variable.dimensions) cells *= dimension_named(data, name).size();
+  return cells;
 }
 
 void write_dataset(const std::filesystem::path& path, const Dataset& data,

@@ -47,6 +47,21 @@ Dataset dataset_of(const LoadedScenario& scenario, const std::string& command);
 /// Hash (32 hex digits) of all counts: equal digests, equal results.
 std::string dataset_digest(const Dataset& data);
 
+/// Null where there is none of that name.
+const Dataset::Variable* find_variable(const Dataset& data, const std::string& name);
+
+/// Its cells, row-major.
+std::vector<double> numbers_of(const Dataset::Variable& variable);
+
+/// The dimension of that name, which there is to be.
+const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name);
+
+/// An element of a dimension: its text, or the number in up to six digits.
+std::string value_text(const Dataset::Dimension& dimension, std::size_t i);
+
+/// How many cells it has at each point: those of its dimensions behind the axes.
+std::size_t cells_a_point(const Dataset& data, const Dataset::Variable& variable);
+
 /// As a result file for xarray and others (netCDF-4 on HDF5). Replaces only what check_output()
 /// lets pass.
 void write_dataset(const std::filesystem::path& path, const Dataset& data,

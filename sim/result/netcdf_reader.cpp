@@ -1,6 +1,9 @@
 #include "sim/result/netcdf_reader.hpp"
 
 #include <fmt/format.h>
+#include <hdf5_hl.h>
+
+#include <algorithm>
 
 #include "sim/result/hdf5_handle.hpp"
 #include "sim/result/netcdf.hpp"
@@ -108,6 +111,35 @@ void read_cells(hid_t file, const std::string& variable, hsize_t first, hsize_t 
   checked(H5Dread(data, type, room, space, H5P_DEFAULT, to));
 }
 
+herr_t add_name_of(hid_t, unsigned, hid_t scale, void* names) {
+  constexpr std::size_t longest = 256;
+  std::string name(longest, '\0');
+  const ssize_t length = H5DSget_scale_name(scale, name.data(), name.size());
+  if (length <= 0) return -1;
+  name.resize(std::min(static_cast<std::size_t>(length), longest - 1));
+  static_cast<std::vector<std::string>*>(names)->push_back(name);
+  return 1;  // one is enough
+}
+
+std::vector<std::string> dimensions_of(hid_t file, const std::string& variable) {
+  const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+  if (H5DSis_scale(data) > 0) return {};
+  const Handle space(H5Dget_space(data), H5Sclose);
+  const auto rank = static_cast<unsigned>(checked(H5Sget_simple_extent_ndims(space)));
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < rank; ++i) {
+    checked(H5DSiterate_scales(data, i, nullptr, add_name_of, &names));
+    if (names.size() != i + 1) throw Hdf5Failure();
+  }
+  return names;
+}
+
+H5T_class_t class_of(hid_t file, const std::string& variable) {
+  const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type(H5Dget_type(data), H5Tclose);
+  return H5Tget_class(type);
+}
+
 template <class T>
 T number_attribute(hid_t file, const char* name, hid_t type) {
   const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
@@ -188,6 +220,32 @@ std::vector<std::string> NetcdfReader::variables() const {
     std::vector<std::string> names;
     for (hsize_t i = 0; i < group.nlinks; ++i) names.push_back(name_of_variable(file, i));
     return names;
+  });
+}
+
+std::vector<std::string> NetcdfReader::dimensions(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) { return dimensions_of(file, variable); });
+}
+
+bool NetcdfReader::is_dimension(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) {
+    const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+    return checked(H5DSis_scale(data)) > 0;
+  });
+}
+
+bool NetcdfReader::is_text(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) { return class_of(file, variable) == H5T_STRING; });
+}
+
+bool NetcdfReader::is_integer(const std::string& variable) const {
+  return state_->get(variable, [&](hid_t file) { return class_of(file, variable) == H5T_INTEGER; });
+}
+
+std::string NetcdfReader::text_of(const std::string& variable, const char* name) const {
+  return state_->get(variable, [&](hid_t file) {
+    const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
+    return checked(H5Aexists(data, name)) > 0 ? text_attribute(data, name) : std::string();
   });
 }
 

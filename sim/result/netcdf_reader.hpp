@@ -31,6 +31,13 @@ class NetcdfReader {
 
   /// The variables at the root, in the order of their names.
   std::vector<std::string> variables() const;
+  /// The dimensions that a variable is on, in their order. Of a dimension's own coordinate none.
+  std::vector<std::string> dimensions(const std::string& variable) const;
+  bool is_dimension(const std::string& variable) const;
+  bool is_text(const std::string& variable) const;
+  bool is_integer(const std::string& variable) const;
+  /// An attribute of a variable that is a text of ours; empty of one that it does not have.
+  std::string text_of(const std::string& variable, const char* name) const;
   /// Cells of a variable on one dimension; 0 of any other.
   std::size_t size(const std::string& variable) const;
   /// The cells of such a variable from `first` on: as many as there is room for, which it must

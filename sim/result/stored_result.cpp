@@ -129,6 +129,11 @@ void refuse_newer(const Origin& origin, const std::filesystem::path& path) {
 
 }  // namespace
 
+LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::path& path) {
+  refuse_newer(origin, path);
+  return carried_scenario(origin, path);
+}
+
 StoredResult read_result(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
@@ -141,8 +146,7 @@ StoredResult read_result(const std::filesystem::path& path) {
                     "give a file that run wrote");
   const NetcdfReader file(path);
   StoredResult stored{origin_of(file), {}, {}};
-  refuse_newer(stored.origin, path);
-  stored.scenario = carried_scenario(stored.origin, path);
+  stored.scenario = readable_scenario(stored.origin, path);
   stored.result = unfinished(stored.scenario, file.text("command"));
   stored.result.scenario_toml = stored.origin.scenario_toml;
   if (!read_counts(file, stored.result))

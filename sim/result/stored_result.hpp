@@ -28,6 +28,10 @@ std::string mismatch(const Origin& own, const Origin& other);
 /// it is damaged.
 bool read_counts(const NetcdfReader& file, ExperimentResult& result);
 
+/// The scenario that a result carries. Throws Failure(bad_input) where its format is newer than
+/// ours, or the scenario cannot be read.
+LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::path& path);
+
 struct StoredResult {
   Origin origin;
   LoadedScenario scenario;  // the one that it carries

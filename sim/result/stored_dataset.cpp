@@ -1,0 +1,114 @@
+#include "sim/result/stored_dataset.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "sim/failure.hpp"
+#include "sim/result/netcdf_reader.hpp"
+#include "sim/result/stored_result.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+VariableFacts facts_of(const NetcdfReader& file, const std::string& name) {
+  return {name, file.text_of(name, "units"), file.text_of(name, "long_name")};
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+Dataset::Dimension dimension_of(const NetcdfReader& file, const std::string& name) {
+  if (file.is_text(name)) return {facts_of(file, name), file.texts(name)};
+  return {facts_of(file, name), file.reals(name)};
+}
+
+/// Splits those that it is on into axes, all of them or none, and others.
+Dataset::Variable variable_of(const NetcdfReader& file, const std::string& name,
+                              const std::vector<std::string>& axes) {
+  Dataset::Variable variable{facts_of(file, name),
+                             false,
+                             file.dimensions(name),
+                             {},
+                             words_of(file.text_of(name, "flag_meanings"))};
+  std::vector<std::string>& dimensions = variable.dimensions;
+  variable.on_axes =
+      dimensions.size() >= axes.size() && std::equal(axes.begin(), axes.end(), dimensions.begin());
+  if (variable.on_axes) dimensions.erase(dimensions.begin(), dimensions.begin() + std::ssize(axes));
+  if (file.is_integer(name))
+    variable.values = file.integers(name);
+  else
+    variable.values = file.reals(name);
+  return variable;
+}
+
+void read_variables(const NetcdfReader& file, Dataset& data) {
+  std::vector<std::string> axes;
+  for (const Axis& axis : data.axes) axes.push_back(dimension_name(axis.key));
+  for (const std::string& name : file.variables()) {
+    if (std::ranges::find(axes, name) != axes.end()) continue;
+    if (file.is_dimension(name))
+      data.dimensions.push_back(dimension_of(file, name));
+    else
+      data.variables.push_back(variable_of(file, name, axes));
+  }
+}
+
+/// Those that the digest is made of first, in its order.
+void put_in_order(Dataset& data, const std::vector<std::string>& digested) {
+  std::ranges::stable_sort(data.variables, {}, [&](const Dataset::Variable& variable) {
+    return std::ranges::find(digested, variable.facts.name) - digested.begin();
+  });
+}
+
+bool knows_dimensions(const Dataset& data, const Dataset::Variable& variable) {
+  return std::ranges::all_of(variable.dimensions, [&](const std::string& name) {
+    return std::ranges::any_of(data.dimensions,
+                               [&](const auto& dimension) { return dimension.facts.name == name; });
+  });
+}
+
+bool has_all_cells(const Dataset& data, const Dataset::Variable& variable) {
+  return knows_dimensions(data, variable) &&
+         numbers_of(variable).size() ==
+             (variable.on_axes ? count_points(data.axes) : 1) * cells_a_point(data, variable);
+}
+
+bool is_whole(const Dataset& data, const NetcdfReader& file, const std::string& digested) {
+  return std::ranges::all_of(data.variables,
+                             [&](const auto& v) { return has_all_cells(data, v); }) &&
+         (digested.empty() || dataset_digest(data) == file.text("result_digest"));
+}
+
+/// Runs or trials of all points.
+std::uint64_t runs_in(const Dataset& data) {
+  double sum = 0;
+  for (const char* name : {"n_runs", "n_trials"})
+    if (const Dataset::Variable* variable = find_variable(data, name))
+      for (const double runs : numbers_of(*variable)) sum += runs;
+  return static_cast<std::uint64_t>(sum);
+}
+
+}  // namespace
+
+StoredDataset read_dataset(const std::filesystem::path& path) {
+  const NetcdfReader file(path);
+  const Origin origin = origin_of(file);
+  StoredDataset stored{readable_scenario(origin, path), {}};
+  stored.data = dataset_of(stored.scenario, file.text("command"));
+  stored.data.scenario_toml = origin.scenario_toml;
+  read_variables(file, stored.data);
+  const std::string digested = file.text("digest_variables", "");  // older files do not have it
+  put_in_order(stored.data, words_of(digested));
+  if (!is_whole(stored.data, file, digested))
+    throw bad_input(path.string(), "its cells do not fit its digest: it is damaged",
+                    "choose another file");
+  stored.data.n_runs = runs_in(stored.data);
+  return stored;
+}
+
+}  // namespace sim

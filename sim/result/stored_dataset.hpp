@@ -1,0 +1,20 @@
+#pragma once
+// A result of an experiment that is not a link, read back from its file.
+#include <filesystem>
+
+#include "sim/result/dataset.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+struct StoredDataset {
+  LoadedScenario scenario;  // the one that it carries
+  /// As it was written, but the variables are in the order of their names and dimensions in that of
+  /// theirs. Each variable has as many cells as its axes and dimensions say.
+  Dataset data;
+};
+
+/// Throws Failure(bad_input) for a file that is none, damaged, or of a newer format.
+StoredDataset read_dataset(const std::filesystem::path& path);
+
+}  // namespace sim
