@@ -31,6 +31,8 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .fill4 { fill: #009e73; }
 .fill5 { fill: #d55e00; }
 .fill6 { fill: #56b4e9; }
+.fill7 { fill: #f0e442; }
+.fill8 { fill: #222; }
 .heat0 { fill: #440154; }
 .heat1 { fill: #46327e; }
 .heat2 { fill: #365c8d; }
@@ -43,6 +45,9 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
 .theory { stroke-dasharray: 6 4; }
 .dot { stroke-width: 2; }
+.disc { stroke-width: 6; }
+.floor { fill: #999; fill-opacity: .12; }
+.way { stroke-width: 2; stroke-opacity: .35; }
 .heading { font-size: 15px; font-weight: bold; }
 .small { fill-opacity: .75; }
 .middle, .wrong { text-anchor: middle; }
@@ -53,6 +58,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
   svg { background: #181818; color: #ddd; }
   .light { stroke: #e69f00; }
   .wire { stroke: #56b4e9; }
+  .fill8 { fill: #ddd; }
   .wrong { fill: #ff7766; }
 }
 @media print { svg { background: #fff; color: #000; } }
