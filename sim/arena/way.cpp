@@ -100,6 +100,13 @@ Place Way::at(Seconds t) const {
           Radians(between(leg->from.heading.value, leg->to.heading.value))};
 }
 
+std::vector<Place> Way::corners() const {
+  if (legs_.empty()) return {now_};
+  std::vector<Place> corners{legs_.front().from};
+  for (const Leg& leg : legs_) corners.push_back(leg.to);
+  return corners;
+}
+
 double Way::distance(Seconds t) const {
   const Leg* leg = leg_at(t);
   if (leg == nullptr) return 0;

@@ -20,6 +20,8 @@ class Way {
   explicit Way(const PathSettings& path);
 
   Place at(dsp::Seconds t) const;
+  /// Where it begins, turns and ends.
+  std::vector<Place> corners() const;
   dsp::Seconds duration() const { return legs_.empty() ? dsp::Seconds(0) : legs_.back().end; }
   /// m along the way until then; turning on the spot is none.
   double distance(dsp::Seconds t) const;

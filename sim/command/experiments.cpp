@@ -6,11 +6,15 @@
 
 #include "sim/arena/arena_check.hpp"
 #include "sim/arena/arena_command.hpp"
+#include "sim/arena/arena_part.hpp"
 #include "sim/exchange/exchange_check.hpp"
 #include "sim/exchange/exchange_command.hpp"
+#include "sim/exchange/exchange_part.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_command.hpp"
+#include "sim/guard/guard_part.hpp"
 #include "sim/listening/listening_report.hpp"
+#include "sim/location/location_parts.hpp"
 #include "sim/location/trial_commands.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 
@@ -21,18 +25,19 @@ struct Experiment {
   std::string_view name;
   void (*check)(const LoadedScenario&);  // for what the keys alone do not show
   RunExperiment run;
+  ReportExperiment report;
 };
 
 void nothing_more(const LoadedScenario&) {}
 
 constexpr std::array experiments{
-    Experiment{"link", nothing_more, nullptr},
-    Experiment{"arena", check_arena, run_arena_scenario},
-    Experiment{"guard", check_guard, run_guard_scenario},
-    Experiment{"sharedlink", check_exchange, run_exchange_scenario},
-    Experiment{"presence", nothing_more, run_presence_scenario},
-    Experiment{"location", nothing_more, run_location_scenario},
-    Experiment{"listening", check_listening, run_listening_scenario},
+    Experiment{"link", nothing_more, nullptr, nullptr},
+    Experiment{"arena", check_arena, run_arena_scenario, arena_part},
+    Experiment{"guard", check_guard, run_guard_scenario, guard_part},
+    Experiment{"sharedlink", check_exchange, run_exchange_scenario, exchange_part},
+    Experiment{"presence", nothing_more, run_presence_scenario, presence_part},
+    Experiment{"location", nothing_more, run_location_scenario, location_part},
+    Experiment{"listening", check_listening, run_listening_scenario, listening_part},
 };
 
 const Experiment& experiment_of(const LoadedScenario& scenario) {
@@ -47,5 +52,9 @@ void check_experiment(const LoadedScenario& scenario) {
 }
 
 RunExperiment runner_of(const LoadedScenario& scenario) { return experiment_of(scenario).run; }
+
+ReportExperiment reporter_of(const LoadedScenario& scenario) {
+  return experiment_of(scenario).report;
+}
 
 }  // namespace sim

@@ -1,7 +1,11 @@
 #pragma once
-// What cosys-sim run does with a scenario that is no link: a row of the table in experiments.cpp
-// for each experiment (sim/scenario/experiment_kind).
+// What cosys-sim run and report do with a scenario that is no link: a row of the table in
+// experiments.cpp for each experiment (sim/scenario/experiment_kind).
+#include <string>
+
+#include "sim/page/report_part.hpp"
 #include "sim/report/experiment_run.hpp"
+#include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -14,5 +18,11 @@ using RunExperiment = void (*)(const ExperimentRun&);
 
 /// Nothing for a link.
 RunExperiment runner_of(const LoadedScenario& scenario);
+
+/// What a result brings to a report; the name is that of its file.
+using ReportExperiment = ReportPart (*)(const std::string& name, const StoredDataset&);
+
+/// Nothing for a link.
+ReportExperiment reporter_of(const LoadedScenario& scenario);
 
 }  // namespace sim

@@ -5,13 +5,16 @@
 #include <map>
 
 #include "sim/command/commands.hpp"
+#include "sim/command/experiments.hpp"
 #include "sim/command/judging.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/page/link_part.hpp"
 #include "sim/page/page.hpp"
-#include "sim/page/report_contents.hpp"
 #include "sim/picture/svg.hpp"
+#include "sim/result/netcdf.hpp"
+#include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
 #include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
@@ -29,15 +32,21 @@ std::string name_of(const fs::path& path, const std::vector<fs::path>& all) {
   return std::ranges::count_if(all, same) > 1 ? path.string() : path.stem().string();
 }
 
-ReportedResult read(const fs::path& path, const ReportRequest& request) {
+ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
   const std::atomic<bool>& stopping = heed_stop_signals();
   Omissions omissions =
       leave_out(stored.scenario, stored.result, threads_for(request.threads), stopping);
   std::optional<ShownTrial> trial = trial_to_show(stored, stopping);
-  return {name_of(path, request.results), std::move(stored.result), std::move(omissions),
-          std::move(trial)};
+  return link_part({name_of(path, request.results), std::move(stored.result), std::move(omissions),
+                    std::move(trial)});
+}
+
+ReportPart part_of(const fs::path& path, const ReportRequest& request) {
+  if (filetype_of(path) != experiment_result_type) return link_part_of(path, request);
+  const StoredDataset stored = read_dataset(path);
+  return reporter_of(stored.scenario)(name_of(path, request.results), stored);
 }
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -88,11 +97,11 @@ void write_pictures(const PlacedPictures& places) {
 
 ExitCode report_command(const ReportRequest& request) {
   refuse_to_lose(request.output, is_page, "a report of cosys-sim");
-  std::vector<ReportedResult> results;
+  std::vector<ReportPart> parts;
   const std::atomic<bool>& stopping = heed_stop_signals();
-  for (const fs::path& path : request.results) results.push_back(read(path, request));
+  for (const fs::path& path : request.results) parts.push_back(part_of(path, request));
   if (stopping) return end_interrupted();
-  const Page page = report_of(results);
+  const Page page = page_of(std::move(parts));
   PlacedPictures pictures;
   if (request.pictures) pictures = places_of(page, made_folder(*request.pictures));
   for (const auto& [path, picture] : pictures)

@@ -138,6 +138,13 @@ void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve
 
 }  // namespace
 
+std::size_t colour_of(const Chart& chart, std::size_t curve) {
+  const auto others = std::ranges::count_if(
+      chart.curves.begin(), chart.curves.begin() + static_cast<std::ptrdiff_t>(curve) + 1,
+      [](const ChartCurve& c) { return c.kind != CurveKind::theory; });
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(others, 1)) - 1;
+}
+
 std::string chart_as_svg(const Chart& chart) {
   const double height = legend_top + legend_step * static_cast<double>(chart.curves.size());
   SvgDrawing drawing(width, height, chart.title, chart.description);
@@ -146,8 +153,8 @@ std::string chart_as_svg(const Chart& chart) {
   double legend = legend_top;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];
-    const std::string style =
-        std::string(styles[i % styles.size()]) + (curve.kind == CurveKind::theory ? " theory" : "");
+    const std::string style = std::string(styles[colour_of(chart, i) % styles.size()]) +
+                              (curve.kind == CurveKind::theory ? " theory" : "");
     draw_curve(drawing, paper, curve, style);
     drawing.line({left, legend - 4}, {left + 25, legend - 4}, style);
     drawing.text({left + 32, legend}, curve.name, "");

@@ -36,6 +36,9 @@ struct Chart {
   std::vector<ChartCurve> curves;
 };
 
+/// Which of the colours a curve has: a theory that of the curve before it.
+std::size_t colour_of(const Chart& chart, std::size_t curve);
+
 /// 18 lines of characters, each ended by a newline: what the marks are, the paper, the lower axis.
 /// Intervals are not shown. A logarithmic axis leaves out what is not positive.
 std::string chart_as_text(const Chart& chart);

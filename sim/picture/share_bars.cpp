@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <functional>
 #include <numeric>
 
 #include "sim/picture/scale.hpp"
@@ -17,13 +19,15 @@ constexpr double width = 720, left = 170, right = 700, top = 60;
 constexpr double row_step = 20, bar_height = 14;
 constexpr double legend_step = 16, patch = 10;
 
-constexpr std::array styles{"fill0", "fill1", "fill2", "fill3", "fill4", "fill5", "fill6"};
+constexpr std::array styles{"fill0", "fill1", "fill2", "fill3", "fill4",
+                            "fill5", "fill6", "fill7", "fill8"};
 
 double bottom_of(const ShareBars& bars) {
   return top + row_step * static_cast<double>(bars.rows.size());
 }
 
 void draw_row(SvgDrawing& drawing, const ShareRow& row, double y) {
+  assert(row.counts.size() <= styles.size());
   const auto whole = std::accumulate(row.counts.begin(), row.counts.end(), std::uint64_t{0});
   drawing.text({left - 8, y + bar_height - 3}, row.label, "end");
   drawing.rectangle({left, y}, right - left, bar_height, "frame");
@@ -53,6 +57,14 @@ void draw_legend(SvgDrawing& drawing, const std::vector<std::string>& kinds, dou
 }
 
 }  // namespace
+
+void add_counts(ShareBars& bars, const std::string& label,
+                const std::vector<std::uint64_t>& counts) {
+  auto row = std::ranges::find(bars.rows, label, &ShareRow::label);
+  if (row == bars.rows.end()) row = bars.rows.insert(row, {label, {}});
+  row->counts.resize(std::max(row->counts.size(), counts.size()));
+  std::ranges::transform(counts, row->counts, row->counts.begin(), std::plus<>());
+}
 
 std::string share_bars_as_svg(const ShareBars& bars) {
   const double bottom = bottom_of(bars);

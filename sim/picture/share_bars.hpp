@@ -14,9 +14,13 @@ struct ShareRow {
 struct ShareBars {
   std::string title, description;
   std::string rows_label;          // what the rows' labels are
-  std::vector<std::string> kinds;  // at most seven
+  std::vector<std::string> kinds;  // at most nine
   std::vector<ShareRow> rows;      // at least one
 };
+
+/// Adds to the row of that label, which is added where there is none.
+void add_counts(ShareBars& bars, const std::string& label,
+                const std::vector<std::uint64_t>& counts);
 
 /// As SVG; a row that counts nothing is an empty bar.
 std::string share_bars_as_svg(const ShareBars& bars);

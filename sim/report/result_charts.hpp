@@ -9,9 +9,6 @@
 
 namespace sim {
 
-/// "receiver.range_m [m]": what is written along an axis.
-std::string axis_name(const Axis& axis);
-
 /// BER and FLR over the swept number with the most values, a curve for each combination of the
 /// others, and theory where there is one. Points without an error are limits; those never reached
 /// are left out. Empty where no number was swept.

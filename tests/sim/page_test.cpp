@@ -9,8 +9,8 @@
 #include "occurrences.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/page/link_part.hpp"
 #include "sim/page/page.hpp"
-#include "sim/page/report_contents.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/picture/heat_map.hpp"
 #include "sim/picture/share_bars.hpp"
@@ -172,7 +172,8 @@ TEST(Omissions, FindTheGainControlOfTheQuickstart) {
 }
 
 TEST(Report, HasThePicturesAndTablesOfAResult) {
-  const Page page = report_of({{"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}}});
+  const Page page =
+      page_of({link_part({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
@@ -196,7 +197,7 @@ TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
       result.points.push_back(point_of(x, 10, module == 1 && x == 39 ? 4 : 0));
       result.points.back().coordinates = {module, static_cast<double>(x)};
     }
-  const Page page = report_of({{"file", result, {}}});
+  const Page page = page_of({link_part({"file", result, {}})});
   const auto section =
       std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
   ASSERT_NE(section, page.sections.end());

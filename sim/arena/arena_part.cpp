@@ -1,0 +1,168 @@
+#include "sim/arena/arena_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "sim/arena/arena_map.hpp"
+#include "sim/arena/frame_fate.hpp"
+#include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_words.hpp"
+#include "sim/page/experiment_part.hpp"
+#include "sim/page/picture_sections.hpp"
+#include "sim/report/swept_maps.hpp"
+#include "sim/report/swept_rows.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::size_t most_maps = 6;
+
+std::string size_of(const Dataset& data) {
+  const double sent = DatasetCells(data, "n_messages").sum() - DatasetCells(data, "n_silent").sum();
+  const std::size_t points = measured_points(data).size();
+  return fmt::format("{:.0f} messages were sent in {} runs{}; {:.0f} of them were delivered.\n",
+                     sent, data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "",
+                     DatasetCells(data, "n_delivered").sum());
+}
+
+/// What was lost, by what each cause has of it.
+std::string causes_of(const Dataset& data) {
+  std::vector<std::pair<double, std::string>> causes;
+  double lost = 0;
+  for (const FateName& fate : fate_names) {
+    if (fate.name == "delivered" || fate.name == "silent") continue;
+    causes.emplace_back(DatasetCells(data, fmt::format("n_{}", fate.name)).sum(), fate.words);
+    lost += causes.back().first;
+  }
+  std::erase_if(causes, [](const auto& cause) { return cause.first == 0; });
+  std::ranges::stable_sort(causes, std::greater<>(), [](const auto& cause) { return cause.first; });
+  std::string text;
+  for (const auto& [count, words] : causes)
+    text += fmt::format("{}{} {:.2g} %", text.empty() ? "What was lost was lost to: " : ", ", words,
+                        100 * count / lost);
+  return text.empty() ? text : text + ".\n";
+}
+
+/// Rows of the devices where there is one point, else of the points.
+ShareBars shares_of(const Dataset& data, const std::vector<CountedFate>& fates) {
+  const SweptRows rows(data.axes);
+  ShareBars bars{.title = "What became of the messages",
+                 .description = "Share of messages by what became of them",
+                 .rows_label = data.axes.empty() ? "device" : rows.head(),
+                 .kinds = {},
+                 .rows = {}};
+  for (const CountedFate& fate : fates) bars.kinds.push_back(fate.words);
+  const Dataset::Variable* first = find_variable(data, fates.front().name);
+  if (first == nullptr) return bars;
+  const std::size_t each = cells_a_point(data, *first);
+  std::vector<DatasetCells> cells;
+  for (const CountedFate& fate : fates) cells.emplace_back(data, fate.name);
+  for (std::size_t i = 0; i < each * count_points(data.axes); ++i) {
+    std::vector<std::uint64_t> counts;
+    for (const DatasetCells& c : cells) counts.push_back(static_cast<std::uint64_t>(c[i]));
+    add_counts(bars,
+               data.axes.empty() ? value_text(dimension_named(data, "device"), i)
+                                 : rows.label(point_coordinates(data.axes, i / each)),
+               counts);
+  }
+  return bars;
+}
+
+/// Of a sweep its curves come first.
+void add_maps(ReportPart& part, const StoredDataset& stored) {
+  std::vector<PageSection>& sections = stored.data.axes.empty() ? part.first : part.sections;
+  std::vector<std::size_t> points = measured_points(stored.data);
+  const std::size_t all = points.size();
+  points.resize(std::min(all, most_maps));
+  for (const std::size_t point : points) sections.push_back(arena_map(stored, point));
+  if (all > most_maps)
+    sections.back().text += fmt::format(
+        "\nOf {} points the first {} have a map; --set chooses others.", all, most_maps);
+}
+
+void add_charts(ReportPart& part, const Dataset& data) {
+  add_chart(part, swept_chart(data, {.name = "total_frame_loss",
+                                     .title = "Frame loss",
+                                     .label = "frame loss ratio (FLR)",
+                                     .logarithmic = true}));
+  add_chart(part, swept_chart(data, {.name = "total_throughput",
+                                     .title = "Throughput",
+                                     .label = "throughput S (dashed: of pure ALOHA at that load)",
+                                     .theory = "pure_aloha_throughput"}));
+  const DatasetCells loss(data, "total_frame_loss");
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < loss.size(); ++i) ratios.push_back(loss[i]);
+  for (const HeatMap& map : swept_maps(data.axes, ratios, "Map of frame loss", "frame loss ratio"))
+    part.sections.push_back(map_section("frame-loss-map", map));
+}
+
+std::vector<DatasetColumn> device_columns() {
+  return {{"n_messages", "messages"},
+          {"n_in_reach", "in reach"},
+          {"n_overlapped", "overlapped"},
+          {"n_captured", "captured"},
+          {"n_delivered", "delivered"},
+          {"frame_loss", "frame loss"},
+          {"n_runs_heard", "runs heard in"},
+          {"latency_mean_s", "first after [s]"},
+          {"irradiance_mw_per_m2", "highest irradiance [mW/m2]"},
+          {"n_replaced", "replaced"},
+          {"n_sharedlink_lost", "lost by SharedLink"},
+          {"n_known", "known to the base"},
+          {"age_mean_s", "mean age [s]"},
+          {"age_p95_s", "95 % of ages [s]"},
+          {"unknown_share", "nothing known"}};
+}
+
+std::vector<DatasetColumn> point_columns() {
+  return {{"n_runs", "runs"},
+          {"n_devices", "devices"},
+          {"total_frame_loss", "frame loss"},
+          {"total_offered_load", "offered load G"},
+          {"total_throughput", "throughput S"},
+          {"pure_aloha_throughput", "pure ALOHA S"},
+          {"total_latency_mean_s", "first after [s]"},
+          {"n_frames_false", "accepted, never sent"},
+          {"n_shared_messages_sent", "SharedLink messages"},
+          {"n_shared_messages_accepted", "accepted"},
+          {"n_queries", "questions"},
+          {"n_queries_answered", "answered"},
+          {"n_queries_timed_out", "timed out"}};
+}
+
+}  // namespace
+
+std::vector<CountedFate> arena_fates() {
+  std::vector<CountedFate> fates;
+  for (const FateName& fate : fate_names)
+    fates.push_back({fmt::format("n_{}", fate.name), std::string(fate.words)});
+  return fates;
+}
+
+ReportPart part_of_messages(const std::string& name, const StoredDataset& stored,
+                            const std::vector<CountedFate>& fates) {
+  const Dataset& data = stored.data;
+  ReportPart part{name, data.title, size_of(data)};
+  part.verdict +=
+      extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) + missing_points(data);
+  add_charts(part, data);
+  add_maps(part, stored);
+  part.sections.push_back(shares_section("fates", shares_of(data, fates)));
+  part.sections.push_back(
+      {.heading = "All devices", .table = dataset_table(data, device_columns())});
+  add_closing(part, data, point_columns());
+  return part;
+}
+
+ReportPart arena_part(const std::string& name, const StoredDataset& stored) {
+  ReportPart part = part_of_messages(name, stored, arena_fates());
+  if (!stored.data.axes.empty())
+    part.verdict += extremes(stored.data, "total_throughput", "Throughput");
+  return part;
+}
+
+}  // namespace sim

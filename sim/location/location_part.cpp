@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "sim/loading/point_scenario.hpp"
+#include "sim/location/location_parts.hpp"
+#include "sim/location/location_settings.hpp"
+#include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_words.hpp"
+#include "sim/page/experiment_part.hpp"
+#include "sim/page/picture_sections.hpp"
+#include "sim/picture/floor_plan.hpp"
+#include "sim/report/swept_rows.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+std::string size_of(const Dataset& data) {
+  const std::size_t points = measured_points(data).size();
+  return fmt::format("A device was located {} times{}.\n", data.n_runs,
+                     points > 1 ? fmt::format(" at {} points", points) : "");
+}
+
+ShareBars outcomes_of(const Dataset& data) {
+  const SweptRows rows(data.axes);
+  const Dataset::Dimension& outcomes = dimension_named(data, "outcome");
+  ShareBars bars{.title = "What locating came to",
+                 .description = "Share of the trials by their outcome",
+                 .rows_label = rows.head(),
+                 .kinds = {},
+                 .rows = {}};
+  for (std::size_t i = 0; i < outcomes.size(); ++i) bars.kinds.push_back(value_text(outcomes, i));
+  const DatasetCells cells(data, "n_outcomes");
+  for (std::size_t point = 0; point < count_points(data.axes); ++point) {
+    std::vector<std::uint64_t> counts;
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      counts.push_back(static_cast<std::uint64_t>(cells[point * outcomes.size() + i]));
+    add_counts(bars, rows.label(point_coordinates(data.axes, point)), counts);
+  }
+  return bars;
+}
+
+/// Each receiver once, though it stands there at many points.
+class Receivers {
+ public:
+  void add(const Reading& reading) {
+    const channel::Pose& r = reading.receiver;
+    if (marks_.try_emplace(std::tuple(r.x, r.y, r.yaw.value)).second)
+      all_.push_back({.at = {r.x, r.y}, .heading = r.yaw.value});
+  }
+  const std::vector<PlanMark>& all() const { return all_; }
+
+ private:
+  std::map<std::tuple<double, double, double>, bool> marks_;
+  std::vector<PlanMark> all_;
+};
+
+/// Nothing is drawn of an ellipse that is not known, where the readings bound nothing.
+FloorPlan plan_of(const StoredDataset& stored) {
+  const Dataset& data = stored.data;
+  FloorPlan plan{.title = "How well it is located",
+                 .description =
+                     "Devices (discs) and receivers (arrowheads) from above; each ellipse "
+                     "is that of the Cramer-Rao bound, within which 95 % of the best "
+                     "estimates lie"};
+  const DatasetCells major(data, "ellipse_major_m"), minor(data, "ellipse_minor_m"),
+      direction(data, "ellipse_direction_deg");
+  Receivers receivers;
+  for (const std::size_t point : measured_points(data)) {
+    const LocationTrialsSettings settings =
+        location_settings(point_scenario(stored.scenario, point_coordinates(data.axes, point)),
+                          stored.scenario.places);
+    for (const Reading& reading : settings.readings) receivers.add(reading);
+    const PlanPoint truth{settings.truth.x, settings.truth.y};
+    plan.devices.push_back({.at = truth, .colour = 1});
+    if (std::isfinite(major[point]))
+      plan.ellipses.push_back(
+          {truth, major[point], minor[point], dsp::degrees(direction[point]).value, 0});
+  }
+  plan.receivers = receivers.all();
+  return plan;
+}
+
+PageSection map_of(const StoredDataset& stored) {
+  const FloorPlan plan = plan_of(stored);
+  return {
+      .heading = plan.title,
+      .text = "Ellipses of more than the size of all this are left out.",
+      .picture = PagePicture{"map", plan.description, floor_plan_as_svg(plan)},
+      .table = dataset_table(stored.data, {{"ellipse_major_m", "longer half axis [m]"},
+                                           {"ellipse_minor_m", "shorter half axis [m]"},
+                                           {"ellipse_direction_deg", "longer one from +x [deg]"}})};
+}
+
+void add_charts(ReportPart& part, const Dataset& data) {
+  add_chart(part, swept_chart(data, {.name = "rmse_m",
+                                     .title = "Error of location",
+                                     .label = "rms error [m] (dashed: Cramer-Rao bound)",
+                                     .logarithmic = true,
+                                     .theory = "bound_m"}));
+  add_chart(part, swept_chart(data, {.name = "coverage",
+                                     .title = "Truth in the ellipse",
+                                     .label = "share of the located ones"}));
+}
+
+}  // namespace
+
+ReportPart location_part(const std::string& name, const StoredDataset& stored) {
+  const Dataset& data = stored.data;
+  ReportPart part{name, data.title, size_of(data)};
+  part.verdict += extremes(data, "rmse_m", "The rms error of the located ones", " m") +
+                  extremes(data, "error_over_bound", "Over the Cramer-Rao bound it") +
+                  missing_points(data);
+  part.first.push_back(map_of(stored));
+  add_charts(part, data);
+  part.sections.push_back(shares_section("outcomes", outcomes_of(data)));
+  part.sections.push_back(
+      {.heading = "Readings",
+       .table = dataset_table(data, {{"irradiance_mw_per_m2", "light [mW/m2]"},
+                                     {"sigma_mw_per_m2", "deviation [mW/m2]"}})});
+  add_closing(part, data,
+              {{"n_trials", "trials"},
+               {"rmse_m", "rms error [m]"},
+               {"bound_m", "Cramer-Rao bound [m]"},
+               {"error_over_bound", "error over bound"},
+               {"coverage", "truth in the ellipse"}});
+  return part;
+}
+
+}  // namespace sim

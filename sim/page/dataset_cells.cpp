@@ -1,0 +1,44 @@
+#include "sim/page/dataset_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/report/estimate_text.hpp"
+
+namespace sim {
+namespace {
+
+std::vector<double> cells_of(const Dataset& data, const std::string& name) {
+  const Dataset::Variable* variable = find_variable(data, name);
+  return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+}
+
+bool is_whole(const Dataset& data, const std::string& name) {
+  const Dataset::Variable* variable = find_variable(data, name);
+  return variable != nullptr && std::holds_alternative<std::vector<std::int64_t>>(variable->values);
+}
+
+}  // namespace
+
+DatasetCells::DatasetCells(const Dataset& data, const std::string& name)
+    : values_(cells_of(data, name)),
+      lows_(cells_of(data, name + "_ci_low")),
+      highs_(cells_of(data, name + "_ci_high")),
+      is_whole_(is_whole(data, name)) {}
+
+double DatasetCells::sum() const {
+  double sum = 0;
+  for (const double value : values_)
+    if (std::isfinite(value)) sum += value;
+  return sum;
+}
+
+std::string DatasetCells::text(std::size_t i) const {
+  if (i >= values_.size() || std::isnan(values_[i])) return "-";
+  if (i < lows_.size() && i < highs_.size())
+    return estimate_text({values_[i], lows_[i], highs_[i]});
+  return is_whole_ ? fmt::format("{:.0f}", values_[i]) : fmt::format("{:.4g}", values_[i]);
+}
+
+}  // namespace sim

@@ -1,0 +1,21 @@
+#pragma once
+// A table of a dataset's variables for a report.
+#include <string>
+#include <vector>
+
+#include "sim/page/page.hpp"
+#include "sim/result/dataset.hpp"
+
+namespace sim {
+
+struct DatasetColumn {
+  std::string name;  // of the variable
+  std::string head;  // with its unit
+};
+
+/// A row for each point and for each element of the dimensions that the first column's variable
+/// has; the others are on the same. Rows of which nothing is known are left out, and columns that
+/// the dataset does not have.
+PageTable dataset_table(const Dataset& data, std::vector<DatasetColumn> columns);
+
+}  // namespace sim

@@ -1,0 +1,26 @@
+#pragma once
+// What is said of a dataset in words: sentences for the answer on top of a report, each ended by a
+// newline, or empty where there is nothing to say.
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/result/dataset.hpp"
+
+namespace sim {
+
+/// Points of which something is known: those with runs or trials.
+std::vector<std::size_t> measured_points(const Dataset& data);
+
+/// "receiver.range_m = 2"; empty of a single point.
+std::string place_text(const Dataset& data, std::size_t point);
+
+/// Of a variable that has one cell a point: "Frame loss is 0.12 [0.1, 0.15]." Of a sweep where it
+/// is least and where it is greatest. `unit` stands behind the numbers.
+std::string extremes(const Dataset& data, const std::string& name, const std::string& what,
+                     const std::string& unit = "");
+
+/// How many points were not finished.
+std::string missing_points(const Dataset& data);
+
+}  // namespace sim

@@ -1,0 +1,20 @@
+#pragma once
+// What results of experiments that are no links bring to a report, as far as it is the same of all.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/page/dataset_table.hpp"
+#include "sim/page/report_part.hpp"
+#include "sim/report/dataset_charts.hpp"
+#include "sim/result/stored_dataset.hpp"
+
+namespace sim {
+
+/// Adds a chart, if there is one with a curve.
+void add_chart(ReportPart& part, std::optional<Chart> chart);
+
+/// The last sections: all numbers of the points, and the scenario.
+void add_closing(ReportPart& part, const Dataset& data, const std::vector<DatasetColumn>& columns);
+
+}  // namespace sim

@@ -1,0 +1,157 @@
+#include "sim/page/link_part.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "sim/counting/statistics.hpp"
+#include "sim/page/picture_sections.hpp"
+#include "sim/page/verdict.hpp"
+#include "sim/report/closing_lines.hpp"
+#include "sim/report/estimate_text.hpp"
+#include "sim/report/report_table.hpp"
+#include "sim/report/result_charts.hpp"
+#include "sim/report/swept_curves.hpp"
+#include "sim/report/swept_rows.hpp"
+#include "sim/report/text_table.hpp"
+#include "sim/result/ranking.hpp"
+#include "sim/trace/trace_picture.hpp"
+
+namespace sim {
+namespace {
+
+PageTable table_of(const ExperimentResult& result) {
+  PageTable table;
+  for (const Axis& axis : result.axes) table.head.push_back(axis_name(axis));
+  for (const char* name : {"irradiance [mW/m2]", "SNR [dB]", "frames", "lost", "FLR", "bit errors",
+                           "BER", "undetected", "stopped by"})
+    table.head.emplace_back(name);
+  for (const PointResult& point : result.points) {
+    if (!measured(point)) continue;
+    std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
+    row.push_back(fmt::format("{:.4g}", point.operating.irradiance_mw_per_m2));
+    row.push_back(fmt::format("{:.1f}", point.operating.snr_db));
+    row.push_back(std::to_string(point.tally.n_frames));
+    row.push_back(std::to_string(point.tally.n_frames_lost));
+    row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
+    row.push_back(std::to_string(point.tally.n_bit_errors));
+    row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
+    row.push_back(std::to_string(point.tally.n_frames_undetected));
+    row.emplace_back(stop_reason_name(point.stop));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+const char* const fates[] = {"delivered", "a line was heard, but not the one sent",
+                             "characters were heard, but no line ended", "nothing was heard"};
+
+std::vector<std::uint64_t> fates_of(const Tally& t) {
+  return {t.n_frames - t.n_frames_lost, t.n_frames_lost - t.n_frames_unended - t.n_frames_unheard,
+          t.n_frames_unended, t.n_frames_unheard};
+}
+
+/// Of trials as they come by nature.
+ShareBars fates_of(const ExperimentResult& result) {
+  const SweptRows rows(result.axes);
+  ShareBars bars{.title = "What became of the frames",
+                 .description = rows.joins_points()
+                                    ? "Share of frames by how far they came, all other values of "
+                                      "the sweep together"
+                                    : "Share of frames by how far they came",
+                 .rows_label = rows.head(),
+                 .kinds = {std::begin(fates), std::end(fates)},
+                 .rows = {}};
+  for (const PointResult& point : result.points)
+    if (measured(point) && !point.tally.is_weighted())
+      add_counts(bars, rows.label(point.coordinates), fates_of(point.tally));
+  return bars;
+}
+
+PageSection fates_section(const ExperimentResult& result) {
+  const ShareBars bars = fates_of(result);
+  PageSection section =
+      bars.rows.empty() ? PageSection{.heading = bars.title} : shares_section("fates", bars);
+  section.text = loss_reasons(result) + mark_notes(result);
+  return section;
+}
+
+PageTable table_of(const Omissions& omissions) {
+  PageTable table{.head = {"without", "frames", "lost", "FLR"}, .rows = {}};
+  for (const Omission& o : omissions.omissions)
+    table.rows.push_back({o.without.empty() ? "nothing: the link as it is" : o.without,
+                          std::to_string(o.tally.n_frames), std::to_string(o.tally.n_frames_lost),
+                          estimate_text(frame_loss_ratio(o.tally, 0.95))});
+  return table;
+}
+
+PageSection limits_section(const Omissions& omissions) {
+  return {.heading = "What limits it",
+          .text = fmt::format("The point where it fails{}, run again without one thing at a time.",
+                              omissions.place.empty() ? "" : ", " + omissions.place),
+          .table = table_of(omissions)};
+}
+
+void add_maps(ReportPart& part, const ExperimentResult& result) {
+  for (const HeatMap& map : result_maps(result))
+    part.sections.push_back(map_section("frame-loss-map", map));
+}
+
+void add_ranking(ReportPart& part, const ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (ranking.rows.size() > 1)
+    part.first.push_back(
+        {.heading = "How far each reaches", .preformatted = ranking_lines(result, ranking)});
+}
+
+PageSection trial_section(const TracedTrial& trial) {
+  const std::string which =
+      fmt::format("Trial {} of point {}", trial.origin.trial, trial.origin.point);
+  return {
+      .heading = which,
+      .text =
+          "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
+          "pan in any of them. Above the light what was sent, along the pin what was read; what "
+          "was misread is marked.",
+      .trial =
+          PageTrial{view_of(trial),
+                    {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
+}
+
+void add_wrong_bits(ReportPart& part, const ShownTrial& shown) {
+  if (shown.wrong.bursts.empty()) return;
+  part.sections.push_back(map_section("wrong-bits", wrong_bits_map(shown)));
+  part.sections.push_back(chart_section(burst_chart(shown)));
+}
+
+PagePicture eye_of(const ShownTrial& shown) {
+  return {"eye", "The integrator over two bits, all bits of the message over each other",
+          eye_as_svg(shown)};
+}
+
+void add_trial(ReportPart& part, const ShownTrial& shown) {
+  part.sections.push_back(trial_section(shown.trial));
+  if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
+    part.sections.push_back({.heading = "Eye diagram", .picture = eye_of(shown)});
+  add_wrong_bits(part, shown);
+  part.sections.push_back(chart_section(jitter_chart(shown)));
+  part.sections.push_back(chart_section(spectrum_chart(shown)));
+}
+
+}  // namespace
+
+ReportPart link_part(const LinkReport& link) {
+  const ExperimentResult& result = link.result;
+  ReportPart part{link.name, result.title, verdict_of(result, link.omissions)};
+  add_ranking(part, result);
+  part.charts = result_charts(result);
+  add_maps(part, result);
+  part.sections.push_back(fates_section(result));
+  if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
+  if (link.trial) add_trial(part, *link.trial);
+  part.sections.push_back({.heading = "All numbers", .table = table_of(result)});
+  part.sections.push_back(scenario_section(result.command, result.scenario_toml));
+  return part;
+}
+
+}  // namespace sim

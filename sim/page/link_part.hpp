@@ -1,0 +1,23 @@
+#pragma once
+// What a result of a link brings to a report, in the order in which people ask: how far does it
+// reach, what was simulated, the curves, what became of lost frames, all numbers.
+#include <optional>
+#include <string>
+
+#include "sim/page/omissions.hpp"
+#include "sim/page/report_part.hpp"
+#include "sim/page/shown_trial.hpp"
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+struct LinkReport {
+  std::string name;  // of its file
+  ExperimentResult result;
+  Omissions omissions;
+  std::optional<ShownTrial> trial = {};
+};
+
+ReportPart link_part(const LinkReport& link);
+
+}  // namespace sim

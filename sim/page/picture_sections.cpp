@@ -1,0 +1,76 @@
+#include "sim/page/picture_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "sim/report/estimate_text.hpp"
+
+namespace sim {
+namespace {
+
+bool has_interval(const ChartCurve& curve, const ChartPoint& point) {
+  return curve.kind == CurveKind::measured && point.low != point.high;
+}
+
+PageTable table_of(const Chart& chart) {
+  PageTable table{.head = {"curve", chart.x.label, chart.y.label}, .rows = {}};
+  for (const ChartCurve& curve : chart.curves)
+    for (const ChartPoint& point : curve.points)
+      table.rows.push_back({curve.name, fmt::format("{:.6g}", point.x),
+                            has_interval(curve, point)
+                                ? estimate_text({point.y, point.low, point.high})
+                                : fmt::format("{:.3g}", point.y)});
+  return table;
+}
+
+PageTable table_of(const HeatMap& map) {
+  PageTable table{.head = {map.y_label + " \\ " + map.x_label}, .rows = {}};
+  table.head.insert(table.head.end(), map.columns.begin(), map.columns.end());
+  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+    table.rows.push_back({map.rows[r]});
+    for (const double value : map.values[r])
+      table.rows.back().push_back(std::isnan(value) ? "-" : fmt::format("{:.2g}", value));
+  }
+  return table;
+}
+
+PageTable table_of(const ShareBars& bars) {
+  PageTable table{.head = {bars.rows_label}, .rows = {}};
+  table.head.insert(table.head.end(), bars.kinds.begin(), bars.kinds.end());
+  for (const ShareRow& row : bars.rows) {
+    table.rows.push_back({row.label});
+    for (const std::uint64_t count : row.counts) table.rows.back().push_back(std::to_string(count));
+  }
+  return table;
+}
+
+}  // namespace
+
+PageSection chart_section(Chart chart) {
+  std::string heading = chart.title;
+  PageTable table = table_of(chart);
+  return {.heading = std::move(heading),
+          .picture = picture_of(std::move(chart)),
+          .table = std::move(table)};
+}
+
+PageSection map_section(const std::string& name, const HeatMap& map) {
+  return {.heading = map.title,
+          .picture = PagePicture{name, map.description, heat_map_as_svg(map)},
+          .table = table_of(map)};
+}
+
+PageSection shares_section(const std::string& name, const ShareBars& bars) {
+  return {.heading = bars.title,
+          .picture = PagePicture{name, bars.description, share_bars_as_svg(bars)},
+          .table = table_of(bars)};
+}
+
+PageSection scenario_section(const std::string& command, const std::string& scenario_toml) {
+  return {
+      .heading = "The scenario", .text = "To repeat it: " + command, .preformatted = scenario_toml};
+}
+
+}  // namespace sim

@@ -1,0 +1,48 @@
+#include "sim/page/report_part.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "sim/page/picture_sections.hpp"
+
+namespace sim {
+namespace {
+
+void add_chart(std::vector<Chart>& charts, Chart chart) {
+  const auto same = std::ranges::find_if(charts, [&](const Chart& other) {
+    return other.title == chart.title && other.x.label == chart.x.label;
+  });
+  if (same == charts.end())
+    charts.push_back(std::move(chart));
+  else
+    std::ranges::move(chart.curves, std::back_inserter(same->curves));
+}
+
+void say_whose(ReportPart& part) {
+  part.verdict = part.name + ": " + part.verdict;
+  for (auto* sections : {&part.first, &part.sections})
+    for (PageSection& section : *sections) section.heading += " of " + part.name;
+  for (Chart& chart : part.charts)
+    for (ChartCurve& curve : chart.curves) curve.name = part.name + ", " + curve.name;
+}
+
+}  // namespace
+
+Page page_of(std::vector<ReportPart> parts) {
+  const std::string& title = parts.front().title;
+  Page page{.title = title.empty() ? parts.front().name : title, .verdict = {}, .sections = {}};
+  std::vector<Chart> charts;
+  if (parts.size() > 1) std::ranges::for_each(parts, say_whose);
+  for (ReportPart& part : parts) {
+    page.verdict += part.verdict;
+    std::ranges::move(part.first, std::back_inserter(page.sections));
+    for (Chart& chart : part.charts) add_chart(charts, std::move(chart));
+  }
+  for (Chart& chart : charts) page.sections.push_back(chart_section(std::move(chart)));
+  for (ReportPart& part : parts)
+    std::ranges::move(part.sections, std::back_inserter(page.sections));
+  return page;
+}
+
+}  // namespace sim

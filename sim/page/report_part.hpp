@@ -1,0 +1,25 @@
+#pragma once
+// What one result brings to a report, of whatever experiment it is, and how the parts of several
+// become one page.
+#include <string>
+#include <vector>
+
+#include "sim/page/page.hpp"
+#include "sim/picture/chart.hpp"
+
+namespace sim {
+
+struct ReportPart {
+  std::string name;     // of its file
+  std::string title;    // of its scenario; may be empty
+  std::string verdict;  // a paragraph a line
+  std::vector<PageSection> first{};
+  /// Those of several results that have one title and one lower axis are drawn into one picture.
+  std::vector<Chart> charts{};
+  std::vector<PageSection> sections{};  // behind the charts
+};
+
+/// At least one part. Where there are several, headings and curves say whose they are.
+Page page_of(std::vector<ReportPart> parts);
+
+}  // namespace sim

@@ -1,0 +1,115 @@
+#include "sim/report/dataset_charts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "sim/report/swept_curves.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+std::string joined(const std::string& one, const std::string& other) {
+  return one + (one.empty() || other.empty() ? "" : ", ") + other;
+}
+
+/// "sender A", "false_alarm = 0.01".
+std::string element_text(const Dataset::Dimension& dimension, std::size_t i) {
+  const bool is_text = std::holds_alternative<std::vector<std::string>>(dimension.values);
+  return dimension.facts.name + (is_text ? " " : " = ") + value_text(dimension, i);
+}
+
+/// The elements of a variable's dimensions, as it has them at each point, in their order.
+std::vector<std::string> element_texts(const Dataset& data, const Dataset::Variable& variable) {
+  std::vector<std::string> texts{""};
+  for (const std::string& name : variable.dimensions) {
+    const Dataset::Dimension& dimension = dimension_named(data, name);
+    std::vector<std::string> finer;
+    for (const std::string& text : texts)
+      for (std::size_t i = 0; i < dimension.size(); ++i)
+        finer.push_back(joined(text, element_text(dimension, i)));
+    texts = std::move(finer);
+  }
+  return texts;
+}
+
+/// The cells of a variable with its interval; those of what a dataset does not have are empty.
+struct DrawnCells {
+  std::vector<double> values, lows, highs, theory;
+
+  DrawnCells(const Dataset& data, const DrawnVariable& drawn)
+      : values(cells(data, drawn.name)),
+        lows(cells(data, drawn.name + "_ci_low")),
+        highs(cells(data, drawn.name + "_ci_high")),
+        theory(cells(data, drawn.theory)) {}
+
+  ChartPoint point(double x, std::size_t i) const {
+    const double y = values[i];
+    if (i >= lows.size() || i >= highs.size()) return {x, y, y, y};
+    return {.x = x, .y = y, .low = lows[i], .high = highs[i], .is_limit = y == 0 && highs[i] > 0};
+  }
+
+  /// Adds a cell to the curve of that name, and to its theory.
+  void add_to(Chart& chart, const std::string& name, double x, std::size_t i) const {
+    if (std::isfinite(values[i]))
+      curve_of(chart, name.empty() ? "measured" : name, CurveKind::measured)
+          .points.push_back(point(x, i));
+    if (i < theory.size() && std::isfinite(theory[i]))
+      curve_of(chart, joined(name, "theory"), CurveKind::theory)
+          .points.push_back({x, theory[i], theory[i], theory[i]});
+  }
+
+ private:
+  static std::vector<double> cells(const Dataset& data, const std::string& name) {
+    const Dataset::Variable* variable = find_variable(data, name);
+    return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+  }
+};
+
+Chart empty_chart(const DrawnVariable& drawn, ChartAxis x) {
+  return {.title = drawn.title,
+          .description = fmt::format("{} over {}", drawn.label, x.label),
+          .x = std::move(x),
+          .y = {drawn.label, drawn.logarithmic},
+          .curves = {}};
+}
+
+}  // namespace
+
+std::optional<Chart> swept_chart(const Dataset& data, const DrawnVariable& drawn) {
+  const Dataset::Variable* variable = find_variable(data, drawn.name);
+  const std::vector<std::size_t> widest = widest_axes(data.axes);
+  if (variable == nullptr || !variable->on_axes || widest.empty()) return std::nullopt;
+  const std::size_t over = widest.front();
+  const DrawnCells cells(data, drawn);
+  const std::vector<std::string> elements = element_texts(data, *variable);
+  Chart chart = empty_chart(drawn, chart_axis(data.axes[over]));
+  for (std::size_t i = 0; i < cells.values.size(); ++i) {
+    const std::vector<double> at = point_coordinates(data.axes, i / elements.size());
+    cells.add_to(chart, joined(other_values(data.axes, {over}, at), elements[i % elements.size()]),
+                 at[over], i);
+  }
+  sort_points(chart);
+  return chart;
+}
+
+std::optional<Chart> dimension_chart(const Dataset& data, const DrawnVariable& drawn) {
+  const Dataset::Variable* variable = find_variable(data, drawn.name);
+  if (variable == nullptr || variable->dimensions.size() != 1) return std::nullopt;
+  const Dataset::Dimension& dimension = dimension_named(data, variable->dimensions.front());
+  const auto* places = std::get_if<std::vector<double>>(&dimension.values);
+  if (places == nullptr || places->empty()) return std::nullopt;
+  const DrawnCells cells(data, drawn);
+  Chart chart = empty_chart(
+      drawn, chart_axis({dimension.facts.long_name, dimension.facts.unit, "", *places}));
+  for (std::size_t i = 0; i < cells.values.size(); ++i)
+    cells.add_to(chart,
+                 other_values(data.axes, {}, point_coordinates(data.axes, i / places->size())),
+                 (*places)[i % places->size()], i);
+  sort_points(chart);
+  return chart;
+}
+
+}  // namespace sim

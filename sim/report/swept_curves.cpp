@@ -1,0 +1,56 @@
+#include "sim/report/swept_curves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace sim {
+namespace {
+
+bool spans_decades(const std::vector<double>& values) {
+  constexpr double decades = 100;
+  const auto [least, greatest] = std::ranges::minmax(values);
+  return least > 0 && greatest / least >= decades;
+}
+
+}  // namespace
+
+std::string axis_name(const Axis& axis) {
+  const bool has_unit = !axis.unit.empty() && axis.unit != "1";
+  return has_unit ? fmt::format("{} [{}]", axis.key, axis.unit) : axis.key;
+}
+
+std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes) {
+  std::vector<std::size_t> widest;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (!axes[i].is_text() && axes[i].values.size() > 1) widest.push_back(i);
+  std::ranges::stable_sort(widest, std::greater<>(),
+                           [&](std::size_t i) { return axes[i].values.size(); });
+  return widest;
+}
+
+ChartAxis chart_axis(const Axis& axis) { return {axis_name(axis), spans_decades(axis.values)}; }
+
+std::string other_values(const std::vector<Axis>& axes, const std::vector<std::size_t>& over,
+                         const std::vector<double>& coordinates) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (std::ranges::find(over, i) == over.end())
+      parts.push_back(
+          fmt::format("{} = {}", axes[i].key, coordinate_text(axes[i], coordinates[i])));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind) {
+  const auto found = std::ranges::find(chart.curves, name, &ChartCurve::name);
+  if (found != chart.curves.end()) return *found;
+  return chart.curves.emplace_back(ChartCurve{name, {}, kind});
+}
+
+void sort_points(Chart& chart) {
+  for (ChartCurve& curve : chart.curves) std::ranges::stable_sort(curve.points, {}, &ChartPoint::x);
+}
+
+}  // namespace sim

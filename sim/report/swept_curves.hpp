@@ -1,0 +1,30 @@
+#pragma once
+// Curves over a sweep: which axis they are drawn over, and what tells them apart.
+#include <string>
+#include <vector>
+
+#include "sim/picture/chart.hpp"
+#include "sim/scenario/axis.hpp"
+
+namespace sim {
+
+/// "receiver.range_m [m]": what is written along an axis.
+std::string axis_name(const Axis& axis);
+
+/// Axes of more than one number, those with the most values first.
+std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes);
+
+/// Logarithmic where the values span two decades, as they would crowd at one end.
+ChartAxis chart_axis(const Axis& axis);
+
+/// What the coordinates on the axes other than `over` are: "receiver.module = TSOP4856".
+std::string other_values(const std::vector<Axis>& axes, const std::vector<std::size_t>& over,
+                         const std::vector<double>& coordinates);
+
+/// The curve of that name, which is added where there is none.
+ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind);
+
+/// Each curve's points from left to right.
+void sort_points(Chart& chart);
+
+}  // namespace sim

@@ -1,0 +1,16 @@
+#pragma once
+// Maps of a ratio over two axes of a sweep.
+#include <string>
+#include <vector>
+
+#include "sim/picture/heat_map.hpp"
+#include "sim/scenario/axis.hpp"
+
+namespace sim {
+
+/// One value a point, over the two swept numbers with the most values: a map for each
+/// combination of the others' values. Empty where less than two numbers were swept.
+std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<double>& ratios,
+                                const std::string& title, const std::string& what);
+
+}  // namespace sim

@@ -1,0 +1,159 @@
+// Datasets as curves, tables and words of a report.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/loading/load_scenario.hpp"
+#include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_table.hpp"
+#include "sim/page/dataset_words.hpp"
+#include "sim/report/dataset_charts.hpp"
+#include "sim/report/swept_maps.hpp"
+
+namespace sim {
+namespace {
+
+using Reals = std::vector<double>;
+using Counts = std::vector<std::int64_t>;
+const double nan = std::nan("");
+
+/// Two detectors at three ranges, of which the last was never reached.
+Dataset swept() {
+  Dataset data;
+  data.axes = {{"presence.detector", "", "detector", {0, 1}, {"goertzel", "dc"}},
+               {"receiver.range_m", "m", "distance", {1, 3, 2}}};
+  data.dimensions = {{{"sender", "", "node"}, std::vector<std::string>{"A", "B"}},
+                     {{"false_alarm", "1", "as set"}, Reals{0.1, 0.001}}};
+  data.variables = {
+      {{"n_runs", "1", ""}, true, {}, Counts{4, 4, 4, 4, 4, 0}},
+      {{"loss", "1", ""}, true, {}, Reals{0, 0.5, 0.25, 0.1, 0.9, nan}},
+      {{"loss_ci_low", "1", ""}, true, {}, Reals{0, 0.4, 0.2, 0.05, 0.8, nan}},
+      {{"loss_ci_high", "1", ""}, true, {}, Reals{0.01, 0.6, 0.3, 0.2, 0.95, nan}},
+      {{"law", "1", ""}, true, {}, Reals{0.01, 0.4, 0.2, nan, nan, nan}},
+      {{"age", "s", ""}, true, {"sender"}, Reals{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, nan, nan}},
+      {{"n_sent", "1", ""}, true, {"sender"}, Counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, 0}}};
+  return data;
+}
+
+const ChartCurve& curve(const Chart& chart, const std::string& name) {
+  for (const ChartCurve& each : chart.curves)
+    if (each.name == name) return each;
+  throw std::runtime_error("no curve " + name);
+}
+
+TEST(DatasetCharts, DrawAVariableOverTheWidestAxis) {
+  const auto chart = swept_chart(
+      swept(), {.name = "loss", .title = "t", .label = "l", .logarithmic = true, .theory = "law"});
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->x.label, "receiver.range_m [m]");
+  EXPECT_EQ(chart->curves.size(), 3U) << "two measured, one of theory";
+  const ChartCurve& goertzel = curve(*chart, "presence.detector = goertzel");
+  ASSERT_EQ(goertzel.points.size(), 3U);
+  EXPECT_EQ(goertzel.points[1].x, 2) << "from left to right";
+  EXPECT_EQ(goertzel.points[1].y, 0.25);
+  EXPECT_EQ(goertzel.points[1].low, 0.2);
+  EXPECT_EQ(goertzel.points[1].high, 0.3);
+  EXPECT_FALSE(goertzel.points[1].is_limit);
+  EXPECT_TRUE(goertzel.points[0].is_limit) << "nothing found: a limit";
+  EXPECT_EQ(curve(*chart, "presence.detector = dc").points.size(), 2U) << "what was never reached";
+  const ChartCurve& theory = curve(*chart, "presence.detector = goertzel, theory");
+  EXPECT_EQ(theory.kind, CurveKind::theory);
+  EXPECT_EQ(theory.points.at(2).y, 0.4);
+}
+
+TEST(DatasetCharts, ACurveForEachElementOfADimension) {
+  const auto chart = swept_chart(swept(), {.name = "age", .title = "t", .label = "l"});
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->curves.size(), 4U);
+  const ChartCurve& b = curve(*chart, "presence.detector = dc, sender B");
+  EXPECT_EQ(b.points.at(0).y, 8);
+  EXPECT_EQ(b.points.at(1).y, 10);
+  EXPECT_EQ(b.points.at(1).low, b.points.at(1).high) << "no interval";
+}
+
+TEST(DatasetCharts, OverADimensionOfNumbers) {
+  Dataset data;
+  data.dimensions = swept().dimensions;
+  data.variables = {{{"p", "1", ""}, true, {"false_alarm"}, Reals{0.9, 0.5}},
+                    {{"q", "1", ""}, true, {"sender"}, Reals{0.9, 0.5}}};
+  const auto chart = dimension_chart(data, {.name = "p", .title = "ROC", .label = "l"});
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->x.label, "as set");
+  EXPECT_TRUE(chart->x.logarithmic) << "two decades";
+  ASSERT_EQ(chart->curves.size(), 1U);
+  EXPECT_EQ(chart->curves[0].name, "measured");
+  EXPECT_EQ(chart->curves[0].points.at(0).x, 0.001);
+  EXPECT_EQ(chart->curves[0].points.at(0).y, 0.5);
+  EXPECT_FALSE(dimension_chart(data, {.name = "q", .title = "", .label = ""})) << "of texts";
+  EXPECT_FALSE(dimension_chart(data, {.name = "none", .title = "", .label = ""}));
+}
+
+TEST(DatasetCharts, NothingWhereNoNumberIsSwept) {
+  Dataset data = swept();
+  EXPECT_FALSE(swept_chart(data, {.name = "none", .title = "", .label = ""}));
+  data.axes.pop_back();
+  for (Dataset::Variable& variable : data.variables) variable.values = Reals(2, 1.0);
+  EXPECT_FALSE(swept_chart(data, {.name = "loss", .title = "", .label = ""}));
+}
+
+TEST(SweptMaps, AMapForEachOtherValue) {
+  const std::vector<Axis> axes{
+      {"a", "", "", {1, 2}}, {"b", "m", "", {1, 2, 3}}, {"c", "", "", {0, 1}, {"x", "y"}}};
+  Reals ratios(12);
+  for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] = static_cast<double>(i) / 100;
+  const auto maps = swept_maps(axes, ratios, "Map", "loss");
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps[1].title, "Map, c = y");
+  EXPECT_EQ(maps[1].x_label, "b [m]");
+  EXPECT_EQ(maps[1].columns, (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(maps[1].values[1][2], 0.11) << "a = 2, b = 3, c = y";
+  EXPECT_EQ(maps[0].values[0][1], 0.02) << "a = 1, b = 2, c = x";
+}
+
+TEST(DatasetTable, ARowForEachPointAndElement) {
+  const PageTable points = dataset_table(
+      swept(), {{"n_runs", "runs"}, {"none", "not there"}, {"loss", "loss"}, {"law", "law"}});
+  EXPECT_EQ(points.head, (std::vector<std::string>{"presence.detector", "receiver.range_m [m]",
+                                                   "runs", "loss", "law"}));
+  ASSERT_EQ(points.rows.size(), 5U) << "one was never reached";
+  EXPECT_EQ(points.rows[0], (std::vector<std::string>{"goertzel", "1", "4", "< 1.0e-2", "0.01"}));
+  EXPECT_EQ(points.rows[4],
+            (std::vector<std::string>{"dc", "3", "4", "0.900 [0.800, 0.950]", "-"}));
+  const PageTable senders = dataset_table(swept(), {{"n_sent", "sent"}, {"age", "age [s]"}});
+  EXPECT_EQ(senders.head.at(2), "sender");
+  ASSERT_EQ(senders.rows.size(), 10U);
+  EXPECT_EQ(senders.rows[3], (std::vector<std::string>{"goertzel", "3", "B", "4", "4"}));
+  EXPECT_TRUE(dataset_table(swept(), {{"none", ""}}).head.empty());
+}
+
+TEST(DatasetWords, SayWhereItIsLeastAndGreatest) {
+  EXPECT_EQ(extremes(swept(), "loss", "Loss", " x"),
+            "Loss is least at presence.detector = goertzel, receiver.range_m = 1: < 1.0e-2 x, and "
+            "greatest at presence.detector = dc, receiver.range_m = 3: 0.900 [0.800, 0.950] x.\n");
+  EXPECT_EQ(extremes(swept(), "none", "Loss"), "");
+  Dataset one;
+  one.variables = {{{"age", "s", ""}, true, {}, Reals{1.25}}};
+  EXPECT_EQ(extremes(one, "age", "Age", " s"), "Age is 1.25 s.\n");
+  Dataset same = swept();
+  same.variables[4].values = Reals{2, 2, 2, 2, 2, nan};
+  EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at all points.\n");
+}
+
+TEST(DatasetWords, SayWhatIsMissing) {
+  EXPECT_EQ(measured_points(swept()), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(missing_points(swept()), "The run was interrupted: 1 of 6 points were not finished.\n");
+  Dataset whole = swept();
+  whole.variables[0].values = Counts(6, 1);
+  EXPECT_EQ(missing_points(whole), "");
+}
+
+TEST(DatasetCells, SumWhatIsKnown) {
+  EXPECT_EQ(DatasetCells(swept(), "n_sent").sum(), 55);
+  EXPECT_EQ(DatasetCells(swept(), "age").sum(), 55);
+  EXPECT_EQ(DatasetCells(swept(), "none").sum(), 0);
+  EXPECT_EQ(DatasetCells(swept(), "age").text(11), "-");
+  EXPECT_EQ(DatasetCells(swept(), "age").text(99), "-");
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,187 @@
+// `cosys-sim report` of experiments that are no links: what is in each report is what was counted.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "occurrences.hpp"
+#include "program.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::json;
+
+class ExperimentReport : public CommandLine {
+ protected:
+  /// What a run counted.
+  Json run(const std::string& name, const std::string& scenario) const {
+    write(name + ".toml", scenario);
+    const Outcome o = program({"run", name + ".toml", "-q", "--json", "-o", name + ".h5"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    return Json::parse(o.out);
+  }
+  std::string report(const Words& words) const {
+    Words all{"report", "-o", "r.html"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome o = program(all);
+    EXPECT_EQ(o.code, 0) << o.err;
+    return content(path("r.html"));
+  }
+  static std::int64_t sum(const Json& run, const std::string& variable) {
+    std::int64_t sum = 0;
+    for (const Json& value : run["variables"][variable]["values"]) sum += value.get<std::int64_t>();
+    return sum;
+  }
+};
+
+void expect_has(const std::string& page, const std::string& text) {
+  EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
+const std::string arena = R"(title = "<b>"
+experiment = "arena"
+[receiver]
+module = "TSSP4056"
+[simulation]
+sample_rate_hz = 250000
+[path]
+x_m = [0, 1]
+speed_m_per_s = 0.25
+[arena]
+runs = 2
+[devices.near]
+x_m = 1.5
+y_m = 0
+yaw_deg = 180
+[devices.away]
+x_m = 50
+y_m = 0
+)";
+
+TEST_F(ExperimentReport, OfAnArenaShowsWhoWasHeardWhere) {
+  const Json counted = run("a", arena);
+  const std::int64_t delivered = sum(counted, "n_delivered");
+  ASSERT_GT(delivered, 0);
+  const std::string page = report({"a.h5", "--svg", "p"});
+  expect_has(page, fmt::format("<p>{} messages were sent in 2 runs; {} of them were delivered.</p>",
+                               sum(counted, "n_messages"), delivered));
+  expect_has(page, "<p>What was lost was lost to: out of reach ");
+  expect_has(page, "<h2>Where messages were heard</h2>");
+  expect_has(page, "<td>near</td><td>1.5</td><td>0</td>");
+  expect_has(page, "&lt;b&gt;");
+  const std::string map = content(path("p/map.svg"));
+  expect_has(map, fmt::format(">near: {} messages heard</text>", delivered));
+  expect_has(map, ">away: 0 messages heard</text>");
+  EXPECT_EQ(occurrences(map, " disc\""), 1U) << "one of them was heard";
+  expect_has(content(path("p/fates.svg")), ">out of reach</text>");
+}
+
+TEST_F(ExperimentReport, OfASweptArenaComparesFilesInOnePicture) {
+  run("a", arena + "[sweep]\ndevices.near.x_m = [1.5, 2]\n");
+  run("b", arena + "[sweep]\ndevices.near.x_m = [1.7, 2]\n");
+  const std::string page = report({"a.h5", "b.h5"});
+  EXPECT_EQ(occurrences(page, "<h2>Throughput</h2>"), 1U);
+  for (const std::string name : {"a", "b"}) {
+    expect_has(page, ">" + name + ", measured</text>");
+    expect_has(page, ">" + name + ", theory</text>");
+    expect_has(page, "<h2>Where messages were heard, devices.near.x_m = 2 of " + name + "</h2>");
+  }
+  expect_has(page, "<p>a: ");
+}
+
+TEST_F(ExperimentReport, OfALinkAndAnArenaTogether) {
+  run("a", arena);
+  write_scenario("l.toml", "receiver.range_m = [1, 11]");
+  ASSERT_EQ(program({"run", "l.toml", "-q"}).code, 0);
+  const std::string page = report({"l.h5", "a.h5"});
+  expect_has(page, "<h2>All numbers of l</h2>");
+  expect_has(page, "<h2>All numbers of a</h2>");
+}
+
+TEST_F(ExperimentReport, OfAGuardSaysWhatTheBaseStationKnows) {
+  const Json counted = run("g", std::regex_replace(arena, std::regex("\"arena\""), "\"guard\"") +
+                                    "messages = \"AWAY 1\"\n");
+  const std::string page = report({"g.h5"});
+  expect_has(page, fmt::format("The base station got to know {} of {} messages",
+                               sum(counted, "n_known"), sum(counted, "n_messages")));
+  expect_has(page, "<p>What it knows is oldest of near: ");
+  expect_has(page, ">known to the base station</text>");
+  expect_has(page, "<th scope=\"col\">lost by SharedLink</th>");
+}
+
+TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
+  const Json counted =
+      run("s",
+          "experiment = \"sharedlink\"\n[receiver]\nmodule = \"TSSP4056\"\n[exchange]\n"
+          "duration_s = 10\nruns = 1\n[sweep]\nreceiver.range_m = [1, 12.5]\n");
+  const std::string page = report({"s.h5"});
+  const std::int64_t sent = sum(counted, "n_messages");
+  expect_has(page, fmt::format("<p>Both nodes together sent {} messages in 2 runs at 2 points; {} "
+                               "of them the other did not accept.</p>",
+                               sent, sent - sum(counted, "n_accepted")));
+  expect_has(page, "<h2>Message loss</h2>");
+  expect_has(page, ">sender A</text>");
+  expect_has(page, ">sender B</text>");
+  expect_has(page, ">refused for another reason</text>");
+}
+
+TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
+  run("p",
+      "experiment = \"presence\"\n[presence]\ntrials = 50\nadc_bits = 16\n[sweep]\n"
+      "receiver.range_m = [40, 400]\n");
+  const std::string page = report({"p.h5"});
+  expect_has(page, "<p>100 windows with and 100 without light were judged at 2 points.</p>");
+  expect_has(page,
+             "The device is noticed in 90 % of the windows or more at receiver.range_m [m] "
+             "from 40 to 40 (");
+  expect_has(page, "<h2>Detection</h2>");
+  expect_has(page, "<h2>Receiver operating characteristic (ROC)</h2>");
+  expect_has(page, ">receiver.range_m = 400, theory</text>");
+}
+
+TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
+  run("x",
+      "experiment = \"location\"\n[location]\ntrials = 8\n[sweep]\n"
+      "location.relative_sigma = [0.01, 0.03]\n");
+  const std::string page = report({"x.h5", "--svg", "p"});
+  expect_has(page, "<p>A device was located 16 times at 2 points.</p>");
+  expect_has(page,
+             "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
+  const std::string map = content(path("p/map.svg"));
+  EXPECT_EQ(occurrences(map, "<path class=\"curve1\""), 2U) << "an ellipse a point";
+  EXPECT_EQ(occurrences(map, "<path class=\"dot\""), 4U) << "each of the receivers once";
+  expect_has(content(path("p/outcomes.svg")), ">located</text>");
+}
+
+TEST_F(ExperimentReport, OfListeningSaysHowOftenSomethingWasAccepted) {
+  const Json counted = run("n",
+                           "experiment = \"listening\"\n[receiver]\nmodule = \"TSSP4056\"\n"
+                           "[listening]\ndevice_sends = false\nduration_s = 10\nruns = 1\n"
+                           "air = \"cosys\"\n");
+  const std::string page = report({"n.h5"});
+  ASSERT_GT(sum(counted, "n_frames_false"), 0);
+  expect_has(page, fmt::format("{} messages were accepted though none was sent, and 0 while",
+                               sum(counted, "n_frames_false")));
+  expect_has(page, "<p>The rate of false accepts is ");
+  expect_has(page, ">accepted though none was sent</text>");
+}
+
+TEST_F(ExperimentReport, RefusesWhatIsDamagedOrNewer) {
+  run("p", "experiment = \"presence\"\n[presence]\ntrials = 8\n");
+  std::string file = content(path("p.h5"));
+  write("cut.h5", file.substr(0, file.size() / 2));
+  expect_refused({"report", "cut.h5"}, 2,
+                 "cut.h5 (not a result of cosys-sim, or damaged) give a file that run wrote");
+  const std::size_t at = file.find("1.3", file.find("format_version"));
+  ASSERT_NE(at, std::string::npos);
+  write("new.h5", file.replace(at, 3, "7.0"));
+  expect_refused(
+      {"report", "new.h5"}, 2,
+      "new.h5 (its format 7.0 is newer than 1.3, the newest known here) read it with the "
+      "cosys-sim that wrote it, or a later one");
+}
+
+}  // namespace
+}  // namespace sim
