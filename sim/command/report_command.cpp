@@ -10,6 +10,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/loading/point_scenario.hpp"
 #include "sim/page/link_part.hpp"
 #include "sim/page/page.hpp"
 #include "sim/picture/svg.hpp"
@@ -32,15 +33,27 @@ std::string name_of(const fs::path& path, const std::vector<fs::path>& all) {
   return std::ranges::count_if(all, same) > 1 ? path.string() : path.stem().string();
 }
 
+/// Where the link fails, or else the first point.
+std::uint64_t point_to_look_at(const ExperimentResult& result) {
+  const PointResult* failing = failing_point(result);
+  return static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - result.points.data());
+}
+
 ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
-  const std::atomic<bool>& stopping = heed_stop_signals();
-  Omissions omissions =
-      leave_out(stored.scenario, stored.result, threads_for(request.threads), stopping);
-  std::optional<ShownTrial> trial = trial_to_show(stored, stopping);
-  return link_part({name_of(path, request.results), std::move(stored.result), std::move(omissions),
-                    std::move(trial)});
+  const Workers workers{threads_for(request.threads), &heed_stop_signals()};
+  LinkReport link;
+  link.name = name_of(path, request.results);
+  link.omissions = leave_out(stored.scenario, stored.result, workers);
+  if (const std::uint64_t point = point_to_look_at(stored.result);
+      !is_weighted(stored.result) && !workers.interrupted()) {
+    link.frames = look_at_frames(numbered_point(stored.scenario, point),
+                                 stored.result.points[point].tally.n_frames, workers);
+    link.trial = trial_to_show(stored, point, link.frames.first_misread.value_or(0));
+  }
+  link.result = std::move(stored.result);
+  return link_part(link);
 }
 
 ReportPart part_of(const fs::path& path, const ReportRequest& request) {

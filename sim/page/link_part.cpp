@@ -118,10 +118,11 @@ PageSection trial_section(const TracedTrial& trial) {
                     {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
 }
 
-void add_wrong_bits(ReportPart& part, const ShownTrial& shown) {
-  if (shown.wrong.bursts.empty()) return;
-  part.sections.push_back(map_section("wrong-bits", wrong_bits_map(shown)));
-  part.sections.push_back(chart_section(burst_chart(shown)));
+void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {
+  if (frames.wrong.bursts.empty()) return;
+  part.sections.push_back(map_section("wrong-bits", wrong_bits_map(frames)));
+  part.sections.push_back(chart_section(settling_chart(frames)));
+  part.sections.push_back(chart_section(burst_chart(frames)));
 }
 
 PagePicture eye_of(const ShownTrial& shown) {
@@ -129,12 +130,15 @@ PagePicture eye_of(const ShownTrial& shown) {
           eye_as_svg(shown)};
 }
 
+void add_frames(ReportPart& part, const FrameStatistics& frames) {
+  add_wrong_bits(part, frames);
+  if (frames.trials > 0) part.sections.push_back(chart_section(jitter_chart(frames)));
+}
+
 void add_trial(ReportPart& part, const ShownTrial& shown) {
   part.sections.push_back(trial_section(shown.trial));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     part.sections.push_back({.heading = "Eye diagram", .picture = eye_of(shown)});
-  add_wrong_bits(part, shown);
-  part.sections.push_back(chart_section(jitter_chart(shown)));
   part.sections.push_back(chart_section(spectrum_chart(shown)));
 }
 
@@ -149,6 +153,7 @@ ReportPart link_part(const LinkReport& link) {
   part.sections.push_back(fates_section(result));
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
   if (link.trial) add_trial(part, *link.trial);
+  add_frames(part, link.frames);
   part.sections.push_back({.heading = "All numbers", .table = table_of(result)});
   part.sections.push_back(scenario_section(result.command, result.scenario_toml));
   return part;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/page/frame_statistics.hpp"
 #include "sim/page/omissions.hpp"
 #include "sim/page/report_part.hpp"
 #include "sim/page/shown_trial.hpp"
@@ -15,6 +16,7 @@ struct LinkReport {
   std::string name;  // of its file
   ExperimentResult result;
   Omissions omissions;
+  FrameStatistics frames{};  // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};
 };
 

@@ -83,8 +83,8 @@ std::string place_of(const ExperimentResult& result, const PointResult& point) {
   return fmt::format("{}", fmt::join(places, ", "));
 }
 
-Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result, int threads,
-                    const std::atomic<bool>& interrupt) {
+Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
+                    const Workers& workers) {
   const PointResult* point = failing_point(result);
   if (point == nullptr || has_theory(scenario) || is_weighted(result)) return {};
   const std::vector<std::string> pins = pinned(result, *point);
@@ -95,14 +95,14 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
   };
   const auto tally_of = [&](const LoadedScenario& changed) {
     return run_experiment(changed, unfinished(changed, ""),
-                          {.threads = threads, .interrupt = &interrupt})
+                          {.threads = workers.threads, .interrupt = workers.interrupt})
         .points.front()
         .tally;
   };
   const LoadedScenario whole = load({});
   Omissions found{place_of(result, *point), {{"", tally_of(whole)}}};
   for (const Trouble& trouble : troubles_of(whole.base)) {
-    if (interrupt) break;
+    if (workers.interrupted()) break;
     found.omissions.push_back({trouble.name, tally_of(load(trouble.overrides))});
   }
   return found;

@@ -1,13 +1,13 @@
 #pragma once
 // What limits a link, asked of the link itself: the point where it fails is run again, each
 // time without one of the things that trouble it.
-#include <atomic>
 #include <string>
 #include <vector>
 
 #include "sim/counting/tally.hpp"
 #include "sim/result/result.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 
@@ -30,9 +30,9 @@ std::string place_of(const ExperimentResult& result, const PointResult& point);
 
 /// At the failing point, with at most 100 frames each. Empty where
 /// there is none, of ideal receivers, which noise alone troubles, and of weighted trials. Worth
-/// nothing once `interrupt` is true.
-Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result, int threads,
-                    const std::atomic<bool>& interrupt);
+/// nothing after an interrupt.
+Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
+                    const Workers& workers);
 
 /// What the loss is clearly less without, at 95 %: "the gain control".
 std::vector<std::string> limits_of(const Omissions& omissions);

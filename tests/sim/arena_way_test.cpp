@@ -55,6 +55,17 @@ TEST(Way, LooksWhereItGoesAndTurnsOnTheSpot) {
   EXPECT_NEAR(way.distance(Seconds(99)), 7, 1e-12);
 }
 
+TEST(Way, HasItsCornersInOrder) {
+  const auto corners =
+      Way({.x_m = "0,4,4", .y_m = "0,0,3", .speed_m_per_s = 2, .turn_deg_per_s = 45}).corners();
+  ASSERT_EQ(corners.size(), 4U) << "and the turn, which stays where it is";
+  EXPECT_EQ(corners[0].x, 0);
+  EXPECT_EQ(corners[1].x, 4);
+  EXPECT_EQ(corners[2].x, 4);
+  EXPECT_EQ(corners[3].y, 3);
+  EXPECT_EQ(Way({.x_m = "2", .y_m = "-1"}).corners().at(0).x, 2);
+}
+
 TEST(Way, BeginsAsItSetsOutAndSkipsAPlaceWhereItIs) {
   const Way way({.x_m = "1,1,1,0", .y_m = "1,1,0,0", .speed_m_per_s = 1, .turn_deg_per_s = 90});
   expect_at(way, 0, 1, 1, -90);

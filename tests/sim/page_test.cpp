@@ -160,7 +160,7 @@ TEST(Omissions, FindTheGainControlOfTheQuickstart) {
   const std::atomic<bool> never = false;
   const ExperimentResult result =
       run_experiment(scenario, unfinished(scenario, ""), {.threads = 2});
-  const Omissions found = leave_out(scenario, result, 2, never);
+  const Omissions found = leave_out(scenario, result, {2, &never});
   EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
   std::vector<std::string> names;
   for (const Omission& o : found.omissions) names.push_back(o.without);

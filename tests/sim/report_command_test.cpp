@@ -65,8 +65,9 @@ TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
   run("near", "receiver.range_m = [1, 11]");
   const Outcome o = program({"report", "near.h5", "--svg", "a/b"});
   std::string names = "report.html\n";
-  for (const char* name : {"bit-errors", "bursts-of-wrong-bits", "delay-of-edges", "eye", "fates",
-                           "frame-loss", "spectrum", "trial", "wrong-bits"}) {
+  for (const char* name :
+       {"bit-errors", "bursts-of-wrong-bits", "delay-of-edges", "eye", "fates", "frame-loss",
+        "spectrum", "trial", "wrong-bits", "wrong-bits-since-the-message-began"}) {
     const std::string place = fmt::format("a/b/{}.svg", name);
     names += place + "\n";
     EXPECT_EQ(content(path(place)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;

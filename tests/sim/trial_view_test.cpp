@@ -109,52 +109,10 @@ TEST(TrialView, IsPackedInSixteenBits) {
 
 // ---- pictures of a trial ----
 
-ShownTrial shown_of(TracedTrial trial) {
-  ShownTrial shown{std::move(trial), {}, 1};
-  add_delays(shown.delays, shown.trial);
-  add_wrong_bits(shown.wrong, shown.trial, dsp::Seconds(200e-6));
-  return shown;
-}
+ShownTrial shown_of(TracedTrial trial) { return {std::move(trial), {}}; }
 
 double most_at(const ChartCurve& curve) {
   return std::ranges::max(curve.points, {}, &ChartPoint::y).x;
-}
-
-TEST(ShownTrial, MeasuresHowLateEachEdgeIs) {
-  const ShownTrial shown = shown_of(trial_of("OK\n", "OK\n"));
-  ASSERT_EQ(shown.delays.falling_us.size(), shown.delays.rising_us.size());
-  ASSERT_GE(shown.delays.falling_us.size(), 6U);
-  for (const auto* delays : {&shown.delays.falling_us, &shown.delays.rising_us})
-    for (const double delay : *delays) EXPECT_NEAR(delay, 200, 1e-3);
-  const Chart jitter = jitter_chart(shown);
-  ASSERT_EQ(jitter.curves.size(), 2U);
-  EXPECT_NEAR(most_at(jitter.curves[0]), 200, 1);
-  double edges = 0;
-  for (const ChartPoint& point : jitter.curves[0].points) edges += point.y;
-  EXPECT_EQ(edges, static_cast<double>(shown.delays.falling_us.size()));
-}
-
-TEST(ShownTrial, HasNoDelayOfAnEdgeThatThePinLacks) {
-  TracedTrial trial = trial_of("OK\n", "OK\n");
-  trial.rx = dsp::LogicTrace();
-  trial.rx.observe_until(dsp::Seconds(0.5));
-  const ShownTrial shown = shown_of(std::move(trial));
-  EXPECT_TRUE(shown.delays.falling_us.empty());
-  EXPECT_TRUE(jitter_chart(shown).curves[0].points.empty());
-}
-
-TEST(ShownTrial, SaysWhichBitsAreWrongAndHowManyInARow) {
-  const ShownTrial shown = shown_of(trial_of("OAK\n", "OFK\n"));
-  EXPECT_EQ(shown.wrong.characters, (std::vector<std::string>{"O", "A", "K", "\\n"}));
-  EXPECT_EQ(shown.wrong.counts[1], (std::array<int, 10>{0, 1, 1, 1, 0, 0, 0, 0, 0, 0}))
-      << "0x41 and 0x46: bits 0 to 2";
-  EXPECT_EQ(shown.wrong.counts[0], (std::array<int, 10>{}));
-  EXPECT_EQ(shown.wrong.bursts, (std::vector<int>{0, 0, 1}));
-  const HeatMap map = wrong_bits_map(shown);
-  EXPECT_EQ(map.rows, (std::vector<std::string>{"4: \\n", "3: K", "2: A", "1: O"}));
-  EXPECT_EQ(map.values[2][1], 1);
-  EXPECT_EQ(most_at(burst_chart(shown).curves[0]), 3);
-  EXPECT_TRUE(shown_of(trial_of("OK\n", "OK\n")).wrong.bursts.empty());
 }
 
 TEST(ShownTrial, DrawsAnEyeOfAllBits) {

@@ -1,0 +1,60 @@
+#pragma once
+// Where the frames of one point go wrong: the trials that were counted there are run again, and
+// their pins compared with what was sent, bit by bit and edge by edge.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/picture/chart.hpp"
+#include "sim/picture/heat_map.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/threads/run_sharing.hpp"
+#include "sim/trace/trace.hpp"
+
+namespace sim {
+
+/// How much later than the light's the edges of the pin are, in microseconds.
+struct EdgeDelays {
+  std::vector<double> falling_us, rising_us;  // light begins, light ends
+};
+
+/// Where bits of the last message are wrong at the pin, in the middle of their slots. Messages of a
+/// scenario are all the same.
+struct WrongBits {
+  std::vector<std::string> characters;      // as sent
+  std::vector<std::array<int, 10>> counts;  // of each, by the slot: start bit, 0 to 7, stop bit
+  std::vector<int> bursts;                  // [n]: how often n + 1 followed each other
+};
+
+struct FrameStatistics {
+  int trials = 0;          // looked at
+  bool are_all = false;    // of those that were counted
+  double character_s = 0;  // the time that a character takes
+  EdgeDelays delays{};
+  WrongBits wrong{};
+  std::optional<std::uint32_t> first_misread{};  // number of the trial
+};
+
+/// Of the first of `counted` trials of the point that `scenario` is: all of them, but no more than
+/// 400, nor more than about 1e9 samples, and 20 at least. Worth nothing after an interrupt.
+FrameStatistics look_at_frames(const Scenario& scenario, std::uint64_t counted,
+                               const Workers& workers);
+
+/// Adds those of a trial's last message. An edge that the pin lacks, or has more than half a bit
+/// away, has no delay.
+void add_delays(EdgeDelays& delays, const TracedTrial& trial);
+
+void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay);
+
+/// Share of wrong bits by character and slot.
+HeatMap wrong_bits_map(const FrameStatistics& frames);
+/// The same by the time since the message began: what the gain control, which settles, costs.
+Chart settling_chart(const FrameStatistics& frames);
+/// How often so many wrong bits followed each other.
+Chart burst_chart(const FrameStatistics& frames);
+/// Histogram of the delays; empty curves where there are none.
+Chart jitter_chart(const FrameStatistics& frames);
+
+}  // namespace sim

@@ -1,0 +1,150 @@
+// Which bits of a point's frames fail, and how late edges are: of made up wires, and of trials that
+// were counted.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "protocol/uart.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/page/frame_statistics.hpp"
+#include "sim/result/unfinished.hpp"
+
+namespace sim {
+namespace {
+
+constexpr dsp::Hertz baud(600);
+
+/// One message, 0.1 s after the beginning, that is read otherwise 200 us later.
+TracedTrial trial_of(const std::string& sent, const std::string& read) {
+  TracedTrial trial;
+  trial.baud = baud;
+  const auto send = [](dsp::LogicTrace& wire, const std::string& text, double at_s) {
+    dsp::Seconds at(at_s);
+    for (const char c : text)
+      at = protocol::send_byte(wire, static_cast<std::uint8_t>(c), at, baud);
+    wire.observe_until(dsp::Seconds(0.5));
+  };
+  send(trial.tx, sent, 0.1);
+  send(trial.rx, read, 0.1002);
+  return trial;
+}
+
+FrameStatistics frames_of(const TracedTrial& trial) {
+  FrameStatistics frames{.trials = 1, .character_s = 10 / baud.value};
+  add_delays(frames.delays, trial);
+  add_wrong_bits(frames.wrong, trial, dsp::Seconds(200e-6));
+  return frames;
+}
+
+double most_at(const ChartCurve& curve) {
+  return std::ranges::max(curve.points, {}, &ChartPoint::y).x;
+}
+
+TEST(FrameStatistics, MeasuresHowLateEachEdgeIs) {
+  const FrameStatistics frames = frames_of(trial_of("OK\n", "OK\n"));
+  ASSERT_EQ(frames.delays.falling_us.size(), frames.delays.rising_us.size());
+  ASSERT_GE(frames.delays.falling_us.size(), 6U);
+  for (const auto* delays : {&frames.delays.falling_us, &frames.delays.rising_us})
+    for (const double delay : *delays) EXPECT_NEAR(delay, 200, 1e-3);
+  const Chart jitter = jitter_chart(frames);
+  ASSERT_EQ(jitter.curves.size(), 2U);
+  EXPECT_NEAR(most_at(jitter.curves[0]), 200, 1);
+  double edges = 0;
+  for (const ChartPoint& point : jitter.curves[0].points) edges += point.y;
+  EXPECT_EQ(edges, static_cast<double>(frames.delays.falling_us.size()));
+}
+
+TEST(FrameStatistics, HasNoDelayOfAnEdgeThatThePinLacks) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.rx = dsp::LogicTrace();
+  trial.rx.observe_until(dsp::Seconds(0.5));
+  const FrameStatistics frames = frames_of(std::move(trial));
+  EXPECT_TRUE(frames.delays.falling_us.empty());
+  EXPECT_TRUE(jitter_chart(frames).curves[0].points.empty());
+}
+
+TEST(FrameStatistics, SaysWhichBitsAreWrongAndHowManyInARow) {
+  const FrameStatistics frames = frames_of(trial_of("OAK\n", "OFK\n"));
+  EXPECT_EQ(frames.wrong.characters, (std::vector<std::string>{"O", "A", "K", "\\n"}));
+  EXPECT_EQ(frames.wrong.counts[1], (std::array<int, 10>{0, 1, 1, 1, 0, 0, 0, 0, 0, 0}))
+      << "0x41 and 0x46: bits 0 to 2";
+  EXPECT_EQ(frames.wrong.counts[0], (std::array<int, 10>{}));
+  EXPECT_EQ(frames.wrong.bursts, (std::vector<int>{0, 0, 1}));
+  const HeatMap map = wrong_bits_map(frames);
+  EXPECT_EQ(map.rows, (std::vector<std::string>{"4: \\n", "3: K", "2: A", "1: O"}));
+  EXPECT_EQ(map.values[2][1], 1);
+  EXPECT_EQ(most_at(burst_chart(frames).curves[0]), 3);
+  EXPECT_TRUE(frames_of(trial_of("OK\n", "OK\n")).wrong.bursts.empty());
+}
+
+TEST(FrameStatistics, SaysWhenInAMessageBitsAreWrong) {
+  const Chart chart = settling_chart(frames_of(trial_of("OAK\n", "OFK\n")));
+  ASSERT_EQ(chart.curves.at(0).points.size(), 4U);
+  EXPECT_NEAR(chart.curves[0].points[1].x, 25, 1e-9) << "ms: the middle of the second of 600 Bd";
+  EXPECT_NEAR(chart.curves[0].points[1].y, 0.3, 1e-9) << "three of ten";
+  EXPECT_EQ(chart.curves[0].points[2].y, 0);
+}
+
+// ---- of trials ----
+
+LoadedScenario failing_link(const std::string& more) {
+  return parse_scenario(
+      "[receiver]\nmodule = \"TSSP4056\"\nrange_m = 12.4\n[simulation]\nwarmup_messages = 0\n"
+      "sample_rate_hz = 250000\n" +
+          more + "[stop]\nmax_frames = 44\nmax_frame_errors = 0\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+}
+
+int wrong_bits(const FrameStatistics& frames) {
+  int sum = 0;
+  for (const auto& counts : frames.wrong.counts)
+    sum = std::accumulate(counts.begin(), counts.end(), sum);
+  return sum;
+}
+
+int bits_in_bursts(const FrameStatistics& frames) {
+  int sum = 0;
+  for (std::size_t n = 0; n < frames.wrong.bursts.size(); ++n)
+    sum += static_cast<int>(n + 1) * frames.wrong.bursts[n];
+  return sum;
+}
+
+TEST(FrameStatistics, AreOfTheBitsThatWereCounted) {
+  for (const char* fidelity : {"", "fidelity = \"envelope\"\n"}) {
+    const LoadedScenario scenario = failing_link(fidelity);
+    const Tally tally = run_experiment(scenario, unfinished(scenario, ""), {}).points.at(0).tally;
+    ASSERT_GT(tally.n_bit_errors, 0U);
+    ASSERT_EQ(tally.n_frames, 44U);
+    const FrameStatistics frames = look_at_frames(scenario.base, tally.n_frames, {.threads = 2});
+    EXPECT_EQ(frames.trials, 44);
+    EXPECT_TRUE(frames.are_all);
+    EXPECT_EQ(static_cast<std::uint64_t>(wrong_bits(frames)), tally.n_bit_errors);
+    EXPECT_EQ(bits_in_bursts(frames), wrong_bits(frames));
+    EXPECT_TRUE(frames.first_misread);
+    EXPECT_NEAR(frames.character_s, 10 / 600.0, 1e-4);
+  }
+}
+
+TEST(FrameStatistics, DoNotDependOnThreads) {
+  const LoadedScenario scenario = failing_link("");
+  const FrameStatistics one = look_at_frames(scenario.base, 30, {.threads = 1}),
+                        three = look_at_frames(scenario.base, 30, {.threads = 3});
+  EXPECT_EQ(one.wrong.counts, three.wrong.counts);
+  EXPECT_EQ(one.delays.falling_us, three.delays.falling_us);
+  EXPECT_EQ(one.first_misread, three.first_misread);
+}
+
+TEST(FrameStatistics, LookAtNoMoreThanWillDo) {
+  const LoadedScenario scenario = failing_link("");
+  const FrameStatistics first = look_at_frames(scenario.base, 100'000, {.threads = 2});
+  EXPECT_EQ(first.trials, 400);
+  EXPECT_FALSE(first.are_all);
+  EXPECT_NE(jitter_chart(first).description.find("the first 400 trials"), std::string::npos);
+  EXPECT_EQ(look_at_frames(scenario.base, 0, {}).trials, 0);
+}
+
+}  // namespace
+}  // namespace sim
