@@ -29,6 +29,11 @@ std::string size_of(const Dataset& data) {
                      DatasetCells(data, "n_delivered").sum());
 }
 
+/// "98", "2.1": two digits.
+std::string percent(double share) {
+  return fmt::format("{:.{}f}", 100 * share, share < 0.00995 ? 2 : share < 0.0995 ? 1 : 0);
+}
+
 /// What was lost, by what each cause has of it.
 std::string causes_of(const Dataset& data) {
   std::vector<std::pair<double, std::string>> causes;
@@ -42,8 +47,8 @@ std::string causes_of(const Dataset& data) {
   std::ranges::stable_sort(causes, std::greater<>(), [](const auto& cause) { return cause.first; });
   std::string text;
   for (const auto& [count, words] : causes)
-    text += fmt::format("{}{} {:.2g} %", text.empty() ? "What was lost was lost to: " : ", ", words,
-                        100 * count / lost);
+    text += fmt::format("{}{} {} %", text.empty() ? "What was lost was lost to: " : ", ", words,
+                        percent(count / lost));
   return text.empty() ? text : text + ".\n";
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -26,7 +27,22 @@ std::string size_of(const Dataset& data) {
       sent, data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "", sent - accepted);
 }
 
-/// What a sender says of itself is of a point and a sender: where it is least and greatest.
+/// Where half of the messages or more are lost.
+std::string half_lost(const Chart& chart) {
+  constexpr double half = 0.5;
+  std::optional<double> from, to;
+  for (const ChartCurve& curve : chart.curves)
+    for (const ChartPoint& point : curve.points) {
+      if (point.y < half) continue;
+      from = std::min(from.value_or(point.x), point.x);
+      to = std::max(to.value_or(point.x), point.x);
+    }
+  if (!from) return "Nowhere is half of the messages lost.\n";
+  return fmt::format("Half of a node's messages or more are lost at {} from {:g} to {:g}.\n",
+                     chart.x.label, *from, *to);
+}
+
+/// Of a single point what becomes of each node's messages.
 std::string directions(const Dataset& data) {
   std::string text;
   if (!data.axes.empty()) return text;
@@ -50,13 +66,14 @@ std::vector<std::size_t> reasons_by_count(const DatasetCells& refused, std::size
 }
 
 /// How many messages a cell's point and sender have of each kind: accepted, the commonest reasons,
-/// and all others together.
+/// all others together, and those of which nothing was noticed.
 class RefusalCounts {
  public:
   static constexpr std::size_t most_reasons = 6;
 
   explicit RefusalCounts(const Dataset& data)
       : reasons_(dimension_named(data, "reason")),
+        sent_(data, "n_messages"),
         accepted_(data, "n_accepted"),
         refused_(data, "n_rejected"),
         order_(reasons_by_count(refused_, reasons_.size())) {}
@@ -66,15 +83,19 @@ class RefusalCounts {
     for (std::size_t k = 0; k < named(); ++k)
       words.push_back("refused: " + value_text(reasons_, order_[k]));
     words.emplace_back("refused for another reason");
+    words.emplace_back("not noticed");
     return words;
   }
   std::size_t cells() const { return accepted_.size(); }
   std::vector<std::uint64_t> operator()(std::size_t cell) const {
-    std::vector<std::uint64_t> counts(named() + 2);
+    std::vector<std::uint64_t> counts(named() + 3);
     counts[0] = static_cast<std::uint64_t>(accepted_[cell]);
     for (std::size_t k = 0; k < order_.size(); ++k)
       counts[std::min(k, named()) + 1] +=
           static_cast<std::uint64_t>(refused_[cell * order_.size() + order_[k]]);
+    const auto noticed = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    const auto sent = static_cast<std::uint64_t>(sent_[cell]);
+    counts.back() = sent > noticed ? sent - noticed : 0;  // of one, two pieces may be refused
     return counts;
   }
 
@@ -82,11 +103,10 @@ class RefusalCounts {
   std::size_t named() const { return std::min(most_reasons, order_.size()); }
 
   const Dataset::Dimension& reasons_;
-  DatasetCells accepted_, refused_;
+  DatasetCells sent_, accepted_, refused_;
   std::vector<std::size_t> order_;
 };
 
-/// What neither node noticed is not among them.
 ShareBars refusals(const Dataset& data) {
   constexpr std::size_t senders = 2;
   const SweptRows rows(data.axes);
@@ -102,10 +122,12 @@ ShareBars refusals(const Dataset& data) {
 }
 
 void add_charts(ReportPart& part, const Dataset& data) {
-  add_chart(part, swept_chart(data, {.name = "message_loss",
-                                     .title = "Message loss",
-                                     .label = "message loss ratio",
-                                     .logarithmic = true}));
+  const std::optional<Chart> loss = swept_chart(data, {.name = "message_loss",
+                                                       .title = "Message loss",
+                                                       .label = "message loss ratio",
+                                                       .logarithmic = true});
+  if (loss) part.verdict += half_lost(*loss);
+  add_chart(part, loss);
   add_chart(part, swept_chart(data, {.name = "age_mean_s",
                                      .title = "Age of values at the other node",
                                      .label = "mean age [s]"}));
@@ -129,8 +151,9 @@ std::vector<DatasetColumn> columns() {
 
 ReportPart exchange_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportPart part{name, data.title, size_of(data) + directions(data) + missing_points(data)};
+  ReportPart part{name, data.title, size_of(data) + directions(data)};
   add_charts(part, data);
+  part.verdict += missing_points(data);
   if (find_variable(data, "n_rejected") != nullptr)
     part.sections.push_back(shares_section("refusals", refusals(data)));
   add_closing(part, data, columns());

@@ -20,6 +20,12 @@ class AxisSpan {
     least_ = std::min(least_, value);
     greatest_ = std::max(greatest_, value);
   }
+  /// Of a point all, but of an interval that goes far down no more than two decades below it.
+  void cover(const ChartPoint& point) {
+    constexpr double most_below = 100;
+    for (const double value : {point.y, point.high}) cover(value);
+    cover(logarithmic_ ? std::max(point.low, point.y / most_below) : point.low);
+  }
   /// Infinite, and the greater first, where nothing was covered.
   double least() const { return least_; }
   double greatest() const { return greatest_; }

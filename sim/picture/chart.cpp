@@ -29,6 +29,7 @@ class Positions {
 
   bool shows(double value) const { return span_.shows(value); }
   void cover(double value) { span_.cover(value); }
+  void cover(const ChartPoint& point) { span_.cover(point); }
   /// To be called once when all is covered.
   void settle() {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
@@ -68,7 +69,7 @@ Paper paper_for(const Chart& chart) {
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points) {
       paper.x.cover(point.x);
-      for (const double value : {point.y, point.low, point.high}) paper.y.cover(value);
+      paper.y.cover(point);
     }
   paper.x.settle();
   paper.y.settle();
@@ -117,7 +118,7 @@ void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& po
   if (!paper.x.shows(point.x) || !paper.y.shows(point.high)) return;
   const double x = paper.x(point.x), high = paper.y(point.high);
   if (point.is_limit) return draw_limit(drawing, x, high, style);
-  const double low = paper.y.shows(point.low) ? paper.y(point.low) : bottom;
+  const double low = paper.y.shows(point.low) ? std::min(paper.y(point.low), bottom) : bottom;
   drawing.path(fmt::format("M{0:.2f} {2:.2f}h{4}M{1:.2f} {2:.2f}V{3:.2f}m-{5} 0h{4}", x - whisker,
                            x, high, low, 2 * whisker, whisker),
                style);

@@ -122,6 +122,9 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
                                "of them the other did not accept.</p>",
                                sent, sent - sum(counted, "n_accepted")));
   expect_has(page, "<h2>Message loss</h2>");
+  expect_has(
+      page,
+      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 12.5.");
   expect_has(page, ">sender A</text>");
   expect_has(page, ">sender B</text>");
   expect_has(page, ">refused for another reason</text>");

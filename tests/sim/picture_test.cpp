@@ -109,6 +109,29 @@ TEST(Chart, ShowsAPointWithoutErrorsAsALimit) {
   EXPECT_NE(with.find(">1e-3<"), std::string::npos) << "the axis reaches down to the limit";
 }
 
+TEST(Chart, IsNotMadeFlatByAnIntervalThatGoesFarDown) {
+  const std::string text = chart_as_svg(chart_of({{1, 0.1, 1e-9, 0.5}, {2, 0.5, 0.4, 0.6}}, true));
+  EXPECT_NE(text.find(">1e-3<"), std::string::npos) << "two decades below the point";
+  EXPECT_EQ(text.find(">1e-4<"), std::string::npos);
+  EXPECT_NE(text.find("V380.00"), std::string::npos) << "its bar ends at the lower edge";
+  EXPECT_NE(chart_as_svg(chart_of({{1, 0.1, 2e-3, 0.5}}, true)).find(">1e-3<"), std::string::npos);
+}
+
+TEST(Chart, GivesATheoryTheColourOfWhatItIsTheTheoryOf) {
+  Chart chart = chart_of({{1, 1, 1, 1}}, false);
+  chart.curves.push_back({"c, theory", {}, CurveKind::theory});
+  chart.curves.push_back({"d", {}});
+  chart.curves.push_back({"d, theory", {}, CurveKind::theory});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(colour_of(chart, i), i / 2) << i;
+  EXPECT_EQ(colour_of({.title = {},
+                       .description = {},
+                       .x = {},
+                       .y = {},
+                       .curves = {{"theory alone", {}, CurveKind::theory}}},
+                      0),
+            0U);
+}
+
 TEST(Chart, StandsOnPaperWhateverItIsGiven) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
