@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "sim/loading/point_scenario.hpp"
 #include "sim/location/location_parts.hpp"
@@ -17,6 +19,12 @@
 
 namespace sim {
 namespace {
+
+/// Locating takes some milliseconds a trial, and some tens a point; more would cover each other.
+std::uint32_t dots_at_each(std::size_t points) {
+  constexpr std::uint32_t most_dots = 200, most_points = 20;
+  return points == 0 || points > most_points ? 0 : most_dots / static_cast<std::uint32_t>(points);
+}
 
 std::string size_of(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
@@ -58,29 +66,44 @@ class Receivers {
   std::vector<PlanMark> all_;
 };
 
+/// Adds where the first trials of a point located the device: those that were counted.
+void add_located(PlanDots& dots, const LocationTrialsSettings& settings, std::uint32_t trials) {
+  for (const Location& location : locate_first_trials(settings, std::min(trials, settings.trials)))
+    if (location.outcome == LocateOutcome::located)
+      dots.dots.push_back({{location.places.front().at.at.x, location.places.front().at.at.y}});
+}
+
 /// Nothing is drawn of an ellipse that is not known, where the readings bound nothing.
 FloorPlan plan_of(const StoredDataset& stored) {
   const Dataset& data = stored.data;
   FloorPlan plan{.title = "How well it is located",
                  .description =
-                     "Devices (discs) and receivers (arrowheads) from above; each ellipse "
+                     "Devices (rings) and receivers (arrowheads) from above, and where the "
+                     "first trials located them (dots); each ellipse "
                      "is that of the Cramer-Rao bound, within which 95 % of the best "
                      "estimates lie"};
   const DatasetCells major(data, "ellipse_major_m"), minor(data, "ellipse_minor_m"),
       direction(data, "ellipse_direction_deg");
   Receivers receivers;
-  for (const std::size_t point : measured_points(data)) {
+  PlanDots located{.label = {}, .dots = {}, .colour = 2};
+  const std::vector<std::size_t> points = measured_points(data);
+  const std::uint32_t trials = dots_at_each(points.size());
+  for (const std::size_t point : points) {
     const LocationTrialsSettings settings =
         location_settings(point_scenario(stored.scenario, point_coordinates(data.axes, point)),
                           stored.scenario.places);
     for (const Reading& reading : settings.readings) receivers.add(reading);
+    if (trials > 0) add_located(located, settings, trials);
     const PlanPoint truth{settings.truth.x, settings.truth.y};
-    plan.devices.push_back({.at = truth, .colour = 1});
+    plan.devices.push_back({.at = truth, .colour = 1, .is_solid = false});
     if (std::isfinite(major[point]))
       plan.ellipses.push_back(
           {truth, major[point], minor[point], dsp::degrees(direction[point]).value, 0});
   }
   plan.receivers = receivers.all();
+  if (located.dots.empty()) return plan;
+  located.label = fmt::format("where {} trials located it", located.dots.size());
+  plan.dots.push_back(std::move(located));
   return plan;
 }
 

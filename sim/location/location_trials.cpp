@@ -70,10 +70,6 @@ LocationTrials summed(const std::vector<Lot>& lots, double level) {
   return result;
 }
 
-TrialAddress address_of(const LocationTrialsSettings& s, std::uint32_t trial) {
-  return {s.seed, s.point, trial};
-}
-
 /// Receivers and noiseless readings, ready for any number of trials.
 struct Bench {
   explicit Bench(const LocationTrialsSettings& s)
@@ -84,6 +80,11 @@ struct Bench {
   std::vector<Reading> readings;
   Locator locator;
 };
+
+Location locate(const Bench& bench, const LocationTrialsSettings& s, std::uint32_t trial) {
+  const TrialAddress address{s.seed, s.point, trial};
+  return bench.locator.locate(drawn_readings(bench.readings, address));
+}
 
 }  // namespace
 
@@ -124,8 +125,7 @@ std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
   RunSharing<Lot> trials(shared_trials(s.trials, workers), [&](std::uint32_t first, int n) {
     Lot lot;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
-      lot.push_back(judged(
-          bench.locator.locate(drawn_readings(bench.readings, address_of(s, first + i))), s.truth));
+      lot.push_back(judged(locate(bench, s, first + i), s.truth));
     return lot;
   });
   const std::vector<Lot> lots = trials();
@@ -141,7 +141,15 @@ LocationTrials measure_location(const LocationTrialsSettings& s) {
 
 Location locate_trial(const LocationTrialsSettings& s, std::uint32_t trial) {
   const Bench bench(s);
-  return bench.locator.locate(drawn_readings(bench.readings, address_of(s, trial)));
+  return locate(bench, s, trial);
+}
+
+std::vector<Location> locate_first_trials(const LocationTrialsSettings& s, std::uint32_t trials) {
+  const Bench bench(s);
+  std::vector<Location> locations;
+  for (std::uint32_t trial = 0; trial < trials; ++trial)
+    locations.push_back(locate(bench, s, trial));
+  return locations;
 }
 
 }  // namespace sim

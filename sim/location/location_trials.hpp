@@ -56,6 +56,10 @@ struct TrialAddress {
 /// One trial: what it measured, and where that leads.
 Location locate_trial(const LocationTrialsSettings& settings, std::uint32_t trial);
 
+/// The first so many, in much less time than each alone.
+std::vector<Location> locate_first_trials(const LocationTrialsSettings& settings,
+                                          std::uint32_t trials);
+
 /// What a trial measures: noiseless readings with the noise that they say they have.
 std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialAddress& address);
 

@@ -145,15 +145,18 @@ TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
 }
 
 TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
-  run("x",
-      "experiment = \"location\"\n[location]\ntrials = 8\n[sweep]\n"
-      "location.relative_sigma = [0.01, 0.03]\n");
+  const Json counted = run("x",
+                           "experiment = \"location\"\n[location]\ntrials = 8\n[sweep]\n"
+                           "location.relative_sigma = [0.01, 0.03]\n");
   const std::string page = report({"x.h5", "--svg", "p"});
   expect_has(page, "<p>A device was located 16 times at 2 points.</p>");
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
   const std::string map = content(path("p/map.svg"));
   EXPECT_EQ(occurrences(map, "<path class=\"curve1\""), 2U) << "an ellipse a point";
+  expect_has(map, fmt::format(">where {} trials located it</text>",
+                              counted["variables"]["n_outcomes"]["values"][0].get<int>() +
+                                  counted["variables"]["n_outcomes"]["values"][5].get<int>()));
   EXPECT_EQ(occurrences(map, "<path class=\"dot\""), 4U) << "each of the receivers once";
   expect_has(content(path("p/outcomes.svg")), ">located</text>");
 }
