@@ -125,16 +125,16 @@ TEST_F(StoredDatasetTest, RefusesCountsThatDoNotFitTheDigest) {
 /// As by a program that wrote less into its files, or more than there is room for.
 class ForeignFile : public StoredDatasetTest {
  protected:
-  void write_file(std::size_t cells, const std::string& dimension) const {
+  void write_file(const std::vector<double>& ranges, const std::vector<std::string>& dimensions,
+                  std::size_t cells) const {
     NetcdfFile file(experiment_result_type, {"cosys-sim", "1", "c"});
-    const std::vector<double> range{1, 2, 3}, more(cells, 1);
+    const std::vector<double> heard(4, 1);
     const std::vector<std::int64_t> counts(cells, 1);
     const std::vector<std::string> detectors{"goertzel", "dc-difference"};
     file.add_dimension({"presence_detector", "", ""}, std::span<const std::string>(detectors));
-    file.add_dimension({"receiver_range_m", "m", ""}, std::span<const double>(range));
-    if (dimension != "receiver_range_m")
-      file.add_dimension({dimension, "", ""}, std::span<const double>(more));
-    file.add_variable({"n_runs", "1", ""}, {dimension}, std::span<const std::int64_t>(counts));
+    file.add_dimension({"receiver_range_m", "m", ""}, std::span<const double>(ranges));
+    file.add_dimension({"heard", "", ""}, std::span<const double>(heard));
+    file.add_variable({"n_runs", "1", ""}, dimensions, std::span<const std::int64_t>(counts));
     for (const char* name : {"title", "command"}) file.set_user_text("/", name, "t");
     file.set_user_text("/", "scenario_toml", scenario_of(scenario_text).text);
     const std::uint64_t seed = 1;
@@ -144,15 +144,19 @@ class ForeignFile : public StoredDatasetTest {
 };
 
 TEST_F(ForeignFile, WithoutDigestIsReadAsItIs) {
-  write_file(4, "heard");
+  write_file({1, 2, 3}, {"heard"}, 4);
   const StoredDataset stored = read_dataset(file_);
   EXPECT_FALSE(stored.data.variables.at(0).on_axes);
   EXPECT_EQ(stored.data.variables.at(0).dimensions, std::vector<std::string>{"heard"});
 }
 
 TEST_F(ForeignFile, OnAxesThatAreNotTheScenariosIsRefused) {
-  write_file(3, "receiver_range_m");
+  write_file({1, 2, 3}, {"receiver_range_m"}, 3);
   expect_refused("it is damaged");
+  write_file({1, 2, 3, 4}, {"presence_detector", "receiver_range_m"}, 8);
+  expect_refused("it is damaged");
+  write_file({1, 2, 3}, {"presence_detector", "receiver_range_m"}, 6);
+  EXPECT_TRUE(read_dataset(file_).data.variables.at(0).on_axes);
 }
 
 TEST_F(StoredDatasetTest, RefusesWhatIsNone) {
