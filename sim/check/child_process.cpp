@@ -22,7 +22,7 @@ constexpr std::size_t most_words = 4096;
 constexpr int pause_ms = 50;  // between looks at whether all shall stop
 
 [[noreturn]] void fail(int error) {
-  throw Failure(ExitCode::environment, std::string("cannot start a decoder (") +
+  throw Failure(ExitCode::environment, std::string("cannot start another program (") +
                                            std::strerror(error) +
                                            ") use fewer threads, or end other programs");
 }

@@ -128,11 +128,15 @@ struct MergeRequest {
 /// Adds shards of one experiment up.
 ExitCode merge_command(const MergeRequest& request);
 
+/// For each picture of a report by itself; nothing where none of the kind are wanted.
+struct PictureFolders {
+  std::optional<std::filesystem::path> svg, png, pdf;
+};
 struct ReportRequest {
   std::vector<std::filesystem::path> results;  // at least one
   std::filesystem::path output = "report.html";
-  std::optional<std::filesystem::path> pictures;  // a folder for each picture by itself
-  int threads = 0;                                // 0: one per processor
+  PictureFolders pictures;
+  int threads = 0;  // 0: one per processor
 };
 ExitCode report_command(const ReportRequest& request);
 

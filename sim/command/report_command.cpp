@@ -1,19 +1,16 @@
 // `cosys-sim report`: results as pictures and tables.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/command/judging.hpp"
+#include "sim/command/picture_files.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/link_part.hpp"
 #include "sim/page/page.hpp"
-#include "sim/picture/svg.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
@@ -66,62 +63,24 @@ void write_file(const fs::path& path, const std::string& text) {
   NewFile file(path);
   file.write(text);
   file.take_place();
-}
-
-using PlacedPictures = std::map<fs::path, const PagePicture*>;
-
-const PagePicture* picture_in(const PageSection& section) {
-  if (section.trial) return &section.trial->still;
-  return section.picture ? &*section.picture : nullptr;
-}
-
-/// The files that pictures become: bit-errors.svg, bit-errors-2.svg...
-PlacedPictures places_of(const Page& page, const fs::path& folder) {
-  PlacedPictures places;
-  for (const PageSection& section : page.sections) {
-    const PagePicture* picture = picture_in(section);
-    if (picture == nullptr) continue;
-    fs::path place = folder / (picture->name + ".svg");
-    for (int i = 2; places.contains(place); ++i)
-      place = folder / fmt::format("{}-{}.svg", picture->name, i);
-    places[place] = picture;
-  }
-  return places;
-}
-
-fs::path made_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Failure(ExitCode::environment,
-                  fmt::format("cannot create the folder {} ({}) choose another place",
-                              folder.string(), error.message()));
-  return folder;
-}
-
-void write_pictures(const PlacedPictures& places) {
-  for (const auto& [path, picture] : places) {
-    write_file(path, picture->svg);
-    print(path.string() + "\n");
-  }
+  print(path.string() + "\n");
 }
 
 }  // namespace
 
 ExitCode report_command(const ReportRequest& request) {
   refuse_to_lose(request.output, is_page, "a report of cosys-sim");
+  require_tools(request.pictures);
   std::vector<ReportPart> parts;
   const std::atomic<bool>& stopping = heed_stop_signals();
   for (const fs::path& path : request.results) parts.push_back(part_of(path, request));
   if (stopping) return end_interrupted();
   const Page page = page_of(std::move(parts));
-  PlacedPictures pictures;
-  if (request.pictures) pictures = places_of(page, made_folder(*request.pictures));
-  for (const auto& [path, picture] : pictures)
-    refuse_to_lose(path, is_drawing, "a picture of cosys-sim");
+  const auto pictures = picture_files(page, request.pictures);
+  if (!pictures) return end_interrupted();
+  make_folders(request.pictures);
   write_file(request.output, page_as_html(page));
-  print(request.output.string() + "\n");
-  write_pictures(pictures);
+  for (const PictureFile& picture : *pictures) write_file(picture.place, picture.bytes);
   return ExitCode::done;
 }
 

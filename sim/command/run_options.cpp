@@ -119,7 +119,10 @@ void add_report(CLI::App& app, ReportRequest& request) {
   add_place(report, "RESULT", request.results, "", "result files (.h5) of links")->required();
   add_place(report, "-o,--output", request.output, "FILE",
             "file to write; report.html if not given");
-  add_place(report, "--svg", request.pictures, "DIR", "put each picture there too, as SVG");
+  add_place(report, "--svg", request.pictures.svg, "DIR", "put each picture there too, as SVG");
+  add_place(report, "--png", request.pictures.png, "DIR",
+            "as PNG, two pixels for each of the SVG's; needs gnuplot");
+  add_place(report, "--pdf", request.pictures.pdf, "DIR", "as PDF; needs gnuplot");
   add_threads(report, request.threads);
   report.footer("Example: cosys-sim report quickstart.h5 -o report.html");
 }

@@ -137,8 +137,8 @@ std::string move_to(SvgPoint p) { return fmt::format("M{:.2f} {:.2f}", p.x, p.y)
 std::string line_to(SvgPoint p) { return fmt::format("L{:.2f} {:.2f}", p.x, p.y); }
 
 std::string circle(SvgPoint centre, double radius) {
-  return fmt::format("M{0:.2f} {1:.2f}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0", centre.x - radius,
-                     centre.y, radius, 2 * radius);
+  return fmt::format("M{0:.2f} {1:.2f}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0Z",
+                     centre.x - radius, centre.y, radius, 2 * radius);
 }
 
 /// So many pixels from a place, at an angle from where a heading goes.

@@ -8,6 +8,8 @@ namespace sim {
 
 /// The first bytes of a file; fewer if it is shorter, none if it cannot be read.
 std::string beginning_of(const std::filesystem::path& path, std::size_t bytes);
+/// The last ones.
+std::string end_of(const std::filesystem::path& path, std::size_t bytes);
 
 /// Throws Failure(bad_input) if a file with something in it is there and is not `own_kind`: "a
 /// result of cosys-sim".

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -55,6 +56,8 @@ runs = 2
 x_m = 1.5
 y_m = 0
 yaw_deg = 180
+silent_every_s = 1
+silent_for_s = 1
 [devices.away]
 x_m = 50
 y_m = 0
@@ -63,10 +66,12 @@ y_m = 0
 TEST_F(ExperimentReport, OfAnArenaShowsWhoWasHeardWhere) {
   const Json counted = run("a", arena);
   const std::int64_t delivered = sum(counted, "n_delivered");
+  const std::int64_t silent = sum(counted, "n_silent");
   ASSERT_GT(delivered, 0);
+  ASSERT_GT(silent, 0);
   const std::string page = report({"a.h5", "--svg", "p"});
   expect_has(page, fmt::format("<p>{} messages were sent in 2 runs; {} of them were delivered.</p>",
-                               sum(counted, "n_messages"), delivered));
+                               sum(counted, "n_messages") - silent, delivered));
   expect_has(page, "<p>What was lost was lost to: out of reach ");
   expect_has(page, "<h2>Where messages were heard</h2>");
   expect_has(page, "<td>near</td><td>1.5</td><td>0</td>");
@@ -76,6 +81,32 @@ TEST_F(ExperimentReport, OfAnArenaShowsWhoWasHeardWhere) {
   expect_has(map, ">away: 0 messages heard</text>");
   EXPECT_EQ(occurrences(map, " disc\""), 1U) << "one of them was heard";
   expect_has(content(path("p/fates.svg")), ">out of reach</text>");
+}
+
+/// Of device `device` of two at point `point`.
+std::int64_t cell(const Json& run, const std::string& variable, std::size_t point,
+                  std::size_t device) {
+  return run["variables"][variable]["values"][2 * point + device].get<std::int64_t>();
+}
+
+TEST_F(ExperimentReport, OfASweptArenaHasAMapOfEachPoint) {
+  const Json counted = run("a", arena + "[sweep]\ndevices.near.x_m = [1.5, 30]\n");
+  const Json& names = counted["dimensions"]["device"];
+  const auto near = static_cast<std::size_t>(names[0] == "near" ? 0 : 1);
+  ASSERT_NE(cell(counted, "n_delivered", 0, near), cell(counted, "n_delivered", 1, near));
+  const std::string page = report({"a.h5", "--svg", "p"});
+  const char* const maps[] = {"p/map.svg", "p/map-2.svg"};
+  const char* const places[] = {"1.5", "30"};
+  for (std::size_t point = 0; point < 2; ++point) {
+    const std::int64_t delivered = cell(counted, "n_delivered", point, near);
+    expect_has(content(path(maps[point])),
+               fmt::format(">near: {} messages heard</text>", delivered));
+    const std::regex row(
+        fmt::format("<td>near</td><td>{}</td><td>0</td><td>[^<]*</td><td>{}</td>"
+                    "<td>{}</td>",
+                    places[point], cell(counted, "n_messages", point, near), delivered));
+    EXPECT_TRUE(std::regex_search(page, row)) << point;
+  }
 }
 
 TEST_F(ExperimentReport, OfASweptArenaComparesFilesInOnePicture) {
@@ -102,11 +133,18 @@ TEST_F(ExperimentReport, OfALinkAndAnArenaTogether) {
 
 TEST_F(ExperimentReport, OfAGuardSaysWhatTheBaseStationKnows) {
   const Json counted = run("g", std::regex_replace(arena, std::regex("\"arena\""), "\"guard\"") +
-                                    "messages = \"AWAY 1\"\n");
+                                    "messages = \"AWAY 1\"\n[devices.third]\nx_m = 2\ny_m = 0.2\n"
+                                    "yaw_deg = 180\nmessages = \"THIRD\"\n");
   const std::string page = report({"g.h5"});
   expect_has(page, fmt::format("The base station got to know {} of {} messages",
                                sum(counted, "n_known"), sum(counted, "n_messages")));
-  expect_has(page, "<p>What it knows is oldest of near: ");
+  const Json& ages = counted["variables"]["age_mean_s"]["values"];
+  const Json& names = counted["dimensions"]["device"];
+  std::map<double, std::string> by_age;
+  for (std::size_t i = 0; i < ages.size(); ++i)
+    if (!ages[i].is_null()) by_age[ages[i].get<double>()] = names[i].get<std::string>();
+  ASSERT_EQ(by_age.size(), 2U) << "two were heard";
+  expect_has(page, "<p>What it knows is oldest of " + by_age.rbegin()->second + ": ");
   expect_has(page, ">known to the base station</text>");
   expect_has(page, "<th scope=\"col\">lost by SharedLink</th>");
 }
@@ -115,30 +153,36 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
   const Json counted =
       run("s",
           "experiment = \"sharedlink\"\n[receiver]\nmodule = \"TSSP4056\"\n[exchange]\n"
-          "duration_s = 10\nruns = 1\n[sweep]\nreceiver.range_m = [1, 12.5]\n");
+          "duration_s = 10\nruns = 1\n[sweep]\nreceiver.range_m = [1, 12.5, 40]\n");
   const std::string page = report({"s.h5"});
   const std::int64_t sent = sum(counted, "n_messages");
-  expect_has(page, fmt::format("<p>Both nodes together sent {} messages in 2 runs at 2 points; {} "
+  expect_has(page, fmt::format("<p>Both nodes together sent {} messages in 3 runs at 3 points; {} "
                                "of them the other did not accept.</p>",
                                sent, sent - sum(counted, "n_accepted")));
   expect_has(page, "<h2>Message loss</h2>");
   expect_has(
       page,
-      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 12.5.");
+      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 40.");
   expect_has(page, ">sender A</text>");
   expect_has(page, ">sender B</text>");
   expect_has(page, ">refused for another reason</text>");
+  for (std::size_t point = 0; point < 2; ++point)
+    expect_has(page, fmt::format("<td>{}</td><td>{}</td>", point == 0 ? "1" : "12.5",
+                                 cell(counted, "n_accepted", point, 0) +
+                                     cell(counted, "n_accepted", point, 1)));
+  expect_has(page, fmt::format("<td>{}</td></tr>", cell(counted, "n_messages", 2, 0) +
+                                                       cell(counted, "n_messages", 2, 1)));
 }
 
 TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
   run("p",
       "experiment = \"presence\"\n[presence]\ntrials = 50\nadc_bits = 16\n[sweep]\n"
-      "receiver.range_m = [40, 400]\n");
+      "receiver.range_m = [40, 50, 400]\n");
   const std::string page = report({"p.h5"});
-  expect_has(page, "<p>100 windows with and 100 without light were judged at 2 points.</p>");
+  expect_has(page, "<p>150 windows with and 150 without light were judged at 3 points.</p>");
   expect_has(page,
              "The device is noticed in 90 % of the windows or more at receiver.range_m [m] "
-             "from 40 to 40 (");
+             "from 40 to 50 (");
   expect_has(page, "<h2>Detection</h2>");
   expect_has(page, "<h2>Receiver operating characteristic (ROC)</h2>");
   expect_has(page, ">receiver.range_m = 400, theory</text>");
@@ -172,6 +216,8 @@ TEST_F(ExperimentReport, OfListeningSaysHowOftenSomethingWasAccepted) {
                                sum(counted, "n_frames_false")));
   expect_has(page, "<p>The rate of false accepts is ");
   expect_has(page, ">accepted though none was sent</text>");
+  expect_has(page, fmt::format("<td>all</td><td>0</td><td>0</td><td>{}</td><td>{}</td>",
+                               sum(counted, "n_frames_false"), sum(counted, "n_rejected")));
 }
 
 TEST_F(ExperimentReport, RefusesWhatIsDamagedOrNewer) {

@@ -67,7 +67,7 @@ TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
   std::string names = "report.html\n";
   for (const char* name :
        {"bit-errors", "bursts-of-wrong-bits", "delay-of-edges", "eye", "fates", "frame-loss",
-        "spectrum", "trial", "wrong-bits", "wrong-bits-since-the-message-began"}) {
+        "spectrum", "trial", "wrong-bits-since-the-message-began", "wrong-bits"}) {
     const std::string place = fmt::format("a/b/{}.svg", name);
     names += place + "\n";
     EXPECT_EQ(content(path(place)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;

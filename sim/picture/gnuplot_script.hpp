@@ -1,0 +1,18 @@
+#pragma once
+// A drawing for gnuplot (5.4 or later, cairo's terminals), to be had as PNG and PDF: it looks as a
+// browser shows the SVG on light paper, texts before all else.
+#include <string>
+
+namespace sim {
+
+enum class PaperFormat { png, pdf };
+
+/// Of gnuplot: "pngcairo".
+const char* terminal_name(PaperFormat format);
+
+/// Makes gnuplot write the picture to its stdout: PNG with two pixels for each of the drawing's,
+/// PDF with 96 of them to an inch. `svg` is what SvgDrawing made; its texts are shown, never
+/// obeyed.
+std::string gnuplot_script(const std::string& svg, PaperFormat format);
+
+}  // namespace sim
