@@ -150,7 +150,9 @@ std::string page_as_html(const Page& page) {
   for (const PageSection& section : page.sections) html += section_html(section);
   html += "</main>\n" + data_of(page);
   if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
-  return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", report_script);
+  return html +
+         fmt::format("<script>\n'use strict';\n{{\n{}{}{}{}}}\n</script>\n</body>\n</html>\n",
+                     chart_script, trial_script, table_script, report_script);
 }
 
 bool is_page(const std::filesystem::path& path) {

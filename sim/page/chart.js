@@ -1,0 +1,138 @@
+// Live charts of a report, drawn by uPlot, and how keys move in them.
+
+const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
+const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curves than colours
+const height = 420;
+const arrow = 24;  // pixels of a limit's arrow
+const whisker = 4;
+
+const isShown = (axis, value) => Number.isFinite(value) && (!axis.logarithmic || value > 0);
+
+/** The abscissae of all curves, and each curve's points in their places. */
+function alignedPoints(chart) {
+  const x = [...new Set(chart.curves.flatMap((curve) => curve.points.map((point) => point.x)))];
+  x.sort((a, b) => a - b);
+  const place = new Map(x.map((value, i) => [value, i]));
+  const rows = chart.curves.map((curve) => {
+    const row = new Array(x.length).fill(null);
+    for (const point of curve.points) row[place.get(point.x)] = point;
+    return row;
+  });
+  return {x, rows};
+}
+
+function reach(axis, values) {
+  const shown = values.filter((value) => isShown(axis, value));
+  if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
+  const least = Math.min(...shown), greatest = Math.max(...shown);
+  if (axis.logarithmic && least > 0)
+    return [10 ** Math.floor(Math.log10(least)), 10 ** Math.ceil(Math.log10(greatest) - 1e-9)];
+  return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
+}
+
+/** A little beyond the first and the last, so that their marks are seen whole. */
+function padded([from, to], axis) {
+  const margin = 0.02;
+  if (axis.logarithmic) return [from * (to / from) ** -margin, to * (to / from) ** margin];
+  return [from - margin * (to - from), to + margin * (to - from)];
+}
+
+/** Bars for intervals, arrows for limits. */
+function drawIntervals(plot, chart, rows) {
+  const context = plot.ctx;
+  const ratio = window.devicePixelRatio || 1;
+  const {left, top, width, height: tall} = plot.bbox;
+  context.save();
+  context.beginPath();
+  context.rect(left, top, width, tall);
+  context.clip();
+  rows.forEach((row, i) => {
+    if (!plot.series[i + 1].show || chart.curves[i].kind !== 'measured') return;
+    context.strokeStyle = colours[i % colours.length];
+    context.lineWidth = ratio;
+    context.setLineDash([]);
+    context.beginPath();
+    for (const point of row) {
+      if (!point || !(point.high > 0)) continue;
+      const x = plot.valToPos(point.x, 'x', true);
+      const high = plot.valToPos(point.high, 'y', true);
+      const low = point.is_limit ? high + arrow * ratio
+                                 : point.low > 0 ? plot.valToPos(point.low, 'y', true) : top + tall;
+      const side = whisker * ratio;
+      context.moveTo(x - side, high);
+      context.lineTo(x + side, high);
+      context.moveTo(x, high);
+      context.lineTo(x, low);
+      context.moveTo(x - side, low - (point.is_limit ? side : 0));
+      context.lineTo(x, low);
+      context.lineTo(x + side, low - (point.is_limit ? side : 0));
+    }
+    context.stroke();
+  });
+  context.restore();
+}
+
+function seriesOf(chart) {
+  const text = (value) => (value === null || value === undefined ? '-' : value.toPrecision(3));
+  return chart.curves.map((curve, i) => ({
+    label: curve.name,
+    stroke: colours[i % colours.length],
+    dash: curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(i / colours.length) % dashes.length],
+    points: {show: curve.kind === 'measured'},
+    spanGaps: true,
+    value: (plot, value) => text(value),
+  }));
+}
+
+/** Of 1, 2 and 5 times a power of ten alone; others get in each other's way. */
+function logarithmicLabel(value) {
+  if (value === null) return '';
+  const [digit, exponent] = value.toExponential(6).replace(/\.?0+e/, 'e').split('e');
+  if (!['1', '2', '5'].includes(digit)) return '';
+  if (exponent >= -2 && exponent <= 4) return String(Number(value.toPrecision(6)));
+  return digit === '1' ? `1e${Number(exponent)}` : '';
+}
+
+function axisOf(axis) {
+  const ink = getComputedStyle(document.documentElement).getPropertyValue('--ink');
+  const faint = {stroke: 'rgba(128, 128, 128, 0.25)', width: 1};
+  const common = {label: axis.label, stroke: ink, grid: faint, ticks: faint};
+  return axis.logarithmic ? {...common, values: (plot, marks) => marks.map(logarithmicLabel)} : common;
+}
+
+function drawLive(figure, chart) {
+  const {x, rows} = alignedPoints(chart);
+  const values = rows.flat().filter((point) => point).flatMap((point) => [point.y, point.low, point.high]);
+  const whole = {x: padded(reach({}, x), chart.x), y: reach(chart.y, values)};
+  const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
+  const plot = new uPlot({
+    width: figure.clientWidth,
+    height,
+    scales: {
+      x: scale(chart.x, (u, from, to) => (from === x[0] && to === x.at(-1) ? whole.x : [from, to])),
+      y: scale(chart.y, () => whole.y),
+    },
+    axes: [axisOf(chart.x), axisOf(chart.y)],
+    series: [{label: chart.x.label}, ...seriesOf(chart)],
+    hooks: {draw: [(u) => drawIntervals(u, chart, rows)]},
+  }, [x, ...rows.map((row) => row.map((point) => (point && !point.is_limit ? point.y : null)))], figure);
+  listenToKeys(figure, plot, chart.x, whole.x);
+  window.addEventListener('resize', () => plot.setSize({width: figure.clientWidth, height}));
+  return plot;
+}
+
+/** + and - zoom, arrows pan, 0 shows all. */
+function listenToKeys(figure, plot, axis, whole) {
+  const there = axis.logarithmic ? Math.log : (value) => value;
+  const back = axis.logarithmic ? Math.exp : (value) => value;
+  const steps = {'+': [0.25, -0.25], '=': [0.25, -0.25], '-': [-0.5, 0.5],
+                 'ArrowLeft': [-0.2, -0.2], 'ArrowRight': [0.2, 0.2]};
+  figure.addEventListener('keydown', (event) => {
+    if (event.key === '0') plot.setScale('x', {min: whole[0], max: whole[1]});
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const from = there(plot.scales.x.min), to = there(plot.scales.x.max);
+    plot.setScale('x', {min: back(from + step[0] * (to - from)), max: back(to + step[1] * (to - from))});
+  });
+}
