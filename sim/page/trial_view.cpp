@@ -17,21 +17,34 @@ using Json = nlohmann::ordered_json;
 
 constexpr double before_s = 0.01, after_s = 0.03;  // the message
 
+std::size_t shown_first(const TracedMessage& message) { return message.first_wrong().value_or(0); }
+
 /// A stretch of samples, and how many stand for two values.
 struct Stretch {
   std::size_t from, to, step;
 };
 
+std::size_t sample_at(const TracedTrial& trial, double time_s) {
+  return static_cast<std::size_t>(std::clamp(time_s * trial.sample_rate.value, 0.0,
+                                             static_cast<double>(trial.taps.irradiance.size())));
+}
+
 Stretch stretch_of(const TracedTrial& trial, const TracedMessage& message, std::size_t most) {
-  const double rate = trial.sample_rate.value;
-  const auto sample_at = [&](double time_s) {
-    return static_cast<std::size_t>(
-        std::clamp(time_s * rate, 0.0, static_cast<double>(trial.taps.irradiance.size())));
-  };
-  const std::size_t from = sample_at(message.start_s(0) - before_s);
-  const std::size_t to = sample_at(message.end_s() + after_s);
+  const std::size_t from = sample_at(trial, message.start_s(0) - before_s);
+  const std::size_t to = sample_at(trial, message.end_s() + after_s);
   const std::size_t count = to - from;
   return {from, to, count <= most ? 1 : 2 * ((count + most - 1) / most)};
+}
+
+/// Every sample of a character and a little about it, unless these are too many; where `whole` has
+/// every sample, none.
+Stretch detail_of(const TracedTrial& trial, const TracedMessage& message, const Stretch& whole,
+                  std::size_t most) {
+  if (whole.step == 1) return {whole.from, whole.from, 1};
+  const double start_s = message.start_s(shown_first(message)), margin_s = message.character_s / 5;
+  const std::size_t from = sample_at(trial, start_s - margin_s);
+  const std::size_t to = sample_at(trial, start_s + message.character_s + margin_s);
+  return {from, std::min(to, from + most / 2), 1};
 }
 
 std::vector<float> values_of(std::span<const float> samples, const Stretch& stretch) {
@@ -97,6 +110,16 @@ void add_bits(TrialView& view, const TracedTrial& trial, const TracedMessage& me
     }
 }
 
+void add_taps(TrialView& view, const TracedTrial& trial, const Stretch& whole,
+              const Stretch& detail) {
+  for (const Tap& tap : analogue_taps()) {
+    const std::vector<float>& samples = trial.taps.*tap.samples;
+    if (is_recorded(samples))
+      view.taps.push_back({tap.name, tap.long_name, tap.unit, values_of(samples, whole),
+                           values_of(samples, detail)});
+  }
+}
+
 Json marks_json(const std::vector<ViewMark>& marks) {
   Json all = Json::array();
   for (const ViewMark& mark : marks) all.push_back({mark.at_s, mark.text, mark.is_wrong});
@@ -110,18 +133,18 @@ TrialView view_of(const TracedTrial& trial, std::size_t most) {
   const Stretch stretch = stretch_of(trial, message, most);
   const double sample_s = 1 / trial.sample_rate.value, zero_s = message.start_s(0);
   TrialView view;
+  view.stretch = stretch.step;
   view.period_s = stretch.step == 1 ? sample_s : sample_s * static_cast<double>(stretch.step) / 2;
-  view.first_s = (static_cast<double>(stretch.from) + 0.5) * sample_s - zero_s;
-  for (const Tap& tap : analogue_taps())
-    if (is_recorded(trial.taps.*tap.samples))
-      view.taps.push_back(
-          {tap.name, tap.long_name, tap.unit, values_of(trial.taps.*tap.samples, stretch)});
+  view.first_s = static_cast<double>(stretch.from) * sample_s + view.period_s / 2 - zero_s;
+  const Stretch detail = detail_of(trial, message, stretch, most);
+  view.detail_first_s = (static_cast<double>(detail.from) + 0.5) * sample_s - zero_s;
+  add_taps(view, trial, stretch, detail);
   add_wire(view, trial.rx, zero_s, static_cast<double>(stretch.from) * sample_s,
            static_cast<double>(stretch.to) * sample_s);
   add_characters(view, message);
   add_bits(view, trial, message);
   view.message_s = message.end_s() - zero_s;
-  view.byte_from_s = message.start_s(message.first_wrong().value_or(0)) - zero_s;
+  view.byte_from_s = message.start_s(shown_first(message)) - zero_s;
   view.byte_s = message.character_s;
   view.cycle_s = 1 / trial.carrier.value;
   return view;
@@ -136,10 +159,13 @@ std::string view_json(const TrialView& view) {
                     {"unit", tap.unit},
                     {"least", least},
                     {"greatest", greatest},
-                    {"values", quantised(tap.values, least, greatest)}});
+                    {"values", quantised(tap.values, least, greatest)},
+                    {"detail", quantised(tap.detail, least, greatest)}});
   }
   const Json json{{"first_s", view.first_s},
                   {"period_s", view.period_s},
+                  {"stretch", view.stretch},
+                  {"detail_first_s", view.detail_first_s},
                   {"taps", taps},
                   {"wire_begins", view.wire_begins},
                   {"wire_flips_s", view.wire_flips_s},

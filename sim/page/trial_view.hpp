@@ -9,10 +9,11 @@
 namespace sim {
 
 /// Samples, or where they would be too many the least and the greatest of each stretch in turn, so
-/// that no spike is lost.
+/// that no spike is lost; then there are also all samples from a little before the character that
+/// is shown first.
 struct TapValues {
   std::string key, name, unit;
-  std::vector<float> values;
+  std::vector<float> values, detail = {};
 };
 
 struct ViewMark {
@@ -24,6 +25,8 @@ struct ViewMark {
 /// Seconds are since the message began.
 struct TrialView {
   double first_s = 0, period_s = 1;  // of the values
+  std::size_t stretch = 1;           // samples of which two values are kept; 1 where all are
+  double detail_first_s = 0;         // of the detail
   std::vector<TapValues> taps;
   bool wire_begins = true;             // level of the pin at first
   std::vector<double> wire_flips_s;    // of the pin
@@ -34,7 +37,7 @@ struct TrialView {
   double cycle_s = 0;                  // of the carrier
 };
 
-/// Of a trial with taps and a message. At most `most` values a tap.
+/// Of a trial with taps and a message. At most `most` values a tap, and half as many of its detail.
 TrialView view_of(const TracedTrial& trial, std::size_t most = 1'000'000);
 
 /// As JSON. Values in steps of 1/65535 of their range, as base64 of 16-bit numbers (least byte

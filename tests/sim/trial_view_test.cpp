@@ -74,6 +74,45 @@ TEST(TrialView, LosesNoSpikeWhereItKeepsFewerValues) {
   EXPECT_NEAR(time_of(-9), 0.0345, 2 * view.period_s);
 }
 
+TEST(TrialView, KeepsTheSpikesOfTenMillionSamples) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.sample_rate = dsp::Hertz(120e6);
+  trial.taps = {};
+  trial.taps.irradiance.resize(25'000'000, 0.25F);
+  const auto sample_of = [](double time_s) { return static_cast<std::size_t>(time_s * 120e6); };
+  const std::size_t stretch = view_of(trial).stretch, somewhere = sample_of(0.12);
+  EXPECT_EQ(stretch, 22U) << "10.8 million samples, two values of each stretch";
+  const std::size_t apart = 50 * stretch + 1;  // so that each has another place in its stretch
+  for (std::size_t i = 0; i < stretch; ++i)
+    trial.taps.irradiance[somewhere + apart * i] = 1 + static_cast<float>(i);
+  const TrialView view = view_of(trial);
+  const auto& values = view.taps[0].values;
+  EXPECT_LE(values.size(), 1'000'000U);
+  for (std::size_t i = 0; i < stretch; ++i) {
+    const auto spike = std::ranges::find(values, 1 + static_cast<float>(i)) - values.begin();
+    EXPECT_NEAR(view.first_s + static_cast<double>(spike) * view.period_s,
+                0.02 + static_cast<double>(apart * i) / 120e6, 2 * view.period_s)
+        << i;
+  }
+}
+
+TEST(TrialView, KeepsEverySampleAboutTheCharacterThatIsShownFirst) {
+  TracedTrial trial = trial_of("OK\n", "OJ\n");
+  for (std::size_t i = 0; i < trial.taps.irradiance.size(); ++i)
+    trial.taps.irradiance[i] = static_cast<float>(i % 1000);
+  EXPECT_TRUE(view_of(trial).taps[0].detail.empty()) << "all of them have every sample";
+  const TrialView view = view_of(trial, 20'000);
+  ASSERT_GT(view.stretch, 1U);
+  const auto& detail = view.taps[0].detail;
+  const double end_s = view.detail_first_s + static_cast<double>(detail.size()) / rate;
+  EXPECT_LT(view.detail_first_s, view.byte_from_s - view.byte_s / 10);
+  EXPECT_GT(end_s, view.byte_from_s + 1.1 * view.byte_s);
+  const std::size_t first = sample_at(0.1 + view.detail_first_s);
+  for (std::size_t i = 0; i < detail.size(); ++i)
+    ASSERT_EQ(detail[i], trial.taps.irradiance[first + i]) << i;
+  EXPECT_EQ(view_of(trial, 100).taps[0].detail.size(), 50U);
+}
+
 TEST(TrialView, MarksWhatWasMisread) {
   const TrialView view = view_of(trial_of("OK\n", "OJ\n"));
   ASSERT_EQ(view.sent.size(), 3U);
