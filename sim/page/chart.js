@@ -2,7 +2,7 @@
 
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curves than colours
-const height = 420;
+const chartHeight = 420;
 const arrow = 24;  // pixels of a limit's arrow
 const whisker = 4;
 
@@ -93,11 +93,22 @@ function logarithmicLabel(value) {
   return digit === '1' ? `1e${Number(exponent)}` : '';
 }
 
+/** Colours of the style sheet, which are others in the dark. */
+const styled = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
 function axisOf(axis) {
-  const ink = getComputedStyle(document.documentElement).getPropertyValue('--ink');
   const faint = {stroke: 'rgba(128, 128, 128, 0.25)', width: 1};
-  const common = {label: axis.label, stroke: ink, grid: faint, ticks: faint};
+  const common = {label: axis.label, stroke: () => styled('--ink'), grid: faint, ticks: faint};
   return axis.logarithmic ? {...common, values: (plot, marks) => marks.map(logarithmicLabel)} : common;
+}
+
+/** Plots as wide as their figure, in the colours of the day or night; the drawing has a name. */
+function keepUp(figure, plot, height, name) {
+  const canvas = plot.ctx.canvas;
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', name);
+  window.addEventListener('resize', () => plot.setSize({width: figure.clientWidth, height}));
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => plot.redraw());
 }
 
 function drawLive(figure, chart) {
@@ -107,7 +118,7 @@ function drawLive(figure, chart) {
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
-    height,
+    height: chartHeight,
     scales: {
       x: scale(chart.x, (u, from, to) => (from === x[0] && to === x.at(-1) ? whole.x : [from, to])),
       y: scale(chart.y, () => whole.y),
@@ -116,23 +127,44 @@ function drawLive(figure, chart) {
     series: [{label: chart.x.label}, ...seriesOf(chart)],
     hooks: {draw: [(u) => drawIntervals(u, chart, rows)]},
   }, [x, ...rows.map((row) => row.map((point) => (point && !point.is_limit ? point.y : null)))], figure);
-  listenToKeys(figure, plot, chart.x, whole.x);
-  window.addEventListener('resize', () => plot.setSize({width: figure.clientWidth, height}));
-  return plot;
+  keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
+  const view = () => [plot.scales.x.min, plot.scales.x.max];
+  const show = ([min, max]) => plot.setScale('x', {min, max});
+  listenToKeys(figure, {view, show, whole: whole.x, least: 1e-6, axis: chart.x, name: chart.x.label});
 }
 
-/** + and - zoom, arrows pan, 0 shows all. */
-function listenToKeys(figure, plot, axis, whole) {
+/** What a window becomes that grows by shares of itself at both ends: within the whole, not below the least. */
+function moved([from, to], [before, after], [first, last], least) {
+  const wide = Math.min(Math.max((to - from) * (1 + before + after), least * (last - first)), last - first);
+  const begin = (from + to + (after - before) * (to - from) - wide) / 2;
+  const within = Math.min(Math.max(begin, first), last - wide);
+  return [within, within + wide];
+}
+
+/** + and - zoom, arrows pan, 0 shows all. `least`: the narrowest window, as a share of the whole. */
+function listenToKeys(figure, {view, show, whole, least, axis, name}) {
   const there = axis.logarithmic ? Math.log : (value) => value;
   const back = axis.logarithmic ? Math.exp : (value) => value;
-  const steps = {'+': [0.25, -0.25], '=': [0.25, -0.25], '-': [-0.5, 0.5],
-                 'ArrowLeft': [-0.2, -0.2], 'ArrowRight': [0.2, 0.2]};
+  const steps = {'+': [-0.25, -0.25], '=': [-0.25, -0.25], '-': [0.5, 0.5],
+                 'ArrowLeft': [0.2, -0.2], 'ArrowRight': [-0.2, 0.2]};
+  const told = addStatus(figure);
   figure.addEventListener('keydown', (event) => {
-    if (event.key === '0') plot.setScale('x', {min: whole[0], max: whole[1]});
     const step = steps[event.key];
-    if (!step) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || !(step || event.key === '0')) return;
     event.preventDefault();
-    const from = there(plot.scales.x.min), to = there(plot.scales.x.max);
-    plot.setScale('x', {min: back(from + step[0] * (to - from)), max: back(to + step[1] * (to - from))});
+    const next = step && moved(view().map(there), step, whole.map(there), least).map(back);
+    const isAll = !next || next[1] - next[0] >= (1 - 1e-9) * (whole[1] - whole[0]);
+    show(isAll ? whole : next);
+    told.textContent = isAll ? 'All is shown' : `${name}: ${next.map((end) => end.toPrecision(4)).join(' to ')}`;
   });
+}
+
+/** Where a figure says what is shown to who cannot see it. */
+function addStatus(figure) {
+  const told = document.createElement('p');
+  told.className = 'unseen';
+  told.setAttribute('role', 'status');
+  told.setAttribute('aria-live', 'polite');
+  figure.append(told);
+  return told;
 }

@@ -1,22 +1,46 @@
 // Brings a report to life: its tables, and where uPlot is there its charts and trials. Without scripts
 // the still pictures and the tables stay.
 
-document.querySelectorAll('table').forEach(makeSortable);
-if (typeof uPlot !== 'undefined') {
+/** Can be reached by the keyboard, and said by screen readers how to be used. */
+function makeReachable(figure) {
+  figure.classList.add('live');
+  figure.tabIndex = 0;
+  figure.setAttribute('aria-describedby', 'keys');
+}
+
+function addHint() {
   const hint = document.createElement('p');
   hint.className = 'hint';
+  hint.id = 'keys';
   hint.textContent = 'Charts: drag to zoom, double-click for all; by keyboard + and -, arrows, 0 for all.';
   document.querySelector('.verdict').after(hint);
-  const charts = JSON.parse(document.getElementById('charts').textContent);
-  document.querySelectorAll('.chart').forEach((figure, i) => {
-    figure.classList.add('live');
-    figure.tabIndex = 0;
-    drawLive(figure, charts[i]);
+}
+
+/** What is wider than the window is scrolled by the keyboard too. */
+function makeScrollable(box) {
+  const isWide = box.scrollWidth > box.clientWidth;
+  const heading = box.closest('section').querySelector('h2').textContent;
+  for (const [name, value] of Object.entries({tabindex: '0', role: 'region', 'aria-label': `${heading}, to scroll`}))
+    isWide ? box.setAttribute(name, value) : box.removeAttribute(name);
+}
+
+function watchWidths() {
+  const watch = new ResizeObserver((entries) => entries.forEach((entry) => makeScrollable(entry.target)));
+  document.querySelectorAll('.table, pre').forEach((box) => watch.observe(box));
+}
+
+function drawEach(kind, draw) {
+  const data = JSON.parse(document.getElementById(`${kind}s`).textContent);
+  document.querySelectorAll(`.${kind}`).forEach((figure, i) => {
+    makeReachable(figure);
+    draw(figure, data[i], i);
   });
-  const trials = JSON.parse(document.getElementById('trials').textContent);
-  document.querySelectorAll('.trial').forEach((figure, i) => {
-    figure.classList.add('live');
-    figure.tabIndex = 0;
-    drawTrial(figure, trials[i]);
-  });
+}
+
+document.querySelectorAll('table').forEach(makeLive);
+watchWidths();
+if (typeof uPlot !== 'undefined') {
+  addHint();
+  drawEach('chart', drawLive);
+  drawEach('trial', drawTrial);
 }

@@ -1,4 +1,4 @@
-// Tables of a report: sorted by the name above a column, and copied as CSV.
+// Tables of a report: sorted by the name above a column, and copied as CSV (RFC 4180) as they are sorted.
 
 const cellsOf = (row) => [...row.cells].map((cell) => cell.textContent);
 
@@ -22,23 +22,87 @@ function sortBy(table, column) {
 }
 
 function asCsv(table) {
-  const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  return [...table.rows].map((row) => cellsOf(row).map(quoted).join(',')).join('\n') + '\n';
+  const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  return [...table.rows].map((row) => cellsOf(row).map(quoted).join(',') + '\r\n').join('');
 }
 
-function makeSortable(table) {
+/** Shows the text below a table, selected, for who must copy it by hand. */
+function showSelected(below, text) {
+  const area = document.createElement('textarea');
+  area.className = 'csv';
+  area.readOnly = true;
+  area.rows = 8;
+  area.value = text;
+  area.setAttribute('aria-label', 'The table as CSV');
+  below.after(area);
+  area.select();
+  return area;
+}
+
+/** By the browser's older command, which gives what is selected unless told otherwise. */
+function copyBySelection(text) {
+  const give = (event) => {
+    event.clipboardData.setData('text/plain', text);
+    event.preventDefault();
+  };
+  document.addEventListener('copy', give);
+  try {
+    return document.execCommand('copy');
+  } catch {
+    return false;
+  } finally {
+    document.removeEventListener('copy', give);
+  }
+}
+
+/** Where the clipboard is refused or not there, by the older command; else people are shown the text. */
+async function copyAsCsv(table, button, told) {
+  const text = asCsv(table), done = `Copied, rows: ${table.tBodies[0].rows.length}`;
+  told.textContent = '';
+  told.parentElement.querySelector('.csv')?.remove();
+  try {
+    await navigator.clipboard.writeText(text);
+    told.textContent = done;
+  } catch {
+    const area = showSelected(told, text);
+    if (copyBySelection(text)) {
+      area.remove();
+      button.focus();
+      told.textContent = done;
+    } else {
+      told.textContent = 'The browser lets no page copy. The text below is selected: copy it by Ctrl+C (Mac: Cmd+C).';
+    }
+  }
+}
+
+function addCopyButton(table, heading) {
+  const line = document.createElement('div');
+  const button = document.createElement('button');
+  const told = document.createElement('span');  // is there before it says something, for screen readers
+  line.className = 'copy';
+  button.textContent = 'Copy as CSV';
+  button.setAttribute('aria-label', `Copy as CSV: ${heading}`);
+  told.setAttribute('role', 'status');
+  told.setAttribute('aria-live', 'polite');
+  button.addEventListener('click', () => copyAsCsv(table, button, told));
+  line.append(button, ' ', told);
+  table.parentElement.after(line);
+}
+
+/** Names as receiver.range_m may go on in the next line, on paper. */
+function breakable(name) {
+  return name.split(/(?<=[._])/).flatMap((part) => [part, document.createElement('wbr')]).slice(0, -1);
+}
+
+function makeLive(table) {
+  const heading = table.closest('section').querySelector('h2').textContent;
+  table.setAttribute('aria-label', heading);
   [...table.tHead.rows[0].cells].forEach((head, column) => {
     const button = document.createElement('button');
-    button.append(...head.childNodes);
+    button.append(...breakable(head.textContent));
+    head.textContent = '';
     button.addEventListener('click', () => sortBy(table, column));
     head.append(button);
   });
-  const copy = document.createElement('button');
-  copy.className = 'copy';
-  copy.textContent = 'Copy as CSV';
-  copy.addEventListener('click', async () => {
-    await navigator.clipboard.writeText(asCsv(table));
-    copy.textContent = 'Copied';
-  });
-  table.parentElement.after(copy);
+  addCopyButton(table, heading);
 }

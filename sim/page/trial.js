@@ -2,39 +2,95 @@
 
 const tapHeight = 130;
 const mostColumns = 1500;
+const fewestSamples = 8;  // of the narrowest window
 
-/** 16-bit steps of a tap's range, as it was packed. */
-function unpacked(tap) {
-  const bytes = Uint8Array.from(atob(tap.values), (c) => c.charCodeAt(0));
-  const steps = new DataView(bytes.buffer);
-  const scale = (tap.greatest - tap.least) / 65535;
-  return Float32Array.from({length: bytes.length / 2},
-                           (_, i) => tap.least + steps.getUint16(2 * i, true) * scale);
+/** Values of 16 bits, least byte first. */
+function unpacked(text) {
+  const bytes = atob(text);
+  const steps = new Uint16Array(bytes.length / 2);
+  for (let i = 0; i < steps.length; ++i) steps[i] = bytes.charCodeAt(2 * i) + 256 * bytes.charCodeAt(2 * i + 1);
+  return steps;
 }
 
-/** What of a tap is seen in a window; of many values the least and greatest of each column. */
-function seen(trial, values, [from, to]) {
-  const index = (time) => (time - trial.first_s) / trial.period_s;
-  const first = Math.max(0, Math.floor(index(from)) - 1);
-  const last = Math.min(values.length, Math.ceil(index(to)) + 2);
-  const time = (i) => trial.first_s + i * trial.period_s;
-  const x = [], y = [];
-  const step = Math.max(1, Math.floor((last - first) / mostColumns));
+const samplePeriod = (trial) => (trial.stretch > 1 ? 2 * trial.period_s / trial.stretch : trial.period_s);
+
+/** Two grids of a trial's samples: all of it, and where these are stretches every sample about a byte. */
+function gridsOf(trial) {
+  const {first_s, period_s, stretch, detail_first_s} = trial;
+  const whole = {first_s, period_s, stretch};
+  return stretch > 1 ? [whole, {first_s: detail_first_s, period_s: samplePeriod(trial), stretch: 1}] : [whole];
+}
+
+/** Its name, unit and range, and its values on each grid, as steps of that range. */
+function tapOf(tap) {
+  const values = [tap.values, tap.detail].map(unpacked);
+  const scale = (tap.greatest - tap.least) / 65535;
+  return {...tap, values, of: (step) => tap.least + step * scale};
+}
+
+const reachesOver = (grid, count, [from, to]) => grid.first_s <= from && to <= grid.first_s + count * grid.period_s;
+
+/** The values of a tap that lie in a window, on the finer grid where that reaches over it, and in what steps to go. */
+function partOf(grids, tap, view) {
+  const fine = grids.length > 1 && reachesOver(grids[1], tap.values[1].length, view) ? 1 : 0;
+  const {first_s, period_s, stretch} = grids[fine], values = tap.values[fine];
+  const index = (time) => (time - first_s) / period_s;
+  const count = Math.ceil(index(view[1])) + 2 - Math.floor(index(view[0]));
+  const isRoomy = count <= 2 * mostColumns;
+  const step = isRoomy ? Math.min(stretch, 2) : 2 * Math.ceil(count / mostColumns / 2);
+  const first = Math.max(0, step * Math.floor((index(view[0]) - 1) / step));
+  const last = Math.min(values.length, Math.ceil(index(view[1])) + 2);
+  return {values, step, first, last, isBoxes: isRoomy && step > 1, time: (i) => first_s + i * period_s};
+}
+
+/** Calls back with the ends in time of each step, and its least and greatest. */
+function forEachStep(tap, {values, step, first, last, time}, visit) {
   for (let i = first; i < last; i += step) {
-    if (step === 1) {
-      x.push(time(i));
-      y.push(values[i]);
-      continue;
-    }
-    let least = Infinity, greatest = -Infinity;
+    let least = 65535, greatest = 0;
     for (let j = i; j < Math.min(i + step, last); ++j) {
       if (values[j] < least) least = values[j];
       if (values[j] > greatest) greatest = values[j];
     }
-    x.push(time(i), time(i + step / 2));
-    y.push(least, greatest);
+    visit(time(i - 0.5), time(i + step - 0.5), tap.of(least), tap.of(greatest));
   }
+}
+
+/** The curve of a tap in a window: of many values the least and greatest of each column; none where there are boxes. */
+function seen(grids, tap, view) {
+  const part = partOf(grids, tap, view);
+  if (part.isBoxes) return [view, [null, null]];
+  const x = [], y = [];
+  forEachStep(tap, part, (from, to, least, greatest) => {
+    x.push((from + to) / 2);
+    y.push(least);
+    if (part.step === 1) return;
+    x.push(to);
+    y.push(greatest);
+  });
   return [x, y];
+}
+
+/** Stretches of which no more is known than the least and the greatest, where there is room for them. */
+function drawBoxes(plot, grids, taps) {
+  const {ctx, bbox, scales} = plot;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  taps.forEach((tap, k) => {
+    const part = partOf(grids, tap, [scales.x.min, scales.x.max]);
+    if (!part.isBoxes) return;
+    const at = (value, axis) => plot.valToPos(value, axis, true);
+    ctx.fillStyle = ctx.strokeStyle = plot.series[k + 1].stroke();
+    ctx.beginPath();
+    forEachStep(tap, part, (from, to, least, greatest) => (
+      ctx.rect(at(from, 'x'), at(greatest, 'y'), at(to, 'x') - at(from, 'x'), at(least, 'y') - at(greatest, 'y'))));
+    ctx.stroke();
+    ctx.globalAlpha = 0.3;
+    ctx.fill();
+    ctx.globalAlpha = 1;
+  });
+  ctx.restore();
 }
 
 /** The pin as steps. */
@@ -66,11 +122,12 @@ function drawMarks(plot, marks, bits) {
   const fits = bits.length > 0 && shown(bits).length * 14 * ratio < width;
   const list = fits ? shown(bits) : shown(marks);
   if (list.length * 10 * ratio > width) return;
+  const ink = styled('--ink'), wrong = styled('--wrong');
   plot.ctx.save();
   plot.ctx.font = `${13 * ratio}px monospace`;
   plot.ctx.textAlign = 'center';
   for (const [at, text, isWrong] of list) {
-    plot.ctx.fillStyle = isWrong ? '#d03010' : getComputedStyle(document.documentElement).getPropertyValue('--ink');
+    plot.ctx.fillStyle = isWrong ? wrong : ink;
     plot.ctx.fillText(isWrong ? `[${text}]` : text, plot.valToPos(at, 'x', true), top - 5 * ratio, width);
   }
   plot.ctx.restore();
@@ -91,61 +148,85 @@ function millisecondLabels(plot, seconds) {
 
 /** Plots below each other: the light, band-pass and threshold, the others by themselves, the pin. */
 function rowsOf(trial) {
-  const taps = trial.taps.map((tap) => ({...tap, data: unpacked(tap)}));
+  const grids = gridsOf(trial), taps = trial.taps.map(tapOf);
   const row = (members) => ({
     title: members.map((tap) => `${tap.name} [${tap.unit}]`).join('; '),
     range: spanOf(members),
     see: (view) => {
-      const [[x, first], ...others] = members.map((tap) => seen(trial, tap.data, view));
+      const [[x, first], ...others] = members.map((tap) => seen(grids, tap, view));
       return [x, first, ...others.map((other) => other[1])];
     },
+    draw: (plot) => drawBoxes(plot, grids, members),
     marks: [], bits: []});
   const of = (...names) => taps.filter((tap) => names.includes(tap.key));
   const rows = [of('irradiance_mw_per_m2'), of('band_pass_mw_per_m2', 'threshold_mw_per_m2'),
                 of('integrator_samples'), of('agc_gain')].filter((members) => members.length > 0).map(row);
   rows[0].marks = trial.sent;
   rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], see: (view) => seenWire(trial, view),
+             draw: () => {},
              marks: trial.read, bits: trial.bits});
   return rows;
 }
 
-function drawTrial(figure, trial) {
+function drawTrial(figure, trial, number) {
   const whole = [-0.005, trial.message_s + 0.02];
-  const rows = rowsOf(trial);
-  let busy = false;
+  const least = fewestSamples * samplePeriod(trial) / (whole[1] - whole[0]);
+  const rows = rowsOf(trial), plots = [];
+  let asked = whole, shown = whole;
   const show = (view) => {
-    busy = true;
+    asked = view;
+    shown = moved(view, [0, 0], whole, least);
     plots.forEach((plot, i) => {
-      plot.setData(rows[i].see(view), false);
-      plot.setScale('x', {min: view[0], max: view[1]});
+      plot.setData(rows[i].see(shown), false);
+      plot.setScale('x', {min: shown[0], max: shown[1]});
     });
-    busy = false;
   };
-  const moved = (plot, key) => {
-    if (key === 'x' && !busy && plots.length === rows.length) show([plot.scales.x.min, plot.scales.x.max]);
+  const isAt = (plot, [from, to]) => plot.scales.x.min === from && plot.scales.x.max === to;
+  const catchUp = (plot) => {
+    if (!isAt(plot, shown) && !isAt(plot, asked)) show([plot.scales.x.min, plot.scales.x.max]);
   };
-  const plots = [];
-  rows.forEach((row, i) => plots.push(new uPlot({
+  // A plot takes new data only when it has done with the scale that it tells of.
+  const follow = (plot, key) => {
+    if (key === 'x' && plots.length === rows.length) queueMicrotask(() => catchUp(plot));
+  };
+  rows.forEach((row, i) => {
+    plots.push(plotOf(figure, row, i, `trial ${number}`, whole, follow));
+    keepUp(figure, plots[i], tapHeight, `${row.title} over time`);
+  });
+  plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
+  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, name: 'Seconds'});
+  const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
+  const edge = [trial.byte_from_s - 5 * trial.cycle_s, trial.byte_from_s + 25 * trial.cycle_s];
+  addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
+  if (trial.stretch > 1) sayWhatIsKept(figure, trial);
+}
+
+/** Plots of one `sync` are dragged over together. */
+function plotOf(figure, row, number, sync, whole, follow) {
+  return new uPlot({
     title: row.title,
     width: figure.clientWidth,
     height: tapHeight,
     legend: {show: false},
-    cursor: {sync: {key: 'trial'}, drag: {x: true, y: false}, points: {show: false}},
+    cursor: {sync: {key: sync}, drag: {x: true, y: false}, points: {show: false}},
     scales: {x: {time: false, range: (u, from, to) => [from, to]}, y: {range: row.range}},
-    axes: [{...axisOf({}), size: 34, values: millisecondLabels},
+    axes: [{...axisOf({}), size: 34, space: 90, values: millisecondLabels},
            {...axisOf({}), size: 70, space: 18}],
     padding: [row.marks.length > 0 ? 16 : 4, 8, 0, 0],
     series: [{}, ...row.see(whole).slice(1).map((values, k) => (
-      {stroke: colours[(i + 5 * k) % colours.length], width: k > 0 ? 2 : 1, points: {show: false}}))],
-    hooks: {setScale: [moved], draw: [(u) => drawMarks(u, row.marks, row.bits)]},
-  }, row.see(whole), figure)));
-  show(whole);
-  plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
-  listenToKeys(figure, {scales: plots[0].scales, setScale: (key, {min, max}) => show([min, max])}, {}, whole);
-  window.addEventListener('resize', () => plots.forEach((plot) => plot.setSize({width: figure.clientWidth, height: tapHeight})));
-  const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
-  const edge = [trial.byte_from_s - 5 * trial.cycle_s, trial.byte_from_s + 25 * trial.cycle_s];
-  addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
+      {stroke: colours[(number + 5 * k) % colours.length], width: k > 0 ? 2 : 1, points: {show: false}}))],
+    hooks: {setScale: [follow], draw: [row.draw, (u) => drawMarks(u, row.marks, row.bits)]},
+  }, row.see(whole), figure);
+}
+
+function sayWhatIsKept(figure, trial) {
+  const count = unpacked(trial.taps[0].detail).length;
+  const ends = [trial.detail_first_s, trial.detail_first_s + count * samplePeriod(trial)];
+  const note = document.createElement('p');
+  note.className = 'hint';
+  note.textContent = `From ${ends.map((end) => (end * 1e3).toFixed(3)).join(' to ')} ms every sample is kept; ` +
+    `elsewhere the least and the greatest of each ${trial.stretch} samples, which are seen as boxes where there is room.`;
+  figure.before(note);
 }
 
 function addViews(figure, show, views) {

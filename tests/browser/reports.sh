@@ -4,13 +4,11 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 program=$1 scenario=$2 screenshot=$3
-if ! command -v chromedriver >/dev/null || ! /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
-  echo "skipped: needs chromium, chromium-driver and python3-selenium"
-  exit 77
-fi
+# shellcheck source=tests/browser/need_browser.sh
+source "$here/need_browser.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$program" run "$scenario" -q -n 100 -o "$folder/result.h5" >"$folder/table"
 "$program" report "$folder/result.h5" -o "$folder/report.html" >/dev/null
 mkdir -p "$(dirname "$screenshot")"
-/usr/bin/python3 "$here/open_report.py" "$folder/report.html" "$screenshot"
+/usr/bin/python3 -B "$here/open_report.py" "$folder/report.html" "$screenshot"

@@ -1,0 +1,56 @@
+"""Headless Chromium, as a person uses it, for the scripts beside."""
+import pathlib
+import sys
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
+
+def opened(report):
+    """A browser with a report in it."""
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     "--window-size=1100,1400"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    driver = webdriver.Chrome(options=options)
+    driver.get(pathlib.Path(report).resolve().as_uri())
+    return driver
+
+
+def expect(condition, what):
+    if not condition:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).stem}: {what}")
+
+
+def press(driver, button):
+    """Also where it is not seen at the moment."""
+    driver.execute_script("arguments[0].click()", button)
+
+
+def send(driver, *keys):
+    ActionChains(driver).send_keys(*keys).perform()
+
+
+def send_with_control(driver, key):
+    ActionChains(driver).key_down(Keys.CONTROL).send_keys(key).key_up(Keys.CONTROL).perform()
+
+
+def enter(driver, element):
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'}); arguments[0].focus()", element)
+
+
+def image(driver, canvas):
+    return driver.execute_script("return arguments[0].toDataURL()", canvas)
+
+
+def drag_over(driver, plot):
+    width = plot.size["width"]
+    ActionChains(driver).move_to_element_with_offset(plot, -width // 4, 0).click_and_hold() \
+        .move_by_offset(width // 3, 0).release().perform()
+
+
+def expect_no_complaints(driver):
+    wrong = [entry["message"] for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
+    expect(not wrong, f"the browser complains: {wrong}")

@@ -1,0 +1,115 @@
+"""Tables of a report: sorted by their heads, copied as CSV in whatever way the browser allows."""
+import csv
+import io
+
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from browser import enter, expect, press, send, send_with_control
+
+AWKWARD = ['"one"', "two, three", "four\nfive"]  # what CSV must quote, each by itself
+
+
+def cells(driver, table):
+    return driver.execute_script(
+        "return [...arguments[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent))", table)
+
+
+def column(driver, table, index):
+    """Its numbers, or None where one is none."""
+    texts = [row[index] for row in cells(driver, table)[1:]]
+    try:
+        return [float(text.lstrip("<> ").split()[0]) for text in texts]
+    except ValueError:
+        return None
+
+
+def sort_columns(driver, table):
+    """Ends with one in descending order."""
+    buttons = table.find_elements(By.CSS_SELECTOR, "th button")
+    indices = [i for i in range(len(buttons)) if column(driver, table, i) is not None]
+    expect(indices, "a table has no column of numbers")
+    for index in indices:
+        before = column(driver, table, index)
+        for descending in (False, True):
+            press(driver, buttons[index])
+            values = column(driver, table, index)
+            expect(values == sorted(before, reverse=descending), "a table is not sorted by its column")
+
+
+def set_clipboard(driver, setting):
+    for name in ("clipboard-read", "clipboard-write"):
+        driver.execute_cdp_cmd("Browser.setPermission", {"permission": {"name": name}, "setting": setting})
+
+
+def clipboard(driver):
+    """What lies there, in the way of a person who pastes."""
+    set_clipboard(driver, "granted")
+    return driver.execute_async_script(
+        "delete navigator.clipboard; navigator.clipboard.readText().then(arguments[0])")
+
+
+def forget(driver):
+    set_clipboard(driver, "granted")
+    driver.execute_async_script("navigator.clipboard.writeText('').then(arguments[0])")
+
+
+def press_copy(driver, table):
+    """What the page then says of it."""
+    line = table.find_element(By.XPATH, "ancestor::details/div[@class='copy']")
+    driver.execute_script("arguments[0].closest('details').open = true", line)
+    button = line.find_element(By.TAG_NAME, "button")
+    enter(driver, button)
+    send(driver, Keys.ENTER)
+    told = line.find_element(By.CSS_SELECTOR, "[aria-live=polite]")
+    return driver.execute_async_script(
+        """const look = () => (arguments[0].textContent ? arguments[1](arguments[0].textContent) : setTimeout(look, 5));
+           look();""", told)
+
+
+def expect_copied(driver, table, how):
+    expected = cells(driver, table)
+    text = clipboard(driver)
+    expect(list(csv.reader(io.StringIO(text, newline=""))) == expected, f"{how}, CSV is not the table: {text!r}")
+    expect(text.count("\r\n") == len(expected), f"{how}, lines of CSV do not end in CR LF: {text!r}")
+
+
+def copy(driver, table, how):
+    told = press_copy(driver, table)
+    expect(told == f"Copied, rows: {len(cells(driver, table)) - 1}", f"{how}, the page says {told!r}")
+    expect(not table.find_elements(By.XPATH, "ancestor::details//textarea"), f"{how}, the text is left over")
+    expect_copied(driver, table, how)
+
+
+def copy_by_hand(driver, table):
+    told = press_copy(driver, table)
+    expect("Ctrl+C" in told, f"where nothing copies, the page says {told!r}")
+    driver.execute_script("delete document.execCommand")
+    send_with_control(driver, "c")
+    rows = list(csv.reader(io.StringIO(clipboard(driver), newline="")))
+    expect(rows == cells(driver, table), f"what is selected to be copied is not the table: {rows}")
+
+
+def copy_in_all_ways(driver, table):
+    driver.execute_script(
+        "arguments[1].forEach((text, i) => { arguments[0].tBodies[0].rows[0].cells[i].textContent = text; })",
+        table, AWKWARD)
+    copy(driver, table, "by the clipboard")
+    forget(driver)
+    set_clipboard(driver, "denied")
+    copy(driver, table, "where the clipboard is refused")
+    forget(driver)
+    driver.execute_script("Object.defineProperty(navigator, 'clipboard', {value: undefined, configurable: true})")
+    copy(driver, table, "without a clipboard")
+    forget(driver)
+    driver.execute_script("""navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
+        document.execCommand = () => false""")
+    copy_by_hand(driver, table)
+
+
+def use_tables(driver):
+    tables = driver.find_elements(By.CSS_SELECTOR, "table.numbers")
+    expect(tables, "there is no table of numbers")
+    for table in tables:
+        sort_columns(driver, table)
+    copy_in_all_ways(driver, tables[-1])
