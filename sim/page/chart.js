@@ -2,6 +2,9 @@
 
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curves than colours
+const colourOf = (curve) => colours[curve.colour % colours.length];
+const dashOf = (curve) =>
+  (curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(curve.colour / colours.length) % dashes.length]);
 const chartHeight = 420;
 const arrow = 24;  // pixels of a limit's arrow
 const whisker = 4;
@@ -19,6 +22,12 @@ function alignedPoints(chart) {
     return row;
   });
   return {x, rows};
+}
+
+/** All of a point, but of an interval that goes far down no more than two decades below it. */
+function reachOf(point, axis) {
+  const low = axis.logarithmic && point.y !== null ? Math.max(point.low, point.y / 100) : point.low;
+  return [point.y, point.high, low];
 }
 
 function reach(axis, values) {
@@ -48,12 +57,12 @@ function drawIntervals(plot, chart, rows) {
   context.clip();
   rows.forEach((row, i) => {
     if (!plot.series[i + 1].show || chart.curves[i].kind !== 'measured') return;
-    context.strokeStyle = colours[i % colours.length];
+    context.strokeStyle = colourOf(chart.curves[i]);
     context.lineWidth = ratio;
     context.setLineDash([]);
     context.beginPath();
     for (const point of row) {
-      if (!point || !(point.high > 0)) continue;
+      if (!point || !(point.high > 0) || (point.low === point.high && !point.is_limit)) continue;
       const x = plot.valToPos(point.x, 'x', true);
       const high = plot.valToPos(point.high, 'y', true);
       const low = point.is_limit ? high + arrow * ratio
@@ -74,10 +83,10 @@ function drawIntervals(plot, chart, rows) {
 
 function seriesOf(chart) {
   const text = (value) => (value === null || value === undefined ? '-' : value.toPrecision(3));
-  return chart.curves.map((curve, i) => ({
+  return chart.curves.map((curve) => ({
     label: curve.name,
-    stroke: colours[i % colours.length],
-    dash: curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(i / colours.length) % dashes.length],
+    stroke: colourOf(curve),
+    dash: dashOf(curve),
     points: {show: curve.kind === 'measured'},
     spanGaps: true,
     value: (plot, value) => text(value),
@@ -113,7 +122,7 @@ function keepUp(figure, plot, height, name) {
 
 function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
-  const values = rows.flat().filter((point) => point).flatMap((point) => [point.y, point.low, point.high]);
+  const values = rows.flat().filter((point) => point).flatMap((point) => reachOf(point, chart.y));
   const whole = {x: padded(reach({}, x), chart.x), y: reach(chart.y, values)};
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({

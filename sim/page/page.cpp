@@ -87,13 +87,16 @@ const char* curve_kind_name(CurveKind kind) {
 
 std::string chart_json(const Chart& chart) {
   Json curves = Json::array();
-  for (const ChartCurve& curve : chart.curves) {
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const ChartCurve& curve = chart.curves[i];
     Json points = Json::array();
     for (const ChartPoint& p : curve.points)
       points.push_back(
           {{"x", p.x}, {"y", p.y}, {"low", p.low}, {"high", p.high}, {"is_limit", p.is_limit}});
-    curves.push_back(
-        {{"name", curve.name}, {"kind", curve_kind_name(curve.kind)}, {"points", points}});
+    curves.push_back({{"name", curve.name},
+                      {"kind", curve_kind_name(curve.kind)},
+                      {"colour", colour_of(chart, i)},
+                      {"points", points}});
   }
   const Json json{{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -116,6 +116,7 @@ void draw_limit(SvgDrawing& drawing, double x, double y, const std::string& styl
 void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& point,
                    const std::string& style) {
   if (!paper.x.shows(point.x) || !paper.y.shows(point.high)) return;
+  if (point.low == point.high && !point.is_limit) return;
   const double x = paper.x(point.x), high = paper.y(point.high);
   if (point.is_limit) return draw_limit(drawing, x, high, style);
   const double low = paper.y.shows(point.low) ? std::min(paper.y(point.low), bottom) : bottom;

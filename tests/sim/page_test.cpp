@@ -77,6 +77,7 @@ TEST(Page, HasEachLiveChartAsAStillPictureToo) {
   EXPECT_EQ(charts[0]["curves"][0]["points"][0],
             nlohmann::json::parse(R"({"x":1.0,"y":0.1,"low":0.05,"high":0.2,"is_limit":false})"));
   EXPECT_EQ(charts[0]["curves"][0]["points"][1]["is_limit"], true);
+  EXPECT_EQ(charts[0]["curves"][0]["colour"], 0);
   EXPECT_TRUE(charts[0]["curves"][0]["points"][2]["y"].is_null());
 }
 
