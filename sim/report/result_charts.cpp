@@ -76,10 +76,10 @@ std::vector<Chart> result_charts(const ExperimentResult& result) {
 }
 
 std::vector<HeatMap> result_maps(const ExperimentResult& result) {
-  std::vector<double> ratios;
+  std::vector<double> losses;
   for (const PointResult& point : result.points)
-    ratios.push_back(frame_loss_ratio(point.tally, result.ci_level).value);
-  return swept_maps(result.axes, ratios, "Map of frame loss", "frame loss ratio");
+    losses.push_back(frame_loss_ratio(point.tally, result.ci_level).value);
+  return swept_maps(result.axes, losses, "Map of frame loss", "frame loss ratio");
 }
 
 }  // namespace sim
