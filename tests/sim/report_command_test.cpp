@@ -40,6 +40,19 @@ TEST_F(ReportCommand, SaysWhatWasCountedInOneFile) {
   EXPECT_NE(report({"near.h5"}).find("near"), std::string::npos) << "its own reports it replaces";
 }
 
+TEST_F(ReportCommand, ShowsTheFirstTrialThatIsMisread) {
+  run("edge", "receiver.range_m = [12.15]", {"--set", "receiver.module=TSSP4056"});
+  const Outcome traced = program({"trace", "edge.toml", "--set", "receiver.module=TSSP4056",
+                                  "--trial", "0", "-o", "first.vcd"});
+  ASSERT_EQ(traced.code, 0) << traced.err;
+  ASSERT_NE(program({"decode", "first.vcd"}).out.find("  ok  "), std::string::npos)
+      << "the first of all is heard";
+  const std::string page = report({"edge.h5"});
+  EXPECT_NE(page.find("; 1 of them were lost."), std::string::npos);
+  EXPECT_EQ(occurrences(page, "<h2>Trial 0 of point 0</h2>"), 0U);
+  EXPECT_EQ(occurrences(page, " of point 0</h2>"), 1U);
+}
+
 TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   run("one", "receiver.range_m = [1, 11]");
   run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
