@@ -7,14 +7,14 @@
 #include <regex>
 
 #include "occurrences.hpp"
-#include "program.hpp"
+#include "report_case.hpp"
 
 namespace sim {
 namespace {
 
 using Json = nlohmann::json;
 
-class ExperimentReport : public CommandLine {
+class ExperimentReport : public ReportCase {
  protected:
   /// What a run counted.
   Json run(const std::string& name, const std::string& scenario) const {
@@ -22,13 +22,6 @@ class ExperimentReport : public CommandLine {
     const Outcome o = program({"run", name + ".toml", "-q", "--json", "-o", name + ".h5"});
     EXPECT_EQ(o.code, 0) << o.err;
     return Json::parse(o.out);
-  }
-  std::string report(const Words& words) const {
-    Words all{"report", "-o", "r.html"};
-    all.insert(all.end(), words.begin(), words.end());
-    const Outcome o = program(all);
-    EXPECT_EQ(o.code, 0) << o.err;
-    return content(path("r.html"));
   }
   static std::int64_t sum(const Json& run, const std::string& variable) {
     std::int64_t sum = 0;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "protocol/uart.hpp"
+#include "made_up_trial.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_statistics.hpp"
@@ -15,25 +15,8 @@
 namespace sim {
 namespace {
 
-constexpr dsp::Hertz baud(600);
-
-/// One message, 0.1 s after the beginning, that is read otherwise 200 us later.
-TracedTrial trial_of(const std::string& sent, const std::string& read) {
-  TracedTrial trial;
-  trial.baud = baud;
-  const auto send = [](dsp::LogicTrace& wire, const std::string& text, double at_s) {
-    dsp::Seconds at(at_s);
-    for (const char c : text)
-      at = protocol::send_byte(wire, static_cast<std::uint8_t>(c), at, baud);
-    wire.observe_until(dsp::Seconds(0.5));
-  };
-  send(trial.tx, sent, 0.1);
-  send(trial.rx, read, 0.1002);
-  return trial;
-}
-
 FrameStatistics frames_of(const TracedTrial& trial) {
-  FrameStatistics frames{.trials = 1, .character_s = 10 / baud.value};
+  FrameStatistics frames{.trials = 1, .character_s = 10 / made_up_baud.value};
   add_delays(frames.delays, trial);
   add_wrong_bits(frames.wrong, trial, dsp::Seconds(200e-6));
   return frames;
@@ -44,7 +27,7 @@ double most_at(const ChartCurve& curve) {
 }
 
 TEST(FrameStatistics, MeasuresHowLateEachEdgeIs) {
-  const FrameStatistics frames = frames_of(trial_of("OK\n", "OK\n"));
+  const FrameStatistics frames = frames_of(made_up_trial("OK\n", "OK\n"));
   ASSERT_EQ(frames.delays.falling_us.size(), frames.delays.rising_us.size());
   ASSERT_GE(frames.delays.falling_us.size(), 6U);
   for (const auto* delays : {&frames.delays.falling_us, &frames.delays.rising_us})
@@ -58,7 +41,7 @@ TEST(FrameStatistics, MeasuresHowLateEachEdgeIs) {
 }
 
 TEST(FrameStatistics, HasNoDelayOfAnEdgeThatThePinLacks) {
-  TracedTrial trial = trial_of("OK\n", "OK\n");
+  TracedTrial trial = made_up_trial("OK\n", "OK\n");
   trial.rx = dsp::LogicTrace();
   trial.rx.observe_until(dsp::Seconds(0.5));
   const FrameStatistics frames = frames_of(std::move(trial));
@@ -67,7 +50,7 @@ TEST(FrameStatistics, HasNoDelayOfAnEdgeThatThePinLacks) {
 }
 
 TEST(FrameStatistics, SaysWhichBitsAreWrongAndHowManyInARow) {
-  const FrameStatistics frames = frames_of(trial_of("OAK\n", "OFK\n"));
+  const FrameStatistics frames = frames_of(made_up_trial("OAK\n", "OFK\n"));
   EXPECT_EQ(frames.wrong.characters, (std::vector<std::string>{"O", "A", "K", "\\n"}));
   EXPECT_EQ(frames.wrong.counts[1], (std::array<int, 10>{0, 1, 1, 1, 0, 0, 0, 0, 0, 0}))
       << "0x41 and 0x46: bits 0 to 2";
@@ -77,11 +60,11 @@ TEST(FrameStatistics, SaysWhichBitsAreWrongAndHowManyInARow) {
   EXPECT_EQ(map.rows, (std::vector<std::string>{"4: \\n", "3: K", "2: A", "1: O"}));
   EXPECT_EQ(map.values[2][1], 1);
   EXPECT_EQ(most_at(burst_chart(frames).curves[0]), 3);
-  EXPECT_TRUE(frames_of(trial_of("OK\n", "OK\n")).wrong.bursts.empty());
+  EXPECT_TRUE(frames_of(made_up_trial("OK\n", "OK\n")).wrong.bursts.empty());
 }
 
 TEST(FrameStatistics, SaysWhenInAMessageBitsAreWrong) {
-  const Chart chart = settling_chart(frames_of(trial_of("OAK\n", "OFK\n")));
+  const Chart chart = settling_chart(frames_of(made_up_trial("OAK\n", "OFK\n")));
   ASSERT_EQ(chart.curves.at(0).points.size(), 4U);
   EXPECT_NEAR(chart.curves[0].points[1].x, 25, 1e-9) << "ms: the middle of the second of 600 Bd";
   EXPECT_NEAR(chart.curves[0].points[1].y, 0.3, 1e-9) << "three of ten";

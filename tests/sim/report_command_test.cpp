@@ -3,28 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "occurrences.hpp"
-#include "program.hpp"
+#include "report_case.hpp"
 
 namespace sim {
 namespace {
 
-class ReportCommand : public CommandLine {
- protected:
-  void run(const std::string& name, const std::string& sweep, const Words& options = {}) const {
-    write_scenario(name + ".toml", sweep);
-    Words words{"run", name + ".toml", "-q", "-o", name + ".h5"};
-    words.insert(words.end(), options.begin(), options.end());
-    const Outcome o = program(words);
-    ASSERT_EQ(o.code, 0) << o.err;
-  }
-  std::string report(const Words& results) const {
-    Words words{"report", "-o", "r.html"};
-    words.insert(words.end(), results.begin(), results.end());
-    const Outcome o = program(words);
-    EXPECT_EQ(o.code, 0) << o.err;
-    return content(path("r.html"));
-  }
-};
+class ReportCommand : public ReportCase {};
 
 TEST_F(ReportCommand, SaysWhatWasCountedInOneFile) {
   run("near", "receiver.range_m = [1, 11]", {"--set", "device.message=\"IND <b> & OK\""});

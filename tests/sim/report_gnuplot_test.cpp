@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "program.hpp"
+#include "report_case.hpp"
 
 namespace sim {
 namespace {
@@ -32,16 +32,8 @@ class SearchPath {
   std::string before_;
 };
 
-class ReportGnuplot : public CommandLine {
+class ReportGnuplot : public ReportCase {
  protected:
-  void run(const std::string& name, const std::string& sweep, const Words& options = {}) const {
-    write_scenario(name + ".toml", sweep);
-    Words words{"run", name + ".toml", "-q", "-o", name + ".h5"};
-    words.insert(words.end(), options.begin(), options.end());
-    const Outcome o = program(words);
-    ASSERT_EQ(o.code, 0) << o.err;
-  }
-
   bool is_there(const std::string& tool) const {
     return start_tool("sh", {"-c", "command -v " + tool}).finish().code == 0;
   }

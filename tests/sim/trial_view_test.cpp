@@ -8,31 +8,20 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "made_up_trial.hpp"
 #include "occurrences.hpp"
-#include "protocol/uart.hpp"
 #include "sim/page/shown_trial.hpp"
 #include "sim/page/trial_view.hpp"
 
 namespace sim {
 namespace {
 
-constexpr dsp::Hertz baud(600);
 constexpr double rate = 236e3;
 
-/// One message, 0.1 s after the beginning, of which the last character is read otherwise.
 TracedTrial trial_of(const std::string& sent, const std::string& read) {
-  TracedTrial trial;
-  trial.baud = baud;
+  TracedTrial trial = made_up_trial(sent, read);
   trial.carrier = dsp::Hertz(59e3);
   trial.sample_rate = dsp::Hertz(rate);
-  const auto send = [](dsp::LogicTrace& wire, const std::string& text, double at_s) {
-    dsp::Seconds at(at_s);
-    for (const char c : text)
-      at = protocol::send_byte(wire, static_cast<std::uint8_t>(c), at, baud);
-    wire.observe_until(dsp::Seconds(0.5));
-  };
-  send(trial.tx, sent, 0.1);
-  send(trial.rx, read, 0.1002);
   const auto count = static_cast<std::size_t>(0.5 * rate);
   trial.taps = {std::vector<float>(count, 0.25F),
                 std::vector<float>(count, -1),
@@ -121,7 +110,7 @@ TEST(TrialView, MarksWhatWasMisread) {
   EXPECT_TRUE(view.read[1].is_wrong);
   EXPECT_FALSE(view.read[0].is_wrong);
   EXPECT_EQ(view.read[2].text, "\\n");
-  EXPECT_NEAR(view.byte_from_s, 10 / baud.value, 1e-9) << "the second is shown first";
+  EXPECT_NEAR(view.byte_from_s, 10 / made_up_baud.value, 1e-9) << "the second is shown first";
   EXPECT_EQ(view.bits.size(), 30U);
   EXPECT_EQ(std::ranges::count(view.bits, true, &ViewMark::is_wrong), 1)
       << "K and J: the last bit of them";
