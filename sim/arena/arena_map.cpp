@@ -38,10 +38,11 @@ class DeviceCells {
  private:
   std::optional<std::size_t> place_of(const std::string& device) const {
     if (cells_.empty()) return std::nullopt;
-    const auto& names = std::get<std::vector<std::string>>(dimension_named(data_, "device").values);
-    const auto found = std::ranges::find(names, device);
-    if (found == names.end()) return std::nullopt;
-    return point_ * names.size() + static_cast<std::size_t>(found - names.begin());
+    const Dataset::Dimension& names = dimension_named(data_, "device");
+    std::size_t place = 0;
+    while (place < names.size() && value_text(names, place) != device) ++place;
+    if (place == names.size()) return std::nullopt;
+    return point_ * names.size() + place;
   }
 
   const Dataset& data_;

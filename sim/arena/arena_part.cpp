@@ -13,8 +13,6 @@
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/report/swept_maps.hpp"
-#include "sim/report/swept_rows.hpp"
-#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {
@@ -23,10 +21,8 @@ constexpr std::size_t most_maps = 6;
 
 std::string size_of(const Dataset& data) {
   const double sent = DatasetCells(data, "n_messages").sum() - DatasetCells(data, "n_silent").sum();
-  const std::size_t points = measured_points(data).size();
-  return fmt::format("{:.0f} messages were sent in {} runs{}; {:.0f} of them were delivered.\n",
-                     sent, data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "",
-                     DatasetCells(data, "n_delivered").sum());
+  return fmt::format("{:.0f} messages were sent in {}; {:.0f} of them were delivered.\n", sent,
+                     runs_text(data), DatasetCells(data, "n_delivered").sum());
 }
 
 /// "98", "2.1": two digits.
@@ -53,28 +49,10 @@ std::string causes_of(const Dataset& data) {
 }
 
 /// Rows of the devices where there is one point, else of the points.
-ShareBars shares_of(const Dataset& data, const std::vector<CountedFate>& fates) {
-  const SweptRows rows(data.axes);
-  ShareBars bars{.title = "What became of the messages",
-                 .description = "Share of messages by what became of them",
-                 .rows_label = data.axes.empty() ? "device" : rows.head(),
-                 .kinds = {},
-                 .rows = {}};
-  for (const CountedFate& fate : fates) bars.kinds.push_back(fate.words);
-  const Dataset::Variable* first = find_variable(data, fates.front().name);
-  if (first == nullptr) return bars;
-  const std::size_t each = cells_a_point(data, *first);
-  std::vector<DatasetCells> cells;
-  for (const CountedFate& fate : fates) cells.emplace_back(data, fate.name);
-  for (std::size_t i = 0; i < each * count_points(data.axes); ++i) {
-    std::vector<std::uint64_t> counts;
-    for (const DatasetCells& c : cells) counts.push_back(static_cast<std::uint64_t>(c[i]));
-    add_counts(bars,
-               data.axes.empty() ? value_text(dimension_named(data, "device"), i)
-                                 : rows.label(point_coordinates(data.axes, i / each)),
-               counts);
-  }
-  return bars;
+ShareBars shares_of(const Dataset& data, const std::vector<CountedKind>& fates) {
+  const char *title = "What became of the messages", *of = "messages by what became of them";
+  return data.axes.empty() ? element_shares(data, title, of, fates)
+                           : point_shares(data, title, of, fates);
 }
 
 /// Of a sweep its curves come first.
@@ -141,19 +119,19 @@ std::vector<DatasetColumn> point_columns() {
 
 }  // namespace
 
-std::vector<CountedFate> arena_fates() {
-  std::vector<CountedFate> fates;
+std::vector<CountedKind> arena_fates() {
+  std::vector<CountedKind> fates;
   for (const FateName& fate : fate_names)
     fates.push_back({fmt::format("n_{}", fate.name), std::string(fate.words)});
   return fates;
 }
 
 ReportPart part_of_messages(const std::string& name, const StoredDataset& stored,
-                            const std::vector<CountedFate>& fates) {
+                            const std::vector<CountedKind>& fates) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of(data)};
   part.verdict +=
-      extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) + missing_points(data);
+      extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) + missing_points(stored);
   add_charts(part, data);
   add_maps(part, stored);
   part.sections.push_back(shares_section("fates", shares_of(data, fates)));

@@ -3,20 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "sim/page/dataset_shares.hpp"
 #include "sim/page/report_part.hpp"
 #include "sim/result/stored_dataset.hpp"
 
 namespace sim {
 
-/// A fate of messages: the variable that counts it, and its words.
-struct CountedFate {
-  std::string name, words;
-};
-std::vector<CountedFate> arena_fates();
+/// What becomes of messages.
+std::vector<CountedKind> arena_fates();
 
 /// Maps, what became of the messages, frame loss, all devices; `fates` has delivery first.
 ReportPart part_of_messages(const std::string& name, const StoredDataset& stored,
-                            const std::vector<CountedFate>& fates);
+                            const std::vector<CountedKind>& fates);
 
 ReportPart arena_part(const std::string& name, const StoredDataset& stored);
 

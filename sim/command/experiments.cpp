@@ -13,6 +13,7 @@
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_command.hpp"
 #include "sim/guard/guard_part.hpp"
+#include "sim/listening/listening_part.hpp"
 #include "sim/listening/listening_report.hpp"
 #include "sim/location/location_parts.hpp"
 #include "sim/location/trial_commands.hpp"

@@ -36,6 +36,25 @@ std::uint64_t point_to_look_at(const ExperimentResult& result) {
   return static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - result.points.data());
 }
 
+/// The trials of which a point's counts are, as far as their numbers are known: shards that were
+/// added up may leave some out.
+TrialRange counted_trials(const ExperimentResult& result, std::uint64_t point,
+                          const Scenario& scenario) {
+  const auto most = static_cast<std::uint64_t>(scenario.stop.max_frames);
+  const std::uint64_t begin = trials_of(result.shards.front(), most).first;
+  return {begin, begin + result.points[point].tally.n_frames};
+}
+
+void look_closer(LinkReport& link, const StoredResult& stored, const Workers& workers) {
+  const std::uint64_t point = point_to_look_at(stored.result);
+  const Scenario scenario = numbered_point(stored.scenario, point);
+  const TrialRange counted = counted_trials(stored.result, point, scenario);
+  link.frames = look_at_frames(scenario, counted, workers);
+  link.frames.are_all &= stored.result.shards.size() == 1;
+  link.trial = trial_to_show(
+      stored, point, link.frames.first_misread.value_or(static_cast<std::uint32_t>(counted.first)));
+}
+
 ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
@@ -43,12 +62,7 @@ ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   LinkReport link;
   link.name = name_of(path, request.results);
   link.omissions = leave_out(stored.scenario, stored.result, workers);
-  if (const std::uint64_t point = point_to_look_at(stored.result);
-      !is_weighted(stored.result) && !workers.interrupted()) {
-    link.frames = look_at_frames(numbered_point(stored.scenario, point),
-                                 stored.result.points[point].tally.n_frames, workers);
-    link.trial = trial_to_show(stored, point, link.frames.first_misread.value_or(0));
-  }
+  if (!is_weighted(stored.result) && !workers.interrupted()) look_closer(link, stored, workers);
   link.result = std::move(stored.result);
   return link_part(link);
 }

@@ -116,7 +116,7 @@ void add_merge(CLI::App& app, MergeRequest& request) {
 void add_report(CLI::App& app, ReportRequest& request) {
   auto& report = *app.add_subcommand(
       "report", "Show results as pictures and tables in one HTML file that needs nothing else");
-  add_place(report, "RESULT", request.results, "", "result files (.h5) of links")->required();
+  add_place(report, "RESULT", request.results, "", "result files (.h5) that run wrote")->required();
   add_place(report, "-o,--output", request.output, "FILE",
             "file to write; report.html if not given");
   add_place(report, "--svg", request.pictures.svg, "DIR", "put each picture there too, as SVG");

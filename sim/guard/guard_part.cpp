@@ -13,8 +13,8 @@ namespace sim {
 namespace {
 
 /// Those of an arena; what was delivered goes on to the base station.
-std::vector<CountedFate> guard_fates() {
-  std::vector<CountedFate> fates = arena_fates();
+std::vector<CountedKind> guard_fates() {
+  std::vector<CountedKind> fates = arena_fates();
   fates.front() = {"n_known", "known to the base station"};
   fates.push_back({"n_replaced", "replaced by a newer one"});
   fates.push_back({"n_sharedlink_lost", "lost by SharedLink"});

@@ -1,12 +1,14 @@
+#include "sim/listening/listening_part.hpp"
+
 #include <fmt/format.h>
 
-#include "sim/listening/listening_report.hpp"
+#include <utility>
+
 #include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_shares.hpp"
 #include "sim/page/dataset_words.hpp"
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
-#include "sim/report/swept_rows.hpp"
-#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {
@@ -20,32 +22,11 @@ std::string size_of(const Dataset& data) {
       DatasetCells(data, "n_frames_false").sum(), DatasetCells(data, "n_frames_undetected").sum());
 }
 
-struct LineKind {
-  const char *name, *words;
-};
-constexpr LineKind kinds[] = {{"n_frames_ok", "accepted as sent"},
-                              {"n_frames_undetected", "accepted while another was sent"},
-                              {"n_frames_false", "accepted though none was sent"},
-                              {"n_rejected", "refused"}};
-
-ShareBars lines_of(const Dataset& data) {
-  const SweptRows rows(data.axes);
-  ShareBars bars{.title = "What became of the lines that ended",
-                 .description = "Lines that the decoder read to their end, by what it made of them",
-                 .rows_label = rows.head(),
-                 .kinds = {},
-                 .rows = {}};
-  std::vector<DatasetCells> cells;
-  for (const LineKind& kind : kinds) {
-    bars.kinds.emplace_back(kind.words);
-    cells.emplace_back(data, kind.name);
-  }
-  for (std::size_t i = 0; i < cells.front().size(); ++i) {
-    std::vector<std::uint64_t> counts;
-    for (const DatasetCells& c : cells) counts.push_back(static_cast<std::uint64_t>(c[i]));
-    add_counts(bars, rows.label(point_coordinates(data.axes, i)), counts);
-  }
-  return bars;
+std::vector<CountedKind> line_kinds() {
+  return {{"n_frames_ok", "accepted as sent"},
+          {"n_frames_undetected", "accepted while another was sent"},
+          {"n_frames_false", "accepted though none was sent"},
+          {"n_rejected", "refused"}};
 }
 
 std::vector<DatasetColumn> columns() {
@@ -67,14 +48,16 @@ ReportPart listening_part(const std::string& name, const StoredDataset& stored) 
   ReportPart part{name, data.title,
                   size_of(data) +
                       extremes(data, "false_per_hour", "The rate of false accepts", " an hour") +
-                      missing_points(data)};
+                      missing_points(stored)};
   for (const auto& [variable, title] :
        {std::pair{"false_per_hour", "False accepts"}, {"undetected_per_hour", "Undetected errors"}})
     add_chart(part, swept_chart(data, {.name = variable,
                                        .title = title,
                                        .label = "an hour of line",
                                        .logarithmic = true}));
-  part.sections.push_back(shares_section("lines", lines_of(data)));
+  part.sections.push_back(shares_section(
+      "lines", point_shares(data, "What became of the lines that ended",
+                            "lines by what the decoder made of them", line_kinds())));
   add_closing(part, data, columns());
   return part;
 }

@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "sim/listening/listening_experiment.hpp"
-#include "sim/page/report_part.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/result/dataset.hpp"
-#include "sim/result/stored_dataset.hpp"
 
 namespace sim {
 
@@ -17,9 +15,6 @@ std::string listening_row(const LoadedScenario& scenario, const ListeningPoint& 
 
 Dataset listening_dataset(const LoadedScenario& scenario, const std::string& command,
                           const std::vector<ListeningPoint>& points);
-
-/// What a result brings to a report.
-ReportPart listening_part(const std::string& name, const StoredDataset& stored);
 
 /// Runs a scenario: table on stdout, all of it in a file. What is finished when an interrupt comes
 /// is in both.

@@ -10,11 +10,11 @@
 #include "sim/location/location_parts.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_shares.hpp"
 #include "sim/page/dataset_words.hpp"
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/picture/floor_plan.hpp"
-#include "sim/report/swept_rows.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -33,22 +33,17 @@ std::string size_of(const Dataset& data) {
 }
 
 ShareBars outcomes_of(const Dataset& data) {
-  const SweptRows rows(data.axes);
   const Dataset::Dimension& outcomes = dimension_named(data, "outcome");
-  ShareBars bars{.title = "What locating came to",
-                 .description = "Share of the trials by their outcome",
-                 .rows_label = rows.head(),
-                 .kinds = {},
-                 .rows = {}};
-  for (std::size_t i = 0; i < outcomes.size(); ++i) bars.kinds.push_back(value_text(outcomes, i));
+  std::vector<std::string> kinds;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) kinds.push_back(value_text(outcomes, i));
   const DatasetCells cells(data, "n_outcomes");
-  for (std::size_t point = 0; point < count_points(data.axes); ++point) {
-    std::vector<std::uint64_t> counts;
-    for (std::size_t i = 0; i < outcomes.size(); ++i)
-      counts.push_back(static_cast<std::uint64_t>(cells[point * outcomes.size() + i]));
-    add_counts(bars, rows.label(point_coordinates(data.axes, point)), counts);
-  }
-  return bars;
+  return point_shares(data, "What locating came to", "the trials by their outcome", kinds,
+                      [&](std::size_t point) {
+                        std::vector<std::uint64_t> counts;
+                        for (std::size_t i = 0; i < outcomes.size(); ++i)
+                          counts.push_back(cells.count(point * outcomes.size() + i));
+                        return counts;
+                      });
 }
 
 /// Each receiver once, though it stands there at many points.
@@ -78,8 +73,7 @@ FloorPlan plan_of(const StoredDataset& stored) {
   const Dataset& data = stored.data;
   FloorPlan plan{.title = "How well it is located",
                  .description =
-                     "Devices (rings) and receivers (arrowheads) from above, and where the "
-                     "first trials located them (dots); each ellipse "
+                     "Devices (rings) and receivers (arrowheads) from above; each ellipse "
                      "is that of the Cramer-Rao bound, within which 95 % of the best "
                      "estimates lie"};
   const DatasetCells major(data, "ellipse_major_m"), minor(data, "ellipse_minor_m"),
@@ -103,6 +97,7 @@ FloorPlan plan_of(const StoredDataset& stored) {
   plan.receivers = receivers.all();
   if (located.dots.empty()) return plan;
   located.label = fmt::format("where {} trials located it", located.dots.size());
+  plan.description += "; dots are where the first trials located it";
   plan.dots.push_back(std::move(located));
   return plan;
 }
@@ -111,7 +106,7 @@ PageSection map_of(const StoredDataset& stored) {
   const FloorPlan plan = plan_of(stored);
   return {
       .heading = plan.title,
-      .text = "Ellipses of more than the size of all this are left out.",
+      .text = "Ellipses with a half axis of more than the size of all the rest are left out.",
       .picture = PagePicture{"map", plan.description, floor_plan_as_svg(plan)},
       .table = dataset_table(stored.data, {{"ellipse_major_m", "longer half axis [m]"},
                                            {"ellipse_minor_m", "shorter half axis [m]"},
@@ -136,7 +131,7 @@ ReportPart location_part(const std::string& name, const StoredDataset& stored) {
   ReportPart part{name, data.title, size_of(data)};
   part.verdict += extremes(data, "rmse_m", "The rms error of the located ones", " m") +
                   extremes(data, "error_over_bound", "Over the Cramer-Rao bound it") +
-                  missing_points(data);
+                  missing_points(stored);
   part.first.push_back(map_of(stored));
   add_charts(part, data);
   part.sections.push_back(shares_section("outcomes", outcomes_of(data)));

@@ -19,38 +19,53 @@ std::string size_of(const Dataset& data) {
                      data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "");
 }
 
-/// Where a measured curve is at `surely` or more: from where to where.
+/// The longest stretch of points at which a curve is at `surely` or more.
 struct Span {
   std::string curve;
-  double from, to;
+  double from = 0, to = 0;
+  double length() const { return to - from; }
 };
 
 std::optional<Span> span_of(const ChartCurve& curve) {
-  std::optional<Span> span;
+  std::optional<Span> longest, now;
   for (const ChartPoint& point : curve.points) {
-    if (point.y < surely) continue;
-    if (!span) span = {curve.name, point.x, point.x};
-    span->to = point.x;
+    if (point.y < surely) {
+      now.reset();
+      continue;
+    }
+    if (!now) now = {curve.name, point.x, point.x};
+    now->to = point.x;
+    if (!longest || now->length() >= longest->length()) longest = now;
   }
-  return span;
+  return longest;
 }
 
 std::string in_words(const Span& span, const ChartAxis& x) {
-  return fmt::format("{} from {:g} to {:g} ({})", x.label, span.from, span.to, span.curve);
+  return span.from == span.to
+             ? fmt::format("{} {:g} ({})", x.label, span.from, span.curve)
+             : fmt::format("{} from {:g} to {:g} ({})", x.label, span.from, span.to, span.curve);
 }
 
-/// The widest and the narrowest of all curves.
+/// The widest of all curves, and how that of the others is less.
 std::string detected_where(const Chart& chart) {
   std::vector<Span> spans;
-  for (const ChartCurve& curve : chart.curves)
-    if (curve.kind == CurveKind::measured)
-      if (const auto span = span_of(curve)) spans.push_back(*span);
-  if (spans.empty()) return "Nowhere is the device noticed in 90 % of the windows or more.\n";
-  const auto [narrowest, widest] =
-      std::ranges::minmax_element(spans, {}, [](const Span& s) { return s.to - s.from; });
+  std::size_t nowhere = 0;
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::measured) continue;
+    if (const auto span = span_of(curve))
+      spans.push_back(*span);
+    else
+      ++nowhere;
+  }
+  if (spans.empty())
+    return "At no point that was measured is the device noticed in 90 % of the windows or more.\n";
+  const auto [narrowest, widest] = std::ranges::minmax_element(spans, {}, &Span::length);
   std::string text = fmt::format("The device is noticed in 90 % of the windows or more at {}",
                                  in_words(*widest, chart.x));
-  if (narrowest != widest) text += fmt::format(", but only at {}", in_words(*narrowest, chart.x));
+  if (nowhere > 0)
+    text += fmt::format(", but nowhere by {} of {} curves", nowhere, nowhere + spans.size());
+  else if (narrowest->length() < widest->length())
+    text += fmt::format(", but only at {}", in_words(*narrowest, chart.x));
   return text + ".\n";
 }
 
@@ -77,7 +92,7 @@ ReportPart presence_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of(data)};
   add_charts(part, data);
-  part.verdict += missing_points(data);
+  part.verdict += missing_points(stored);
   part.sections.push_back({.heading = "Detections and false alarms",
                            .table = dataset_table(data, {{"p_detection", "detected"},
                                                          {"p_detection_theory", "in theory"},

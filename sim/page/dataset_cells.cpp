@@ -14,7 +14,7 @@ std::vector<double> cells_of(const Dataset& data, const std::string& name) {
   return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
 }
 
-bool is_whole(const Dataset& data, const std::string& name) {
+bool are_counts(const Dataset& data, const std::string& name) {
   const Dataset::Variable* variable = find_variable(data, name);
   return variable != nullptr && std::holds_alternative<std::vector<std::int64_t>>(variable->values);
 }
@@ -25,7 +25,16 @@ DatasetCells::DatasetCells(const Dataset& data, const std::string& name)
     : values_(cells_of(data, name)),
       lows_(cells_of(data, name + "_ci_low")),
       highs_(cells_of(data, name + "_ci_high")),
-      is_whole_(is_whole(data, name)) {}
+      are_counts_(are_counts(data, name)) {}
+
+double DatasetCells::operator[](std::size_t i) const {
+  return i < values_.size() ? values_[i] : std::nan("");
+}
+
+std::uint64_t DatasetCells::count(std::size_t i) const {
+  const double value = (*this)[i];
+  return value > 0 && value < 9e18 ? static_cast<std::uint64_t>(value) : 0;
+}
 
 double DatasetCells::sum() const {
   double sum = 0;
@@ -38,7 +47,7 @@ std::string DatasetCells::text(std::size_t i) const {
   if (i >= values_.size() || std::isnan(values_[i])) return "-";
   if (i < lows_.size() && i < highs_.size())
     return estimate_text({values_[i], lows_[i], highs_[i]});
-  return is_whole_ ? fmt::format("{:.0f}", values_[i]) : fmt::format("{:.4g}", values_[i]);
+  return are_counts_ ? fmt::format("{:.0f}", values_[i]) : fmt::format("{:.4g}", values_[i]);
 }
 
 }  // namespace sim

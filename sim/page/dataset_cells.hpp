@@ -1,5 +1,6 @@
 #pragma once
 // The cells of one variable of a dataset, as numbers and as texts.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,10 @@ class DatasetCells {
 
   bool empty() const { return values_.empty(); }
   std::size_t size() const { return values_.size(); }
-  /// NaN where nothing is known.
-  double operator[](std::size_t i) const { return values_[i]; }
+  /// NaN where nothing is known, be it that the file lacks it.
+  double operator[](std::size_t i) const;
+  /// A whole number; 0 where nothing is known.
+  std::uint64_t count(std::size_t i) const;
   /// Of those that are known.
   double sum() const;
   /// "0.12 [0.1, 0.15]", "14"; "-" where nothing is known.
@@ -23,7 +26,7 @@ class DatasetCells {
 
  private:
   std::vector<double> values_, lows_, highs_;
-  bool is_whole_ = false;
+  bool are_counts_ = false;
 };
 
 }  // namespace sim

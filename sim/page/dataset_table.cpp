@@ -35,16 +35,16 @@ std::vector<std::string> elements_at(const Dataset& data, const Dataset::Variabl
 
 /// Counts of 0 are what a device has at points where it is not.
 bool is_known(const DatasetCells& cells, std::size_t i) {
-  return i < cells.size() && std::isfinite(cells[i]) && cells[i] != 0;
+  return std::isfinite(cells[i]) && cells[i] != 0;
 }
 
 }  // namespace
 
-PageTable dataset_table(const Dataset& data, std::vector<DatasetColumn> columns) {
+std::optional<PageTable> dataset_table(const Dataset& data, std::vector<DatasetColumn> columns) {
   std::erase_if(columns, [&](const DatasetColumn& column) {
     return find_variable(data, column.name) == nullptr;
   });
-  if (columns.empty()) return {};
+  if (columns.empty()) return std::nullopt;
   const Dataset::Variable& first = *find_variable(data, columns.front().name);
   PageTable table = empty_table(data, first, columns);
   std::vector<DatasetCells> cells;

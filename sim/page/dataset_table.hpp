@@ -1,5 +1,6 @@
 #pragma once
 // A table of a dataset's variables for a report.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct DatasetColumn {
 
 /// A row for each point and for each element of the dimensions that the first column's variable
 /// has; the others are on the same. Rows of which nothing is known are left out, and columns that
-/// the dataset does not have.
-PageTable dataset_table(const Dataset& data, std::vector<DatasetColumn> columns);
+/// the dataset does not have. Nothing where it has none of them.
+std::optional<PageTable> dataset_table(const Dataset& data, std::vector<DatasetColumn> columns);
 
 }  // namespace sim

@@ -4,18 +4,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
+namespace {
+
+/// Of each point.
+DatasetCells runs_of(const Dataset& data) {
+  const DatasetCells runs(data, "n_runs");
+  return runs.empty() ? DatasetCells(data, "n_trials") : runs;
+}
+
+/// Runs or trials that a point is to have.
+double wanted_runs(const Scenario& scenario) {
+  const std::pair<const char*, double> wanted[] = {
+      {"arena", scenario.arena.runs},         {"guard", scenario.arena.runs},
+      {"sharedlink", scenario.exchange.runs}, {"presence", scenario.presence.trials},
+      {"location", scenario.location.trials}, {"listening", scenario.listening.runs}};
+  for (const auto& [experiment, runs] : wanted)
+    if (scenario.experiment == experiment) return runs;
+  return 0;
+}
+
+/// Cells of a variable as they are compared: where nothing was found by the interval's upper end.
+class Compared {
+ public:
+  Compared(const Dataset& data, const std::string& name)
+      : cells_(data, name), highs_(data, name + "_ci_high") {}
+
+  std::vector<std::size_t> known() const {
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if (!std::isnan(cells_[i])) known.push_back(i);
+    return known;
+  }
+  std::pair<double, double> operator()(std::size_t i) const {
+    return {cells_[i], std::isnan(highs_[i]) ? 0 : highs_[i]};
+  }
+  std::string text(std::size_t i) const { return cells_.text(i); }
+
+ private:
+  DatasetCells cells_, highs_;
+};
+
+/// Where several points are as little, or as great.
+std::string at_all(const Dataset& data, std::size_t known) {
+  const std::size_t points = count_points(data.axes);
+  if (points == 1) return "";
+  return known == points ? " at all points"
+                         : fmt::format(" at the {} of {} points that were measured", known, points);
+}
+
+}  // namespace
 
 std::vector<std::size_t> measured_points(const Dataset& data) {
-  DatasetCells runs(data, "n_runs");
-  if (runs.empty()) runs = DatasetCells(data, "n_trials");
+  const DatasetCells runs = runs_of(data);
   std::vector<std::size_t> measured;
-  for (std::size_t i = 0; i < runs.size(); ++i)
+  for (std::size_t i = 0; i < std::min(runs.size(), count_points(data.axes)); ++i)
     if (runs[i] > 0) measured.push_back(i);
   return measured;
 }
@@ -24,28 +74,40 @@ std::string place_text(const Dataset& data, std::size_t point) {
   return other_values(data.axes, {}, point_coordinates(data.axes, point));
 }
 
+std::string runs_text(const Dataset& data) {
+  const std::size_t points = measured_points(data).size();
+  return fmt::format("{} run{}{}", data.n_runs, data.n_runs == 1 ? "" : "s",
+                     points > 1 ? fmt::format(" at {} points", points) : "");
+}
+
 std::string extremes(const Dataset& data, const std::string& name, const std::string& what,
                      const std::string& unit) {
-  const DatasetCells cells(data, name);
-  std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (!std::isnan(cells[i])) known.push_back(i);
+  const Compared cells(data, name);
+  const std::vector<std::size_t> known = cells.known();
   if (known.empty()) return "";
-  const auto [least, greatest] =
-      std::ranges::minmax_element(known, {}, [&](std::size_t i) { return cells[i]; });
-  if (cells[*least] == cells[*greatest])
+  const auto [least, greatest] = std::ranges::minmax_element(known, {}, cells);
+  if (cells(*least) == cells(*greatest))
     return fmt::format("{} is {}{}{}.\n", what, cells.text(*least), unit,
-                       known.size() > 1 ? " at all points" : "");
+                       at_all(data, known.size()));
   return fmt::format("{} is least at {}: {}{}, and greatest at {}: {}{}.\n", what,
                      place_text(data, *least), cells.text(*least), unit,
                      place_text(data, *greatest), cells.text(*greatest), unit);
 }
 
-std::string missing_points(const Dataset& data) {
-  const std::size_t all = count_points(data.axes), measured = measured_points(data).size();
-  if (measured == all) return "";
-  return fmt::format("The run was interrupted: {} of {} points were not finished.\n",
-                     all - measured, all);
+std::string missing_points(const StoredDataset& stored) {
+  const Dataset& data = stored.data;
+  const DatasetCells runs = runs_of(data);
+  const std::size_t points = count_points(data.axes);
+  std::size_t unfinished = 0, untouched = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double wanted =
+        wanted_runs(point_scenario(stored.scenario, point_coordinates(data.axes, i)));
+    if (!(runs[i] >= wanted)) ++unfinished;
+    if (!(runs[i] > 0)) ++untouched;
+  }
+  if (unfinished == 0) return "";
+  return fmt::format("The run was interrupted: {} of {} points were not finished{}.\n", unfinished,
+                     points, untouched > 0 ? fmt::format(", {} of them not begun", untouched) : "");
 }
 
 }  // namespace sim

@@ -2,10 +2,12 @@
 // What is said of a dataset in words: sentences for the answer on top of a report, each ended by a
 // newline, or empty where there is nothing to say.
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "sim/result/dataset.hpp"
+#include "sim/result/stored_dataset.hpp"
 
 namespace sim {
 
@@ -15,12 +17,16 @@ std::vector<std::size_t> measured_points(const Dataset& data);
 /// "receiver.range_m = 2"; empty of a single point.
 std::string place_text(const Dataset& data, std::size_t point);
 
+/// "8 runs at 3 points", "1 run": all that were done.
+std::string runs_text(const Dataset& data);
+
 /// Of a variable that has one cell a point: "Frame loss is 0.12 [0.1, 0.15]." Of a sweep where it
-/// is least and where it is greatest. `unit` stands behind the numbers.
+/// is least and where it is greatest; where nothing was found, by the upper end. `unit` stands
+/// behind the numbers.
 std::string extremes(const Dataset& data, const std::string& name, const std::string& what,
                      const std::string& unit = "");
 
-/// How many points were not finished.
-std::string missing_points(const Dataset& data);
+/// How many points were not finished, as they have fewer runs or trials than the scenario asks for.
+std::string missing_points(const StoredDataset& stored);
 
 }  // namespace sim

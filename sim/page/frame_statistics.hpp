@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/picture/chart.hpp"
-#include "sim/picture/heat_map.hpp"
+#include "sim/counting/shard.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/run_sharing.hpp"
 #include "sim/trace/trace.hpp"
@@ -37,9 +36,9 @@ struct FrameStatistics {
   std::optional<std::uint32_t> first_misread{};  // number of the trial
 };
 
-/// Of the first of `counted` trials of the point that `scenario` is: all of them, but no more than
+/// Of the `counted` trials of the point that `scenario` is: all of them, but no more than the first
 /// 400, nor more than about 1e9 samples, and 20 at least. Worth nothing after an interrupt.
-FrameStatistics look_at_frames(const Scenario& scenario, std::uint64_t counted,
+FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& counted,
                                const Workers& workers);
 
 /// Adds those of a trial's last message. An edge that the pin lacks, or has more than half a bit
@@ -47,14 +46,5 @@ FrameStatistics look_at_frames(const Scenario& scenario, std::uint64_t counted,
 void add_delays(EdgeDelays& delays, const TracedTrial& trial);
 
 void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay);
-
-/// Share of wrong bits by character and slot.
-HeatMap wrong_bits_map(const FrameStatistics& frames);
-/// The same by the time since the message began: what the gain control, which settles, costs.
-Chart settling_chart(const FrameStatistics& frames);
-/// How often so many wrong bits followed each other.
-Chart burst_chart(const FrameStatistics& frames);
-/// Histogram of the delays; empty curves where there are none.
-Chart jitter_chart(const FrameStatistics& frames);
 
 }  // namespace sim

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/page/frame_charts.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/report/closing_lines.hpp"

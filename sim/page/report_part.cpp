@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "sim/page/picture_sections.hpp"
@@ -20,7 +21,10 @@ void add_chart(std::vector<Chart>& charts, Chart chart) {
 }
 
 void say_whose(ReportPart& part) {
-  part.verdict = part.name + ": " + part.verdict;
+  std::string verdict;
+  std::istringstream lines(part.verdict);
+  for (std::string line; std::getline(lines, line);) verdict += part.name + ": " + line + "\n";
+  part.verdict = verdict;
   for (auto* sections : {&part.first, &part.sections})
     for (PageSection& section : *sections) section.heading += " of " + part.name;
   for (Chart& chart : part.charts)

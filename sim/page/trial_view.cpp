@@ -71,7 +71,8 @@ std::string quantised(const std::vector<float>& values, float least, float great
   bytes.reserve(2 * values.size());
   const float scale = greatest > least ? steps / (greatest - least) : 0;
   for (const float value : values) {
-    const auto step = static_cast<std::uint16_t>(std::lround((value - least) * scale));
+    const float within = std::clamp(value, least, greatest);  // a detail may reach beyond the whole
+    const auto step = static_cast<std::uint16_t>(std::lround((within - least) * scale));
     bytes.push_back(static_cast<unsigned char>(step & 0xff));
     bytes.push_back(static_cast<unsigned char>(step >> 8));
   }

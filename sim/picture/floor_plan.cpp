@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -23,13 +22,15 @@ constexpr double disc = 3, tip = 17, corner = 8, dot = 1.2, track = 5;
 
 std::string colour_of(std::size_t colour) { return fmt::format("curve{}", colour % 6 + 1); }
 
+bool is_somewhere(PlanPoint p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
+
 /// The rectangle that covers points.
 struct Extent {
   double x_least = std::numeric_limits<double>::infinity(), x_greatest = -x_least;
   double y_least = x_least, y_greatest = -x_least;
 
   void cover(PlanPoint p) {
-    if (!std::isfinite(p.x_m) || !std::isfinite(p.y_m)) return;
+    if (!is_somewhere(p)) return;
     x_least = std::min(x_least, p.x_m), x_greatest = std::max(x_greatest, p.x_m);
     y_least = std::min(y_least, p.y_m), y_greatest = std::max(y_greatest, p.y_m);
   }
@@ -71,7 +72,7 @@ std::vector<PlanEllipse> drawn_ellipses(const FloorPlan& plan) {
   extent.widen();
   std::vector<PlanEllipse> drawn;
   for (const PlanEllipse& e : plan.ellipses)
-    if (e.semi_major_m <= extent.size()) drawn.push_back(e);
+    if (e.semi_major_m <= extent.size() && is_somewhere(e.centre)) drawn.push_back(e);
   return drawn;
 }
 
@@ -160,6 +161,7 @@ void draw_label(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground)
 }
 
 void draw_device(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground) {
+  if (!is_somewhere(mark.at)) return;
   const SvgPoint at = ground(mark.at);
   const std::string colour = colour_of(mark.colour);
   if (mark.heading)
@@ -170,6 +172,7 @@ void draw_device(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground
 }
 
 void draw_receiver(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground) {
+  if (!is_somewhere(mark.at)) return;
   const SvgPoint at = ground(mark.at);
   const double heading = mark.heading.value_or(M_PI / 2);
   drawing.path(move_to(beside(at, heading, 1.5 * corner)) +
@@ -187,6 +190,7 @@ void draw_dots(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground)
     std::set<std::pair<long, long>> drawn;
     std::string path;
     for (const PlanDots::Dot& each : plan.dots[kind].dots) {
+      if (!is_somewhere(each.at)) continue;
       const SvgPoint at = beside(ground(each.at), each.heading + M_PI / 2, side);
       if (drawn.emplace(std::lround(at.x), std::lround(at.y)).second) path += circle(at, dot);
     }

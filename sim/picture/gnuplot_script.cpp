@@ -189,7 +189,8 @@ const char* terminal_name(PaperFormat format) {
 
 std::string gnuplot_script(const std::string& svg, PaperFormat format) {
   pugi::xml_document document;
-  document.load_buffer(svg.data(), svg.size());
+  if (!document.load_buffer(svg.data(), svg.size()))
+    throw std::logic_error("a drawing is not whole");
   const pugi::xml_node drawing = document.child("svg");
   const StyleSheet sheet(drawing.child_value("style"));
   Script script(format, drawing.attribute("width").as_double(),

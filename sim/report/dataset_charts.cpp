@@ -45,17 +45,21 @@ struct DrawnCells {
         highs(cells(data, drawn.name + "_ci_high")),
         theory(cells(data, drawn.theory)) {}
 
-  ChartPoint point(double x, std::size_t i) const {
+  /// Of what a linear axis shows, nothing found is a point at 0.
+  ChartPoint point(double x, std::size_t i, bool logarithmic) const {
     const double y = values[i];
     if (i >= lows.size() || i >= highs.size()) return {x, y, y, y};
-    return {.x = x, .y = y, .low = lows[i], .high = highs[i], .is_limit = y == 0 && highs[i] > 0};
+    return {.x = x,
+            .y = y,
+            .low = lows[i],
+            .high = highs[i],
+            .is_limit = logarithmic && y == 0 && highs[i] > 0};
   }
 
   /// Adds a cell to the curve of that name, and to its theory.
   void add_to(Chart& chart, const std::string& name, double x, std::size_t i) const {
-    if (std::isfinite(values[i]))
-      curve_of(chart, name.empty() ? "measured" : name, CurveKind::measured)
-          .points.push_back(point(x, i));
+    ChartCurve& measured = curve_of(chart, name.empty() ? "measured" : name, CurveKind::measured);
+    if (std::isfinite(values[i])) measured.points.push_back(point(x, i, chart.y.logarithmic));
     if (i < theory.size() && std::isfinite(theory[i]))
       curve_of(chart, joined(name, "theory"), CurveKind::theory)
           .points.push_back({x, theory[i], theory[i], theory[i]});
@@ -91,7 +95,7 @@ std::optional<Chart> swept_chart(const Dataset& data, const DrawnVariable& drawn
     cells.add_to(chart, joined(other_values(data.axes, {over}, at), elements[i % elements.size()]),
                  at[over], i);
   }
-  sort_points(chart);
+  settle(chart);
   return chart;
 }
 
@@ -108,7 +112,7 @@ std::optional<Chart> dimension_chart(const Dataset& data, const DrawnVariable& d
     cells.add_to(chart,
                  other_values(data.axes, {}, point_coordinates(data.axes, i / places->size())),
                  (*places)[i % places->size()], i);
-  sort_points(chart);
+  settle(chart);
   return chart;
 }
 

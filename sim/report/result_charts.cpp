@@ -50,15 +50,15 @@ Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ra
     if (!measured(point)) continue;
     const double x = point.coordinates[over];
     const Estimate estimate = ratio.estimate(point.tally, result.ci_level);
-    if (!std::isnan(estimate.value))
-      curve_of(chart, curve_name(result.axes, over, point, false), CurveKind::measured)
-          .points.push_back(chart_point(x, estimate));
+    ChartCurve& curve =
+        curve_of(chart, curve_name(result.axes, over, point, false), CurveKind::measured);
+    if (!std::isnan(estimate.value)) curve.points.push_back(chart_point(x, estimate));
     const double theory = ratio.theory == nullptr ? std::nan("") : point.operating.*ratio.theory;
     if (!std::isnan(theory))
       curve_of(chart, curve_name(result.axes, over, point, true), CurveKind::theory)
           .points.push_back({x, theory, theory, theory});
   }
-  sort_points(chart);
+  settle(chart);
   return chart;
 }
 

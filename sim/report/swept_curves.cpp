@@ -49,8 +49,14 @@ ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind) {
   return chart.curves.emplace_back(ChartCurve{name, {}, kind});
 }
 
-void sort_points(Chart& chart) {
-  for (ChartCurve& curve : chart.curves) std::ranges::stable_sort(curve.points, {}, &ChartPoint::x);
+void settle(Chart& chart) {
+  std::vector<ChartCurve>& curves = chart.curves;
+  for (ChartCurve& curve : curves) std::ranges::stable_sort(curve.points, {}, &ChartPoint::x);
+  for (std::size_t i = curves.size(); i-- > 0;) {
+    const bool has_theory = i + 1 < curves.size() && curves[i + 1].kind == CurveKind::theory;
+    if (curves[i].points.empty() && !has_theory)
+      curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 }  // namespace sim

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "sim/failure.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/text/digest.hpp"
 #include "sim/text/existing_file.hpp"
@@ -137,7 +137,9 @@ std::vector<double> numbers_of(const Dataset::Variable& variable) {
 const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name) {
   const auto found =
       std::ranges::find(data.dimensions, name, [](const auto& d) { return d.facts.name; });
-  assert(found != data.dimensions.end());
+  if (found == data.dimensions.end())
+    throw bad_input("the result", fmt::format("it has no dimension {}: it is damaged", name),
+                    "choose another file");
   return *found;
 }
 

@@ -53,7 +53,7 @@ const Dataset::Variable* find_variable(const Dataset& data, const std::string& n
 /// Its cells, row-major.
 std::vector<double> numbers_of(const Dataset::Variable& variable);
 
-/// The dimension of that name, which there is to be.
+/// The dimension of that name. Throws bad_input where there is none: a file may be damaged.
 const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name);
 
 /// An element of a dimension: its text, or the number in up to six digits.

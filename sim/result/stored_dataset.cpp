@@ -78,10 +78,23 @@ bool has_all_cells(const Dataset& data, const Dataset::Variable& variable) {
              (variable.on_axes ? count_points(data.axes) : 1) * cells_a_point(data, variable);
 }
 
-bool is_whole(const Dataset& data, const NetcdfReader& file, const std::string& digested) {
+bool has_all_cells(const Dataset& data) {
   return std::ranges::all_of(data.variables,
-                             [&](const auto& v) { return has_all_cells(data, v); }) &&
-         (digested.empty() || dataset_digest(data) == file.text("result_digest"));
+                             [&](const auto& variable) { return has_all_cells(data, variable); });
+}
+
+void check(const StoredDataset& stored, const NetcdfReader& file, const std::string& digested,
+           const std::filesystem::path& path) {
+  const auto refuse = [&](const char* why) {
+    throw bad_input(path.string(), std::string(why) + ": it is damaged", "choose another file");
+  };
+  if (file.text("experiment") != stored.scenario.base.experiment)
+    refuse("its scenario is of another experiment");
+  if (!has_all_cells(stored.data)) refuse("its variables do not fit its sweep");
+  if (!find_variable(stored.data, "n_runs") && !find_variable(stored.data, "n_trials"))
+    refuse("it does not say how many runs it has");
+  if (!digested.empty() && dataset_digest(stored.data) != file.text("result_digest"))
+    refuse("its counts do not fit its digest");
 }
 
 /// Runs or trials of all points.
@@ -89,7 +102,7 @@ std::uint64_t runs_in(const Dataset& data) {
   double sum = 0;
   for (const char* name : {"n_runs", "n_trials"})
     if (const Dataset::Variable* variable = find_variable(data, name))
-      for (const double runs : numbers_of(*variable)) sum += runs;
+      for (const double runs : numbers_of(*variable)) sum += std::max(runs, 0.0);
   return static_cast<std::uint64_t>(sum);
 }
 
@@ -104,9 +117,7 @@ StoredDataset read_dataset(const std::filesystem::path& path) {
   read_variables(file, stored.data);
   const std::string digested = file.text("digest_variables", "");  // older files do not have it
   put_in_order(stored.data, words_of(digested));
-  if (!is_whole(stored.data, file, digested))
-    throw bad_input(path.string(), "its cells do not fit its digest: it is damaged",
-                    "choose another file");
+  check(stored, file, digested, path);
   stored.data.n_runs = runs_in(stored.data);
   return stored;
 }

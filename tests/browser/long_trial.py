@@ -38,7 +38,7 @@ def values_of(tap):
 
 
 def with_spike(report, spiked):
-    """Of the light, all values in the lower half of the range, but for one. Also the detail."""
+    """Of the light, all values in the lower half of the range, but for one."""
     html = pathlib.Path(report).read_text()
     begin, end, trials = trials_in(html)
     trial, light = trials[0], trials[0]["taps"][0]

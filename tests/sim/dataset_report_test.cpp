@@ -5,6 +5,7 @@
 
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
+#include "sim/page/dataset_shares.hpp"
 #include "sim/page/dataset_table.hpp"
 #include "sim/page/dataset_words.hpp"
 #include "sim/report/dataset_charts.hpp"
@@ -61,6 +62,22 @@ TEST(DatasetCharts, DrawAVariableOverTheWidestAxis) {
   EXPECT_EQ(theory.points.at(2).y, 0.4);
 }
 
+TEST(DatasetCharts, KeepATheoryBesideWhatItIsTheTheoryOf) {
+  Dataset data = swept();
+  data.variables[1].values = Reals{nan, nan, nan, 0, 0.9, nan};
+  data.variables[4].values = Reals{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  const DrawnVariable drawn{.name = "loss", .title = "t", .label = "l", .theory = "law"};
+  const Chart chart = swept_chart(data, drawn).value();
+  ASSERT_EQ(chart.curves.size(), 4U) << "one of nothing, but its theory";
+  EXPECT_EQ(chart.curves[1].name, "presence.detector = goertzel, theory");
+  EXPECT_EQ(colour_of(chart, 1), 0U);
+  EXPECT_EQ(colour_of(chart, 3), 1U);
+  EXPECT_FALSE(curve(chart, "presence.detector = dc").points.at(0).is_limit)
+      << "0 has a place on a linear axis";
+  data.variables[4].values = Reals(6, nan);
+  EXPECT_EQ(swept_chart(data, drawn).value().curves.size(), 1U);
+}
+
 TEST(DatasetCharts, ACurveForEachElementOfADimension) {
   const auto chart = swept_chart(swept(), {.name = "age", .title = "t", .label = "l"});
   ASSERT_TRUE(chart);
@@ -111,19 +128,22 @@ TEST(SweptMaps, AMapForEachOtherValue) {
 }
 
 TEST(DatasetTable, ARowForEachPointAndElement) {
-  const PageTable points = dataset_table(
-      swept(), {{"n_runs", "runs"}, {"none", "not there"}, {"loss", "loss"}, {"law", "law"}});
+  const PageTable points =
+      dataset_table(swept(),
+                    {{"n_runs", "runs"}, {"none", "not there"}, {"loss", "loss"}, {"law", "law"}})
+          .value();
   EXPECT_EQ(points.head, (std::vector<std::string>{"presence.detector", "receiver.range_m [m]",
                                                    "runs", "loss", "law"}));
   ASSERT_EQ(points.rows.size(), 5U) << "one was never reached";
   EXPECT_EQ(points.rows[0], (std::vector<std::string>{"goertzel", "1", "4", "< 1.0e-2", "0.01"}));
   EXPECT_EQ(points.rows[4],
             (std::vector<std::string>{"dc", "3", "4", "0.900 [0.800, 0.950]", "-"}));
-  const PageTable senders = dataset_table(swept(), {{"n_sent", "sent"}, {"age", "age [s]"}});
+  const PageTable senders =
+      dataset_table(swept(), {{"n_sent", "sent"}, {"age", "age [s]"}}).value();
   EXPECT_EQ(senders.head.at(2), "sender");
   ASSERT_EQ(senders.rows.size(), 10U);
   EXPECT_EQ(senders.rows[3], (std::vector<std::string>{"goertzel", "3", "B", "4", "4"}));
-  EXPECT_TRUE(dataset_table(swept(), {{"none", ""}}).head.empty());
+  EXPECT_FALSE(dataset_table(swept(), {{"none", ""}}));
 }
 
 TEST(DatasetWords, SayWhereItIsLeastAndGreatest) {
@@ -136,15 +156,80 @@ TEST(DatasetWords, SayWhereItIsLeastAndGreatest) {
   EXPECT_EQ(extremes(one, "age", "Age", " s"), "Age is 1.25 s.\n");
   Dataset same = swept();
   same.variables[4].values = Reals{2, 2, 2, 2, 2, nan};
+  EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at the 5 of 6 points that were measured.\n");
+  same.variables[4].values = Reals(6, 2);
   EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at all points.\n");
+}
+
+TEST(DatasetWords, CompareByTheUpperEndWhereNothingWasFound) {
+  Dataset data = swept();
+  data.variables[1].values = Reals(6, 0);
+  data.variables[2].values = Reals(6, 0);
+  data.variables[3].values = Reals{0.1, 0.1, 0.1, 0.3, 0.1, 0.1};
+  EXPECT_EQ(extremes(data, "loss", "Loss"),
+            "Loss is least at presence.detector = goertzel, receiver.range_m = 1: < 1.0e-1, and "
+            "greatest at presence.detector = dc, receiver.range_m = 1: < 3.0e-1.\n");
+}
+
+/// A presence of two points, each with so many trials.
+StoredDataset stored_with(const Counts& trials) {
+  StoredDataset stored{
+      parse_scenario("experiment = \"presence\"\n[presence]\ntrials = 20\n[sweep]\n"
+                     "receiver.range_m = [1, 2]\n",
+                     "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"}),
+      {}};
+  stored.data = dataset_of(stored.scenario, "c");
+  stored.data.variables = {{{"n_trials", "1", ""}, true, {}, trials}};
+  return stored;
 }
 
 TEST(DatasetWords, SayWhatIsMissing) {
   EXPECT_EQ(measured_points(swept()), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(missing_points(swept()), "The run was interrupted: 1 of 6 points were not finished.\n");
-  Dataset whole = swept();
-  whole.variables[0].values = Counts(6, 1);
-  EXPECT_EQ(missing_points(whole), "");
+  EXPECT_EQ(missing_points(stored_with({20, 20})), "");
+  EXPECT_EQ(missing_points(stored_with({20, 19})),
+            "The run was interrupted: 1 of 2 points were not finished.\n");
+  EXPECT_EQ(missing_points(stored_with({5, 0})),
+            "The run was interrupted: 2 of 2 points were not finished, 1 of them not begun.\n");
+}
+
+TEST(DatasetWords, SayHowManyRuns) {
+  Dataset data = swept();
+  data.n_runs = 20;
+  EXPECT_EQ(runs_text(data), "20 runs at 5 points");
+  Dataset one;
+  one.n_runs = 1;
+  EXPECT_EQ(runs_text(one), "1 run");
+}
+
+TEST(DatasetShares, AreOfThePointsThatWereMeasured) {
+  const ShareBars bars = point_shares(swept(), "t", "all", {{"n_sent", "sent"}, {"none", "none"}});
+  ASSERT_EQ(bars.rows.size(), 5U);
+  EXPECT_EQ(bars.rows[1].label, "goertzel, 3");
+  EXPECT_EQ(bars.rows[1].counts, (std::vector<std::uint64_t>{7, 0})) << "both senders";
+  EXPECT_EQ(bars.kinds, (std::vector<std::string>{"sent", "none"}));
+}
+
+TEST(DatasetShares, JoinWhatWouldBeTooManyKinds) {
+  const std::vector<std::string> kinds(12, "k");
+  const ShareBars bars = point_shares(
+      swept(), "t", "all", kinds, [](std::size_t) { return std::vector<std::uint64_t>(12, 1); });
+  EXPECT_EQ(bars.kinds.size(), 9U);
+  EXPECT_EQ(bars.kinds.back(), "all others");
+  EXPECT_EQ(bars.rows.at(0).counts.size(), 9U);
+  EXPECT_EQ(bars.rows[0].counts.back(), 4U);
+}
+
+TEST(DatasetShares, HaveARowForEachElementOfASinglePoint) {
+  Dataset data;
+  data.dimensions = swept().dimensions;
+  data.variables = {{{"n", "1", ""}, true, {"sender"}, Counts{3, -4}},
+                    {{"m", "1", ""}, true, {"sender"}, Reals{nan, 2}}};
+  const ShareBars bars = element_shares(data, "t", "all", {{"n", "n"}, {"m", "m"}});
+  ASSERT_EQ(bars.rows.size(), 2U);
+  EXPECT_EQ(bars.rows[0].label, "A");
+  EXPECT_EQ(bars.rows[0].counts, (std::vector<std::uint64_t>{3, 0}));
+  EXPECT_EQ(bars.rows[1].counts, (std::vector<std::uint64_t>{0, 2})) << "no count is below 0";
+  EXPECT_TRUE(element_shares(data, "t", "all", {{"none", ""}}).rows.empty());
 }
 
 TEST(DatasetCells, SumWhatIsKnown) {

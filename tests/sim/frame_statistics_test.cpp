@@ -9,7 +9,7 @@
 #include "made_up_trial.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/loading/load_scenario.hpp"
-#include "sim/page/frame_statistics.hpp"
+#include "sim/page/frame_charts.hpp"
 #include "sim/result/unfinished.hpp"
 
 namespace sim {
@@ -101,7 +101,8 @@ TEST(FrameStatistics, AreOfTheBitsThatWereCounted) {
     const Tally tally = run_experiment(scenario, unfinished(scenario, ""), {}).points.at(0).tally;
     ASSERT_GT(tally.n_bit_errors, 0U);
     ASSERT_EQ(tally.n_frames, 44U);
-    const FrameStatistics frames = look_at_frames(scenario.base, tally.n_frames, {.threads = 2});
+    const FrameStatistics frames =
+        look_at_frames(scenario.base, {0, tally.n_frames}, {.threads = 2});
     EXPECT_EQ(frames.trials, 44);
     EXPECT_TRUE(frames.are_all);
     EXPECT_EQ(static_cast<std::uint64_t>(wrong_bits(frames)), tally.n_bit_errors);
@@ -111,10 +112,31 @@ TEST(FrameStatistics, AreOfTheBitsThatWereCounted) {
   }
 }
 
+TEST(FrameStatistics, AreOfAShardsOwnTrials) {
+  const LoadedScenario scenario = failing_link("");
+  const auto bits = [&](std::uint64_t first, std::uint64_t last) {
+    return wrong_bits(look_at_frames(scenario.base, {first, last}, {.threads = 2}));
+  };
+  EXPECT_EQ(bits(0, 24) + bits(24, 44), bits(0, 44));
+  EXPECT_NE(bits(24, 44), bits(0, 20));
+  EXPECT_GE(look_at_frames(scenario.base, {24, 44}, {}).first_misread.value(), 24U);
+}
+
+TEST(FrameStatistics, AHistogramHasAnEnd) {
+  FrameStatistics frames{.trials = 1};
+  frames.delays.falling_us.assign(1000, 200.0);
+  frames.delays.falling_us.push_back(80e3);
+  const Chart chart = jitter_chart(frames);
+  EXPECT_LT(chart.curves.at(0).points.size(), 2000U);
+  double edges = 0;
+  for (const ChartPoint& point : chart.curves[0].points) edges += point.y;
+  EXPECT_EQ(edges, 1001) << "none is lost";
+}
+
 TEST(FrameStatistics, DoNotDependOnThreads) {
   const LoadedScenario scenario = failing_link("");
-  const FrameStatistics one = look_at_frames(scenario.base, 30, {.threads = 1}),
-                        three = look_at_frames(scenario.base, 30, {.threads = 3});
+  const FrameStatistics one = look_at_frames(scenario.base, {0, 30}, {.threads = 1}),
+                        three = look_at_frames(scenario.base, {0, 30}, {.threads = 3});
   EXPECT_EQ(one.wrong.counts, three.wrong.counts);
   EXPECT_EQ(one.delays.falling_us, three.delays.falling_us);
   EXPECT_EQ(one.first_misread, three.first_misread);
@@ -122,11 +144,11 @@ TEST(FrameStatistics, DoNotDependOnThreads) {
 
 TEST(FrameStatistics, LookAtNoMoreThanWillDo) {
   const LoadedScenario scenario = failing_link("");
-  const FrameStatistics first = look_at_frames(scenario.base, 100'000, {.threads = 2});
+  const FrameStatistics first = look_at_frames(scenario.base, {0, 100'000}, {.threads = 2});
   EXPECT_EQ(first.trials, 400);
   EXPECT_FALSE(first.are_all);
   EXPECT_NE(jitter_chart(first).description.find("the first 400 trials"), std::string::npos);
-  EXPECT_EQ(look_at_frames(scenario.base, 0, {}).trials, 0);
+  EXPECT_EQ(look_at_frames(scenario.base, {8, 8}, {}).trials, 0);
 }
 
 }  // namespace

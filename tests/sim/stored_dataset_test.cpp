@@ -119,14 +119,15 @@ TEST_F(StoredDatasetTest, RefusesCountsThatDoNotFitTheDigest) {
   ASSERT_NE(at, std::string::npos);
   bytes[at] = '\x07';
   write(bytes);
-  expect_refused("its cells do not fit its digest: it is damaged");
+  expect_refused("its counts do not fit its digest: it is damaged");
 }
 
 /// As by a program that wrote less into its files, or more than there is room for.
 class ForeignFile : public StoredDatasetTest {
  protected:
   void write_file(const std::vector<double>& ranges, const std::vector<std::string>& dimensions,
-                  std::size_t cells) const {
+                  std::size_t cells, const char* experiment = "presence",
+                  const char* counted = "n_runs") const {
     NetcdfFile file(experiment_result_type, {"cosys-sim", "1", "c"});
     const std::vector<double> heard(4, 1);
     const std::vector<std::int64_t> counts(cells, 1);
@@ -134,9 +135,10 @@ class ForeignFile : public StoredDatasetTest {
     file.add_dimension({"presence_detector", "", ""}, std::span<const std::string>(detectors));
     file.add_dimension({"receiver_range_m", "m", ""}, std::span<const double>(ranges));
     file.add_dimension({"heard", "", ""}, std::span<const double>(heard));
-    file.add_variable({"n_runs", "1", ""}, dimensions, std::span<const std::int64_t>(counts));
+    file.add_variable({counted, "1", ""}, dimensions, std::span<const std::int64_t>(counts));
     for (const char* name : {"title", "command"}) file.set_user_text("/", name, "t");
     file.set_user_text("/", "scenario_toml", scenario_of(scenario_text).text);
+    file.set_text("/", "experiment", experiment);
     const std::uint64_t seed = 1;
     file.set_numbers("/", "seed", std::span<const std::uint64_t>(&seed, 1));
     write(file.image());
@@ -152,11 +154,18 @@ TEST_F(ForeignFile, WithoutDigestIsReadAsItIs) {
 
 TEST_F(ForeignFile, OnAxesThatAreNotTheScenariosIsRefused) {
   write_file({1, 2, 3}, {"receiver_range_m"}, 3);
-  expect_refused("it is damaged");
+  expect_refused("its variables do not fit its sweep: it is damaged");
   write_file({1, 2, 3, 4}, {"presence_detector", "receiver_range_m"}, 8);
   expect_refused("it is damaged");
   write_file({1, 2, 3}, {"presence_detector", "receiver_range_m"}, 6);
   EXPECT_TRUE(read_dataset(file_).data.variables.at(0).on_axes);
+}
+
+TEST_F(ForeignFile, OfAnotherExperimentThanItsScenarioIsRefused) {
+  write_file({1, 2, 3}, {"heard"}, 4, "arena");
+  expect_refused("its scenario is of another experiment: it is damaged");
+  write_file({1, 2, 3}, {"heard"}, 4, "presence", "n_others");
+  expect_refused("it does not say how many runs it has: it is damaged");
 }
 
 TEST_F(StoredDatasetTest, RefusesWhatIsNone) {

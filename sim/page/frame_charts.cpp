@@ -1,0 +1,126 @@
+#include "sim/page/frame_charts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+
+namespace sim {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// What is further out than that from the median is counted where the histogram ends.
+constexpr long most_steps = 1000;
+
+/// A frequency polygon: how many are in each step, at its middle.
+ChartCurve histogram(const std::string& name, const std::vector<double>& delays_us,
+                     double step_us) {
+  std::map<long, int> counts;
+  const long middle = std::lround(std::floor(median(delays_us) / step_us));
+  for (const double delay : delays_us)
+    ++counts[std::clamp(std::lround(std::floor(delay / step_us)), middle - most_steps,
+                        middle + most_steps)];
+  ChartCurve curve{.name = name, .points = {}, .kind = CurveKind::continuous};
+  if (counts.empty()) return curve;
+  for (long bin = counts.begin()->first - 1; bin <= counts.rbegin()->first + 1; ++bin) {
+    const auto found = counts.find(bin);
+    const double count = found == counts.end() ? 0 : found->second;
+    curve.points.push_back({(static_cast<double>(bin) + 0.5) * step_us, count, count, count});
+  }
+  return curve;
+}
+
+/// Of as many microseconds that there are some tens of them, but for those far out.
+double step_for(const EdgeDelays& delays) {
+  std::vector<double> all = delays.falling_us;
+  all.insert(all.end(), delays.rising_us.begin(), delays.rising_us.end());
+  if (all.empty()) return 1;
+  std::ranges::sort(all);
+  constexpr double steps = 40;
+  const std::size_t far_out = all.size() / 50;
+  return std::max(1.0, std::ceil((all[all.size() - 1 - far_out] - all[far_out]) / steps));
+}
+
+/// "all 400 trials that were counted", "the first 400 trials".
+std::string trials_text(const FrameStatistics& frames) {
+  return frames.are_all ? fmt::format("all {} trials that were counted", frames.trials)
+                        : fmt::format("the first {} trials", frames.trials);
+}
+
+}  // namespace
+
+HeatMap wrong_bits_map(const FrameStatistics& frames) {
+  HeatMap map{.title = "Wrong bits",
+              .description = fmt::format("share of {} in which a bit is wrong at the pin, by its "
+                                         "character, from the first above, and its place in it",
+                                         trials_text(frames)),
+              .x_label = "bit, in the order of sending",
+              .y_label = "character",
+              .columns = {"start", "0", "1", "2", "3", "4", "5", "6", "7", "stop"},
+              .rows = {},
+              .values = {}};
+  for (std::size_t i = frames.wrong.characters.size(); i-- > 0;) {
+    map.rows.push_back(fmt::format("{}: {}", i + 1, frames.wrong.characters[i]));
+    std::vector<double>& shares = map.values.emplace_back();
+    for (const int count : frames.wrong.counts[i])
+      shares.push_back(static_cast<double>(count) / std::max(1, frames.trials));
+  }
+  return map;
+}
+
+Chart settling_chart(const FrameStatistics& frames) {
+  ChartCurve curve{.name = "wrong bits", .points = {}, .kind = CurveKind::continuous};
+  for (std::size_t i = 0; i < frames.wrong.counts.size(); ++i) {
+    const auto& counts = frames.wrong.counts[i];
+    const double share = std::accumulate(counts.begin(), counts.end(), 0.0) /
+                         static_cast<double>(counts.size()) / std::max(1, frames.trials);
+    curve.points.push_back(
+        {(static_cast<double>(i) + 0.5) * frames.character_s * 1e3, share, share, share});
+  }
+  return {.title = "Wrong bits since the message began",
+          .description = fmt::format("Share of the bits of a character that are wrong, at its "
+                                     "middle, of {}: what settles in a message shows here",
+                                     trials_text(frames)),
+          .x = {"time since the message began [ms]", false},
+          .y = {"share of wrong bits", false},
+          .curves = {curve}};
+}
+
+Chart burst_chart(const FrameStatistics& frames) {
+  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::continuous};
+  const std::vector<int>& bursts = frames.wrong.bursts;
+  for (std::size_t n = 0; n <= bursts.size() + 1; ++n) {  // from nothing to nothing
+    const double count = n == 0 || n > bursts.size() ? 0 : bursts[n - 1];
+    curve.points.push_back({static_cast<double>(n), count, count, count});
+  }
+  return {.title = "Bursts of wrong bits",
+          .description = fmt::format("How often so many wrong bits followed each other in {}",
+                                     trials_text(frames)),
+          .x = {"wrong bits in a row", false},
+          .y = {"bursts", false},
+          .curves = {curve}};
+}
+
+Chart jitter_chart(const FrameStatistics& frames) {
+  const double step_us = step_for(frames.delays);
+  return {.title = "Delay of edges",
+          .description =
+              fmt::format("Histogram of how much later than the light's the edges of the pin "
+                          "are, in steps of {:g} us, of {}",
+                          step_us, trials_text(frames)),
+          .x = {"delay [us]", false},
+          .y = {"edges", false},
+          .curves = {histogram("falling: light begins", frames.delays.falling_us, step_us),
+                     histogram("rising: light ends", frames.delays.rising_us, step_us)}};
+}
+
+}  // namespace sim
