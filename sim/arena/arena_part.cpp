@@ -20,9 +20,12 @@ namespace {
 constexpr std::size_t most_maps = 6;
 
 std::string size_of(const Dataset& data) {
-  const double sent = DatasetCells(data, "n_messages").sum() - DatasetCells(data, "n_silent").sum();
-  return fmt::format("{:.0f} messages were sent in {}; {:.0f} of them were delivered.\n", sent,
-                     runs_text(data), DatasetCells(data, "n_delivered").sum());
+  const double all = DatasetCells(data, "n_messages").sum();
+  const double silent = DatasetCells(data, "n_silent").sum();
+  return fmt::format(
+      "{:.0f} messages were sent in {}; {:.0f} of them were delivered.{}\n", all - silent,
+      runs_text(data), DatasetCells(data, "n_delivered").sum(),
+      silent > 0 ? fmt::format(" {:.0f} more were left out in silent spells.", silent) : "");
 }
 
 /// "98", "2.1": two digits.
@@ -43,7 +46,7 @@ std::string causes_of(const Dataset& data) {
   std::ranges::stable_sort(causes, std::greater<>(), [](const auto& cause) { return cause.first; });
   std::string text;
   for (const auto& [count, words] : causes)
-    text += fmt::format("{}{} {} %", text.empty() ? "What was lost was lost to: " : ", ", words,
+    text += fmt::format("{}{} {} %", text.empty() ? "Of those lost: " : ", ", words,
                         percent(count / lost));
   return text.empty() ? text : text + ".\n";
 }

@@ -19,6 +19,11 @@ std::string size_of(const Dataset& data) {
                      data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "");
 }
 
+double value_of(const Dataset::Dimension& dimension, std::size_t i) {
+  const auto* values = std::get_if<std::vector<double>>(&dimension.values);
+  return values == nullptr ? 0 : (*values)[i];
+}
+
 /// The longest stretch of points at which a curve is at `surely` or more.
 struct Span {
   std::string curve;
@@ -41,36 +46,59 @@ std::optional<Span> span_of(const ChartCurve& curve) {
 }
 
 std::string in_words(const Span& span, const ChartAxis& x) {
+  const std::string of = span.curve.empty() ? "" : " (" + span.curve + ")";
   return span.from == span.to
-             ? fmt::format("{} {:g} ({})", x.label, span.from, span.curve)
-             : fmt::format("{} from {:g} to {:g} ({})", x.label, span.from, span.to, span.curve);
+             ? fmt::format("{} {:g}{}", x.label, span.from, of)
+             : fmt::format("{} from {:g} to {:g}{}", x.label, span.from, span.to, of);
 }
 
-/// The widest of all curves, and how that of the others is less.
-std::string detected_where(const Chart& chart) {
-  std::vector<Span> spans;
-  std::size_t nowhere = 0;
-  for (const ChartCurve& curve : chart.curves) {
-    if (curve.kind != CurveKind::measured) continue;
-    if (const auto span = span_of(curve))
-      spans.push_back(*span);
-    else
-      ++nowhere;
+/// The curves of the least probability of false alarm, which alone are compared.
+std::vector<ChartCurve> strictest(const Chart& chart, const std::string& false_alarm) {
+  std::vector<ChartCurve> curves;
+  for (ChartCurve curve : chart.curves) {
+    if (curve.kind != CurveKind::measured || !curve.name.ends_with(false_alarm)) continue;
+    curve.name.resize(curve.name.size() - false_alarm.size());
+    if (curve.name.ends_with(", ")) curve.name.resize(curve.name.size() - 2);
+    curves.push_back(std::move(curve));
   }
+  return curves;
+}
+
+/// The widest of the curves, and how that of the others is less.
+std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxis& x) {
+  std::vector<Span> spans;
+  for (const ChartCurve& curve : curves)
+    if (const auto span = span_of(curve)) spans.push_back(*span);
   if (spans.empty())
-    return "At no point that was measured is the device noticed in 90 % of the windows or more.\n";
+    return "at no point that was measured is the device noticed in 90 % of the windows or more.\n";
   const auto [narrowest, widest] = std::ranges::minmax_element(spans, {}, &Span::length);
-  std::string text = fmt::format("The device is noticed in 90 % of the windows or more at {}",
-                                 in_words(*widest, chart.x));
-  if (nowhere > 0)
-    text += fmt::format(", but nowhere by {} of {} curves", nowhere, nowhere + spans.size());
+  std::string text = fmt::format("the device is noticed in 90 % of the windows or more at {}",
+                                 in_words(*widest, x));
+  if (spans.size() < curves.size())
+    text += fmt::format(", but nowhere by {} of {}", curves.size() - spans.size(), curves.size());
   else if (narrowest->length() < widest->length())
-    text += fmt::format(", but only at {}", in_words(*narrowest, chart.x));
+    text += fmt::format(", but only at {}", in_words(*narrowest, x));
   return text + ".\n";
+}
+
+std::string detection_words(const Dataset& data, const Chart& chart) {
+  const Dataset::Dimension& alarms = dimension_named(data, "false_alarm");
+  if (alarms.size() == 0) return "";
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < alarms.size(); ++i)
+    if (value_of(alarms, i) < value_of(alarms, least)) least = i;
+  const std::string false_alarm = "false_alarm = " + value_text(alarms, least);
+  return fmt::format("With {} {}", false_alarm,
+                     detected_where(strictest(chart, false_alarm), chart.x));
 }
 
 /// A curve each of so many points at most can be told apart.
 constexpr std::size_t most_curves = 12;
+
+std::string roc_note(const Dataset& data) {
+  if (measured_points(data).size() <= most_curves) return "";
+  return fmt::format("Of more than {} points no ROC is drawn; --set chooses some.", most_curves);
+}
 
 void add_charts(ReportPart& part, const Dataset& data) {
   const DrawnVariable detection{.name = "p_detection",
@@ -78,7 +106,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                 .label = "probability of detection",
                                 .theory = "p_detection_theory"};
   const std::optional<Chart> swept = swept_chart(data, detection);
-  if (swept) part.verdict += detected_where(*swept);
+  if (swept) part.verdict += detection_words(data, *swept);
   add_chart(part, swept);
   if (measured_points(data).size() > most_curves) return;
   DrawnVariable roc = detection;
@@ -94,6 +122,7 @@ ReportPart presence_part(const std::string& name, const StoredDataset& stored) {
   add_charts(part, data);
   part.verdict += missing_points(stored);
   part.sections.push_back({.heading = "Detections and false alarms",
+                           .text = roc_note(data),
                            .table = dataset_table(data, {{"p_detection", "detected"},
                                                          {"p_detection_theory", "in theory"},
                                                          {"p_false_alarm", "false alarms"},

@@ -2,7 +2,11 @@
 
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curves than colours
-const colourOf = (curve) => colours[curve.colour % colours.length];
+const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
+const shadeOf = (colour) => (colour === '#0072b2' && isDark() ? '#4aa3df' : colour);
+const colourOf = (curve) => shadeOf(colours[curve.colour % colours.length]);
+const borderOf = (curve) =>
+  (curve.kind === 'theory' ? 'dashed' : ['solid', 'dotted', 'double'][Math.floor(curve.colour / colours.length) % 3]);
 const dashOf = (curve) =>
   (curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(curve.colour / colours.length) % dashes.length]);
 const chartHeight = 420;
@@ -85,7 +89,7 @@ function seriesOf(chart) {
   const text = (value) => (value === null || value === undefined ? '-' : value.toPrecision(3));
   return chart.curves.map((curve) => ({
     label: curve.name,
-    stroke: colourOf(curve),
+    stroke: () => colourOf(curve),
     dash: dashOf(curve),
     points: {show: curve.kind === 'measured'},
     spanGaps: true,
@@ -134,6 +138,7 @@ function drawLive(figure, chart) {
     },
     axes: [axisOf(chart.x), axisOf(chart.y)],
     series: [{label: chart.x.label}, ...seriesOf(chart)],
+    legend: {markers: {dash: (u, i) => (i > 0 ? borderOf(chart.curves[i - 1]) : 'solid')}},
     hooks: {draw: [(u) => drawIntervals(u, chart, rows)]},
   }, [x, ...rows.map((row) => row.map((point) => (point && !point.is_limit ? point.y : null)))], figure);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);

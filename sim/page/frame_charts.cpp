@@ -11,21 +11,28 @@
 namespace sim {
 namespace {
 
-double median(std::vector<double> values) {
+/// The value that such a share of all is below.
+double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, place);
+  return *place;
+}
+
+/// Half of what the middle 68 % span: the standard deviation of what is normal.
+double spread(const std::vector<double>& values) {
+  return (quantile(values, 0.8413) - quantile(values, 0.1587)) / 2;
 }
 
 /// What is further out than that from the median is counted where the histogram ends.
-constexpr long most_steps = 1000;
+constexpr long most_steps = 40;
 
 /// A frequency polygon: how many are in each step, at its middle.
 ChartCurve histogram(const std::string& name, const std::vector<double>& delays_us,
                      double step_us) {
   std::map<long, int> counts;
-  const long middle = std::lround(std::floor(median(delays_us) / step_us));
+  const long middle = std::lround(std::floor(quantile(delays_us, 0.5) / step_us));
   for (const double delay : delays_us)
     ++counts[std::clamp(std::lround(std::floor(delay / step_us)), middle - most_steps,
                         middle + most_steps)];
@@ -110,12 +117,24 @@ Chart burst_chart(const FrameStatistics& frames) {
           .curves = {curve}};
 }
 
+std::string delays_text(const FrameStatistics& frames) {
+  const std::vector<double>&falling = frames.delays.falling_us, &rising = frames.delays.rising_us;
+  const double begins = quantile(falling, 0.5), ends = quantile(rising, 0.5);
+  return fmt::format(
+      "Median delay: {:.0f} us where light begins and {:.0f} us where it ends, so pulses of light "
+      "are {:.0f} us {} at the pin (pulse-width distortion). Jitter: {:.0f} and {:.0f} us (half of "
+      "the middle 68 %).",
+      begins, ends, std::abs(ends - begins), ends < begins ? "shorter" : "longer", spread(falling),
+      spread(rising));
+}
+
 Chart jitter_chart(const FrameStatistics& frames) {
   const double step_us = step_for(frames.delays);
   return {.title = "Delay of edges",
           .description =
               fmt::format("Histogram of how much later than the light's the edges of the pin "
-                          "are, in steps of {:g} us, of {}",
+                          "are, in steps of {:g} us, of {}; what is far out is counted at the "
+                          "ends",
                           step_us, trials_text(frames)),
           .x = {"delay [us]", false},
           .y = {"edges", false},

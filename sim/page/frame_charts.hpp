@@ -1,5 +1,7 @@
 #pragma once
 // Pictures of where the frames of one point go wrong.
+#include <string>
+
 #include "sim/page/frame_statistics.hpp"
 #include "sim/picture/chart.hpp"
 #include "sim/picture/heat_map.hpp"
@@ -12,6 +14,9 @@ HeatMap wrong_bits_map(const FrameStatistics& frames);
 Chart settling_chart(const FrameStatistics& frames);
 /// How often so many wrong bits followed each other.
 Chart burst_chart(const FrameStatistics& frames);
+/// What the delays come to: of which pulses are too long at the pin, and their jitter. There are
+/// to be some of both edges.
+std::string delays_text(const FrameStatistics& frames);
 /// Histogram of the delays; empty curves where there are none.
 Chart jitter_chart(const FrameStatistics& frames);
 

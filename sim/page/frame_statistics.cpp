@@ -47,7 +47,7 @@ std::vector<TracedTrial> wires_of(const Link& link, HeardTrials heard) {
 void add_trial(FrameStatistics& frames, const Link& link, const TracedTrial& trial) {
   const TracedMessage message = message_of(trial);
   frames.character_s = message.character_s;
-  add_delays(frames.delays, trial);
+  if (!link.ideal) add_delays(frames.delays, trial);  // ideal ones decide at a bit's end
   add_wrong_bits(frames.wrong, trial, link.delay);
   if (!frames.first_misread && message.first_wrong())
     frames.first_misread = static_cast<std::uint32_t>(frames.trials);

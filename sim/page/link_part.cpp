@@ -57,15 +57,16 @@ ShareBars fates_of(const ExperimentResult& result) {
   const SweptRows rows(result.axes);
   ShareBars bars{.title = "What became of the frames",
                  .description = rows.joins_points()
-                                    ? "Share of frames by how far they came, all other values of "
-                                      "the sweep together"
+                                    ? "Share of frames by how far they came, in thousandths of "
+                                      "each point; those of all other values of the sweep are "
+                                      "added up"
                                     : "Share of frames by how far they came",
                  .rows_label = rows.head(),
                  .kinds = {std::begin(fates), std::end(fates)},
                  .rows = {}};
   for (const PointResult& point : result.points)
     if (measured(point) && !point.tally.is_weighted())
-      add_counts(bars, rows.label(point.coordinates), fates_of(point.tally));
+      add_counts(bars, rows.label(point.coordinates), rows.weighed(fates_of(point.tally)));
   return bars;
 }
 
@@ -133,7 +134,9 @@ PagePicture eye_of(const ShownTrial& shown) {
 
 void add_frames(ReportPart& part, const FrameStatistics& frames) {
   add_wrong_bits(part, frames);
-  if (frames.trials > 0) part.sections.push_back(chart_section(jitter_chart(frames)));
+  if (frames.delays.falling_us.empty() || frames.delays.rising_us.empty()) return;
+  part.sections.push_back(chart_section(jitter_chart(frames)));
+  part.sections.back().text = delays_text(frames);
 }
 
 void add_trial(ReportPart& part, const ShownTrial& shown) {

@@ -26,7 +26,7 @@ void say_whose(ReportPart& part) {
   for (std::string line; std::getline(lines, line);) verdict += part.name + ": " + line + "\n";
   part.verdict = verdict;
   for (auto* sections : {&part.first, &part.sections})
-    for (PageSection& section : *sections) section.heading += " of " + part.name;
+    for (PageSection& section : *sections) section.heading = part.name + ": " + section.heading;
   for (Chart& chart : part.charts)
     for (ChartCurve& curve : chart.curves) curve.name = part.name + ", " + curve.name;
 }

@@ -72,7 +72,8 @@ Chart spectrum_chart(const ShownTrial& shown) {
               .description =
                   "Power spectral density before and behind the band-pass of the trial "
                   "(Welch, Hann windows of 4096 samples), and the module's response from the "
-                  "highest point down",
+                  "highest point down. Harmonics of the carrier above half of the sample rate "
+                  "are folded back",
               .x = {"frequency [kHz]", false},
               .y = {"density [(mW/m2)2/Hz]", true},
               .curves = {}};

@@ -142,8 +142,9 @@ function spanOf(taps) {
 /** Milliseconds with the decimals that tell the marks apart. */
 function millisecondLabels(plot, seconds) {
   const step = (seconds[1] - seconds[0]) * 1e3;
-  const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (step < 1 ? 1 : 0));
-  return seconds.map((value) => (value * 1e3).toFixed(Math.min(decimals, 6)));
+  let decimals = 0;
+  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-3) ++decimals;
+  return seconds.map((value) => (value * 1e3).toFixed(decimals));
 }
 
 /** Plots below each other: the light, band-pass and threshold, the others by themselves, the pin. */

@@ -78,8 +78,9 @@ std::string what_limits(const Omissions& omissions) {
   for (const Omission& o : omissions.omissions)
     if (!o.without.empty()) all.push_back(o.without);
   return fmt::format(
-      "What limits it there is none of these alone: without {} not clearly less is lost.\n",
-      fmt::join(all, ", or without "));
+      "What limits it there: none of these alone. Leaving out {} does not clearly lower the "
+      "loss.\n",
+      fmt::join(all, ", or "));
 }
 
 }  // namespace

@@ -138,6 +138,16 @@ void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve
   }
 }
 
+/// Where there are more curves than colours they are dotted, then dashed.
+std::string style_of(const Chart& chart, std::size_t curve) {
+  constexpr std::array again{"", " dotted", " dashed"};
+  const std::size_t colour = colour_of(chart, curve);
+  return std::string(styles[colour % styles.size()]) +
+         (chart.curves[curve].kind == CurveKind::theory
+              ? " theory"
+              : again[colour / styles.size() % again.size()]);
+}
+
 }  // namespace
 
 std::size_t colour_of(const Chart& chart, std::size_t curve) {
@@ -155,8 +165,7 @@ std::string chart_as_svg(const Chart& chart) {
   double legend = legend_top;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];
-    const std::string style = std::string(styles[colour_of(chart, i) % styles.size()]) +
-                              (curve.kind == CurveKind::theory ? " theory" : "");
+    const std::string style = style_of(chart, i);
     draw_curve(drawing, paper, curve, style);
     drawing.line({left, legend - 4}, {left + 25, legend - 4}, style);
     drawing.text({left + 32, legend}, curve.name, "");

@@ -33,7 +33,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .fill6 { fill: #56b4e9; }
 .fill7 { fill: #f0e442; }
 .fill8 { fill: #222; }
-.heat0 { fill: #440154; }
+.heat0 { fill: #999; fill-opacity: .15; }
 .heat1 { fill: #46327e; }
 .heat2 { fill: #365c8d; }
 .heat3 { fill: #277f8e; }
@@ -44,6 +44,8 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .contour { stroke-width: 3; stroke: #d55e00; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
 .theory { stroke-dasharray: 6 4; }
+.dotted { stroke-dasharray: 2 3; }
+.dashed { stroke-dasharray: 10 3 2 3; }
 .dot { stroke-width: 2; }
 .disc { stroke-width: 6; }
 .floor { fill: #999; fill-opacity: .12; }
@@ -58,6 +60,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
   svg { background: #181818; color: #ddd; }
   .light { stroke: #e69f00; }
   .wire { stroke: #56b4e9; }
+  .curve1 { stroke: #4aa3df; }
   .fill8 { fill: #ddd; }
   .wrong { fill: #ff7766; }
 }

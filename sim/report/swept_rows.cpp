@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "sim/report/swept_curves.hpp"
@@ -39,6 +40,15 @@ std::string SweptRows::label(const std::vector<double>& coordinates) const {
   std::vector<std::string> texts;
   for (const std::size_t i : over_) texts.push_back(coordinate_text(axes_[i], coordinates[i]));
   return joined(texts);
+}
+
+std::vector<std::uint64_t> SweptRows::weighed(std::vector<std::uint64_t> counts) const {
+  const auto all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  if (!joins_points() || all == 0) return counts;
+  const double thousandth = static_cast<double>(all) / 1000;
+  for (std::uint64_t& count : counts)
+    count = static_cast<std::uint64_t>(std::llround(static_cast<double>(count) / thousandth));
+  return counts;
 }
 
 }  // namespace sim

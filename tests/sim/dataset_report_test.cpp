@@ -10,6 +10,7 @@
 #include "sim/page/dataset_words.hpp"
 #include "sim/report/dataset_charts.hpp"
 #include "sim/report/swept_maps.hpp"
+#include "sim/report/swept_rows.hpp"
 
 namespace sim {
 namespace {
@@ -111,6 +112,22 @@ TEST(DatasetCharts, NothingWhereNoNumberIsSwept) {
   data.axes.pop_back();
   for (Dataset::Variable& variable : data.variables) variable.values = Reals(2, 1.0);
   EXPECT_FALSE(swept_chart(data, {.name = "loss", .title = "", .label = ""}));
+}
+
+TEST(SweptRows, WeighThePointsOfARowAlike) {
+  const Axis few{"a", "", "", {1, 2, 3}};
+  Axis many{"b", "m", "", {}};
+  for (int i = 0; i < 31; ++i) many.values.push_back(i);
+  const SweptRows joined({few, many}), apart({many});
+  EXPECT_TRUE(joined.joins_points()) << "93 rows would be too many";
+  EXPECT_EQ(joined.head(), "b [m]");
+  EXPECT_EQ(joined.label({2, 7}), "7");
+  using Shares = std::vector<std::uint64_t>;
+  EXPECT_EQ(joined.weighed({8, 0}), (Shares{1000, 0}));
+  EXPECT_EQ(joined.weighed({30, 90}), (Shares{250, 750}));
+  EXPECT_EQ(joined.weighed({0, 0}), (Shares{0, 0}));
+  EXPECT_FALSE(apart.joins_points());
+  EXPECT_EQ(apart.weighed({30, 90}), (Shares{30, 90}));
 }
 
 TEST(SweptMaps, AMapForEachOtherValue) {

@@ -63,9 +63,11 @@ TEST_F(ExperimentReport, OfAnArenaShowsWhoWasHeardWhere) {
   ASSERT_GT(delivered, 0);
   ASSERT_GT(silent, 0);
   const std::string page = report({"a.h5", "--svg", "p"});
-  expect_has(page, fmt::format("<p>{} messages were sent in 2 runs; {} of them were delivered.</p>",
-                               sum(counted, "n_messages") - silent, delivered));
-  expect_has(page, "<p>What was lost was lost to: out of reach ");
+  expect_has(page,
+             fmt::format("<p>{} messages were sent in 2 runs; {} of them were delivered. {} more "
+                         "were left out in silent spells.</p>",
+                         sum(counted, "n_messages") - silent, delivered, silent));
+  expect_has(page, "<p>Of those lost: out of reach ");
   expect_has(page, "<h2>Where messages were heard</h2>");
   expect_has(page, "<td>near</td><td>1.5</td><td>0</td>");
   expect_has(page, "&lt;b&gt;");
@@ -110,7 +112,7 @@ TEST_F(ExperimentReport, OfASweptArenaComparesFilesInOnePicture) {
   for (const std::string name : {"a", "b"}) {
     expect_has(page, ">" + name + ", measured</text>");
     expect_has(page, ">" + name + ", theory</text>");
-    expect_has(page, "<h2>Where messages were heard, devices.near.x_m = 2 of " + name + "</h2>");
+    expect_has(page, "<h2>" + name + ": Where messages were heard, devices.near.x_m = 2</h2>");
   }
   expect_has(page, "<p>a: ");
 }
@@ -120,8 +122,8 @@ TEST_F(ExperimentReport, OfALinkAndAnArenaTogether) {
   write_scenario("l.toml", "receiver.range_m = [1, 11]");
   ASSERT_EQ(program({"run", "l.toml", "-q"}).code, 0);
   const std::string page = report({"l.h5", "a.h5"});
-  expect_has(page, "<h2>All numbers of l</h2>");
-  expect_has(page, "<h2>All numbers of a</h2>");
+  expect_has(page, "<h2>l: All numbers</h2>");
+  expect_has(page, "<h2>a: All numbers</h2>");
 }
 
 TEST_F(ExperimentReport, OfAGuardSaysWhatTheBaseStationKnows) {
@@ -174,8 +176,8 @@ TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
   const std::string page = report({"p.h5"});
   expect_has(page, "<p>150 windows with and 150 without light were judged at 3 points.</p>");
   expect_has(page,
-             "The device is noticed in 90 % of the windows or more at receiver.range_m [m] "
-             "from 40 to 50 (");
+             "With false_alarm = 0.001 the device is noticed in 90 % of the windows or more at "
+             "receiver.range_m [m] from 40 to 50.</p>");
   expect_has(page, "<h2>Detection</h2>");
   expect_has(page, "<h2>Receiver operating characteristic (ROC)</h2>");
   expect_has(page, ">receiver.range_m = 400, theory</text>");

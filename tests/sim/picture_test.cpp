@@ -132,6 +132,14 @@ TEST(Chart, GivesATheoryTheColourOfWhatItIsTheTheoryOf) {
             0U);
 }
 
+TEST(Chart, TellsMoreCurvesThanColoursApart) {
+  Chart chart = chart_of({{1, 1, 1, 1}, {2, 2, 2, 2}}, false);
+  chart.curves.resize(14, chart.curves.front());
+  const std::string text = chart_as_svg(chart);
+  for (const char* style : {"\"curve1\"", "\"curve1 dotted\"", "\"curve2 dashed\""})
+    EXPECT_EQ(occurrences(text, std::string("<line class=") + style), 1U) << style;
+}
+
 TEST(Chart, StandsOnPaperWhateverItIsGiven) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -46,7 +46,7 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   EXPECT_NE(page.find(">two, measured</text>"), std::string::npos);
   for (const char* heading : {"All numbers", "The scenario", "What became of the frames"})
     for (const char* name : {"one", "two"})
-      EXPECT_EQ(occurrences(page, fmt::format("<h2>{} of {}</h2>", heading, name)), 1U);
+      EXPECT_EQ(occurrences(page, fmt::format("<h2>{}: {}</h2>", name, heading)), 1U);
 }
 
 TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
