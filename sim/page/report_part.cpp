@@ -31,11 +31,18 @@ void say_whose(ReportPart& part) {
     for (ChartCurve& curve : chart.curves) curve.name = part.name + ", " + curve.name;
 }
 
+/// Of a single result what its scenario calls itself.
+std::string title_of(const std::vector<ReportPart>& parts) {
+  if (parts.size() == 1 && !parts.front().title.empty()) return parts.front().title;
+  std::string names;
+  for (const ReportPart& part : parts) names += (names.empty() ? "" : ", ") + part.name;
+  return names;
+}
+
 }  // namespace
 
 Page page_of(std::vector<ReportPart> parts) {
-  const std::string& title = parts.front().title;
-  Page page{.title = title.empty() ? parts.front().name : title, .verdict = {}, .sections = {}};
+  Page page{.title = title_of(parts), .verdict = {}, .sections = {}};
   std::vector<Chart> charts;
   if (parts.size() > 1) std::ranges::for_each(parts, say_whose);
   for (ReportPart& part : parts) {

@@ -122,6 +122,7 @@ TEST_F(ExperimentReport, OfALinkAndAnArenaTogether) {
   write_scenario("l.toml", "receiver.range_m = [1, 11]");
   ASSERT_EQ(program({"run", "l.toml", "-q"}).code, 0);
   const std::string page = report({"l.h5", "a.h5"});
+  expect_has(page, "<h1>l, a</h1>");
   expect_has(page, "<h2>l: All numbers</h2>");
   expect_has(page, "<h2>a: All numbers</h2>");
 }
@@ -181,6 +182,19 @@ TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
   expect_has(page, "<h2>Detection</h2>");
   expect_has(page, "<h2>Receiver operating characteristic (ROC)</h2>");
   expect_has(page, ">receiver.range_m = 400, theory</text>");
+}
+
+TEST_F(ExperimentReport, OfPresenceComparesDetectors) {
+  const auto answer = [&](const std::string& ranges) {
+    run("p",
+        "experiment = \"presence\"\n[presence]\ntrials = 50\nadc_bits = 16\n[sweep]\n"
+        "presence.detector = [\"synchronous\", \"goertzel\"]\nreceiver.range_m = " +
+            ranges + "\n");
+    return report({"p.h5"});
+  };
+  const std::string equal = answer("[40, 50, 400]");
+  expect_has(equal, "or more at receiver.range_m [m] from 40 to 50.</p>");
+  expect_has(answer("[300, 400]"), "at no point that was measured is the device noticed in 90 %");
 }
 
 TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
