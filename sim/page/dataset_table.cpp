@@ -25,10 +25,11 @@ PageTable empty_table(const Dataset& data, const Dataset::Variable& first,
 std::vector<std::string> elements_at(const Dataset& data, const Dataset::Variable& variable,
                                      std::size_t i) {
   std::vector<std::string> texts;
-  for (auto name = variable.dimensions.rbegin(); name != variable.dimensions.rend(); ++name) {
-    const Dataset::Dimension& dimension = dimension_named(data, *name);
-    texts.insert(texts.begin(), value_text(dimension, i % dimension.size()));
-    i /= dimension.size();
+  std::size_t each = cells_a_point(data, variable);  // cells of an element
+  for (const std::string& name : variable.dimensions) {
+    const Dataset::Dimension& dimension = dimension_named(data, name);
+    each /= dimension.size();
+    texts.push_back(value_text(dimension, i / each % dimension.size()));
   }
   return texts;
 }

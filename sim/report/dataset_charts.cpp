@@ -72,10 +72,10 @@ struct DrawnCells {
   }
 };
 
-Chart empty_chart(const DrawnVariable& drawn, ChartAxis x) {
+Chart empty_chart(const DrawnVariable& drawn, const ChartAxis& x) {
   return {.title = drawn.title,
           .description = fmt::format("{} over {}", drawn.label, x.label),
-          .x = std::move(x),
+          .x = x,
           .y = {drawn.label, drawn.logarithmic},
           .curves = {}};
 }

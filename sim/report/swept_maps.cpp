@@ -46,7 +46,7 @@ std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector
     const std::string others = other_values(axes, {over[0], over[1]}, at);
     const auto [map, is_new] = maps.try_emplace(others, empty_map(across, up));
     if (is_new) {
-      map->second.title = others.empty() ? title : title + ", " + others;
+      map->second.title = others.empty() ? title : fmt::format("{}, {}", title, others);
       map->second.description = fmt::format("{} over {} and {}", what, across.key, up.key);
     }
     map->second.values[index_of(up, at[over[1]])][index_of(across, at[over[0]])] = ratios[i];
