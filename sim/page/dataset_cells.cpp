@@ -11,7 +11,10 @@ namespace {
 
 std::vector<double> cells_of(const Dataset& data, const std::string& name) {
   const Dataset::Variable* variable = find_variable(data, name);
-  return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+  std::vector<double> cells = variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+  for (double& cell : cells)
+    if (std::isinf(cell)) cell = std::nan("");
+  return cells;
 }
 
 bool are_counts(const Dataset& data, const std::string& name) {
@@ -39,14 +42,17 @@ std::uint64_t DatasetCells::count(std::size_t i) const {
 double DatasetCells::sum() const {
   double sum = 0;
   for (const double value : values_)
-    if (std::isfinite(value)) sum += value;
+    if (!std::isnan(value)) sum += value;
   return sum;
 }
 
+bool DatasetCells::has_interval(std::size_t i) const {
+  return i < lows_.size() && i < highs_.size() && !std::isnan(lows_[i]) && !std::isnan(highs_[i]);
+}
+
 std::string DatasetCells::text(std::size_t i) const {
-  if (i >= values_.size() || std::isnan(values_[i])) return "-";
-  if (i < lows_.size() && i < highs_.size())
-    return estimate_text({values_[i], lows_[i], highs_[i]});
+  if (std::isnan((*this)[i])) return "-";
+  if (has_interval(i)) return estimate_text({values_[i], lows_[i], highs_[i]});
   return are_counts_ ? fmt::format("{:.0f}", values_[i]) : fmt::format("{:.4g}", values_[i]);
 }
 

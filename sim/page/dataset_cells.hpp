@@ -15,7 +15,7 @@ class DatasetCells {
 
   bool empty() const { return values_.empty(); }
   std::size_t size() const { return values_.size(); }
-  /// NaN where nothing is known, be it that the file lacks it.
+  /// NaN where nothing is known, be it that the file lacks it or that nothing bounds it.
   double operator[](std::size_t i) const;
   /// A whole number; 0 where nothing is known.
   std::uint64_t count(std::size_t i) const;
@@ -25,6 +25,8 @@ class DatasetCells {
   std::string text(std::size_t i) const;
 
  private:
+  bool has_interval(std::size_t i) const;
+
   std::vector<double> values_, lows_, highs_;
   bool are_counts_ = false;
 };

@@ -45,10 +45,14 @@ struct DrawnCells {
         highs(cells(data, drawn.name + "_ci_high")),
         theory(cells(data, drawn.theory)) {}
 
+  bool has_interval(std::size_t i) const {
+    return i < lows.size() && i < highs.size() && std::isfinite(lows[i]) && std::isfinite(highs[i]);
+  }
+
   /// Of what a linear axis shows, nothing found is a point at 0.
   ChartPoint point(double x, std::size_t i, bool logarithmic) const {
     const double y = values[i];
-    if (i >= lows.size() || i >= highs.size()) return {x, y, y, y};
+    if (!has_interval(i)) return {x, y, y, y};
     return {.x = x,
             .y = y,
             .low = lows[i],
