@@ -13,10 +13,8 @@ std::string bound_text(double high) {
   return high < 1 ? scientific(high, 2) : fmt::format("{:.{}f}", high, high < 10 ? 1 : 0);
 }
 
-int digits_supported(const Estimate& e) {
-  const double relative = (e.high - e.low) / 2 / e.value;
-  return std::clamp(2 + static_cast<int>(std::floor(-std::log10(relative))), 2, 3);
-}
+/// Two, or three where half the interval is at most a tenth of the value.
+int digits_supported(const Estimate& e) { return (e.high - e.low) / 2 / e.value <= 0.1 ? 3 : 2; }
 
 }  // namespace
 
@@ -31,7 +29,8 @@ std::string estimate_text(const Estimate& e) {
   if (std::isnan(e.value)) return "-";
   if (e.value == 0) return "< " + bound_text(e.high);
   const int digits = digits_supported(e);
-  const int places = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(e.value))));
+  const int places =
+      std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(e.value)))));
   const bool small = e.value < 0.01;
   const auto text = [=](double v) {
     return small ? scientific(v, digits) : fmt::format("{:.{}f}", v, places);
