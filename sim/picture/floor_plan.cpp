@@ -72,7 +72,7 @@ std::vector<PlanEllipse> drawn_ellipses(const FloorPlan& plan) {
   extent.widen();
   std::vector<PlanEllipse> drawn;
   for (const PlanEllipse& e : plan.ellipses)
-    if (e.semi_major_m <= extent.size() && is_somewhere(e.centre)) drawn.push_back(e);
+    if (e.semi_major_m <= extent.size() && is_somewhere(on_ellipse(e, 1))) drawn.push_back(e);
   return drawn;
 }
 
@@ -190,7 +190,7 @@ void draw_dots(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground)
     std::set<std::pair<long, long>> drawn;
     std::string path;
     for (const PlanDots::Dot& each : plan.dots[kind].dots) {
-      if (!is_somewhere(each.at)) continue;
+      if (!is_somewhere(each.at) || !std::isfinite(each.heading)) continue;
       const SvgPoint at = beside(ground(each.at), each.heading + M_PI / 2, side);
       if (drawn.emplace(std::lround(at.x), std::lround(at.y)).second) path += circle(at, dot);
     }
