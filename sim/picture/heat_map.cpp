@@ -30,7 +30,9 @@ constexpr std::array shades{Shade{1e-300, "heat0", "none"}, Shade{1e-3, "heat1",
 constexpr double contour = 1e-2;
 
 const Shade& shade_of(double ratio) {
-  return *std::ranges::find_if(shades, [&](const Shade& shade) { return ratio < shade.below; });
+  const auto shade =
+      std::ranges::find_if(shades, [&](const Shade& each) { return ratio < each.below; });
+  return shade == shades.end() ? shades.back() : *shade;
 }
 
 class Cells {

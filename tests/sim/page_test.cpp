@@ -245,5 +245,16 @@ TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
       << svg;
 }
 
+TEST(HeatMap, ColoursWhatIsNoRatioAsMuch) {
+  const std::string svg = heat_map_as_svg({.title = "t",
+                                           .description = "d",
+                                           .x_label = "x",
+                                           .y_label = "y",
+                                           .columns = {"1", "2"},
+                                           .rows = {"all"},
+                                           .values = {{2, 1e300}}});
+  EXPECT_EQ(occurrences(svg, "class=\"heat7\""), 3U) << "cells and legend";
+}
+
 }  // namespace
 }  // namespace sim
