@@ -35,7 +35,9 @@ class Positions {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
     if (span_.is_logarithmic()) least = std::floor(least), greatest = std::ceil(greatest);
-    if (least == greatest) least -= 0.5, greatest += 0.5;
+    const double size = std::max(std::abs(least), std::abs(greatest));
+    const double half = std::max(0.5, 1e-6 * size);
+    if (greatest - least <= 1e-9 * size) least -= half, greatest += half;  // else no room for marks
     scale_.from = least;
     scale_.to = greatest;
   }

@@ -150,7 +150,9 @@ TEST(Chart, StandsOnPaperWhateverItIsGiven) {
                                               {{nan, 1, 1, 1}},
                                               {{1, 0, 0, 0}},
                                               {{1, -1, -2, infinity}},
-                                              {{1, 1e-300, 0, 1e300}, {1, 5, 5, 5}}}) {
+                                              {{1, 1e-300, 0, 1e300}, {1, 5, 5, 5}},
+                                              {{1, 1e300, 1e300, 1e300}},
+                                              {{1, 1e17, 1e17, 1e17 + 32}}}) {
       const std::string text = chart_as_svg(chart_of(points, logarithmic));
       EXPECT_EQ(text.find("nan"), std::string::npos) << text;
       EXPECT_EQ(text.find("inf"), std::string::npos) << text;
