@@ -28,10 +28,9 @@ Dataset::Variable outside_variable(std::vector<std::int64_t> masks) {
 
 std::string outside_notes(const Dataset& data) {
   std::uint64_t raised = 0;
-  for (const Dataset::Variable& variable : data.variables)
-    if (variable.facts.name == variable_name)
-      for (const std::int64_t mask : std::get<std::vector<std::int64_t>>(variable.values))
-        raised |= static_cast<std::uint64_t>(mask);
+  if (const Dataset::Variable* variable = find_variable(data, variable_name))
+    if (const auto* masks = std::get_if<std::vector<std::int64_t>>(&variable->values))
+      for (const std::int64_t mask : *masks) raised |= static_cast<std::uint64_t>(mask);
   return raised_notes(validity_limits(), raised, outside_sign);
 }
 
