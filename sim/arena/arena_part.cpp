@@ -13,6 +13,7 @@
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/report/swept_maps.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {
@@ -81,7 +82,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                      .theory = "pure_aloha_throughput"}));
   const DatasetCells loss(data, "total_frame_loss");
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < loss.size(); ++i) ratios.push_back(loss[i]);
+  for (std::size_t i = 0; i < count_points(data.axes); ++i) ratios.push_back(loss[i]);
   for (const HeatMap& map : swept_maps(data.axes, ratios, "Map of frame loss", "frame loss ratio"))
     part.sections.push_back(map_section("frame-loss-map", map));
 }

@@ -45,10 +45,10 @@ std::string directions(const Dataset& data) {
   std::string text;
   if (!data.axes.empty()) return text;
   const DatasetCells loss(data, "message_loss"), age(data, "age_mean_s"), old(data, "age_p95_s");
-  for (std::size_t i = 0; i < loss.size(); ++i)
+  const Dataset::Dimension& senders = dimension_named(data, "sender");
+  for (std::size_t i = 0; i < std::min(loss.size(), senders.size()); ++i)
     text += fmt::format(
-        "Of {}'s messages {} are lost; {}.\n", value_text(dimension_named(data, "sender"), i),
-        loss.text(i),
+        "Of {}'s messages {} are lost; {}.\n", value_text(senders, i), loss.text(i),
         std::isnan(age[i])
             ? "nothing of it was ever known to the other node"
             : fmt::format("its values are {} s old at the other node on average, and {} s or less "

@@ -32,20 +32,26 @@ std::string known_of(const Dataset& data) {
                              known, messages);
 }
 
+/// A file may be damaged.
+bool is_of_devices(const Dataset::Variable* variable) {
+  return variable != nullptr && variable->dimensions == std::vector<std::string>{"device"};
+}
+
 std::string oldest_of(const Dataset& data) {
   const Dataset::Variable* variable = find_variable(data, "age_mean_s");
-  const DatasetCells ages(data, "age_mean_s");
+  const DatasetCells ages(data, "age_mean_s"), p95(data, "age_p95_s");
   std::size_t oldest = 0;
   for (std::size_t i = 1; i < ages.size(); ++i)
     if (!(ages[i] <= ages[oldest])) oldest = std::isnan(ages[i]) ? oldest : i;
-  if (variable == nullptr || ages.empty() || std::isnan(ages[oldest])) return "";
+  if (!is_of_devices(variable) || std::isnan(ages[oldest])) return "";
   const std::size_t each = cells_a_point(data, *variable);
   const std::string place = place_text(data, oldest / each);
-  return fmt::format(
-      "What it knows is oldest of {}{}: {:.3g} s on average, {:.3g} s or less for "
-      "95 % of the time.\n",
-      value_text(dimension_named(data, "device"), oldest % each),
-      place.empty() ? "" : " at " + place, ages[oldest], DatasetCells(data, "age_p95_s")[oldest]);
+  return fmt::format("What it knows is oldest of {}{}: {:.3g} s on average{}.\n",
+                     value_text(dimension_named(data, "device"), oldest % each),
+                     place.empty() ? "" : " at " + place, ages[oldest],
+                     std::isnan(p95[oldest])
+                         ? ""
+                         : fmt::format(", {:.3g} s or less for 95 % of the time", p95[oldest]));
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ double wanted_runs(const Scenario& scenario) {
 class Compared {
  public:
   Compared(const Dataset& data, const std::string& name)
-      : cells_(data, name), highs_(data, name + "_ci_high") {}
+      : cells_(data, name), highs_(data, name + "_ci_high"), points_(count_points(data.axes)) {}
 
   std::vector<std::size_t> known() const {
     std::vector<std::size_t> known;
-    for (std::size_t i = 0; i < cells_.size(); ++i)
+    for (std::size_t i = 0; i < points_; ++i)
       if (!std::isnan(cells_[i])) known.push_back(i);
     return known;
   }
@@ -50,6 +50,7 @@ class Compared {
 
  private:
   DatasetCells cells_, highs_;
+  std::size_t points_;
 };
 
 /// Where several points are as little, or as great.
