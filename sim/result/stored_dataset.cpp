@@ -1,6 +1,7 @@
 #include "sim/result/stored_dataset.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -83,6 +84,12 @@ bool has_all_cells(const Dataset& data) {
                              [&](const auto& variable) { return has_all_cells(data, variable); });
 }
 
+bool has_numbers(const Dataset::Dimension& dimension) {
+  const auto* numbers = std::get_if<std::vector<double>>(&dimension.values);
+  return numbers == nullptr ||
+         std::ranges::all_of(*numbers, [](double number) { return std::isfinite(number); });
+}
+
 void check(const StoredDataset& stored, const NetcdfReader& file, const std::string& digested,
            const std::filesystem::path& path) {
   const auto refuse = [&](const char* why) {
@@ -91,6 +98,8 @@ void check(const StoredDataset& stored, const NetcdfReader& file, const std::str
   if (file.text("experiment") != stored.scenario.base.experiment)
     refuse("its scenario is of another experiment");
   if (!has_all_cells(stored.data)) refuse("its variables do not fit its sweep");
+  if (!std::ranges::all_of(stored.data.dimensions, has_numbers))
+    refuse("a dimension has an element that is no number");
   if (!find_variable(stored.data, "n_runs") && !find_variable(stored.data, "n_trials"))
     refuse("it does not say how many runs it has");
   if (!digested.empty() && dataset_digest(stored.data) != file.text("result_digest"))
@@ -102,8 +111,9 @@ std::uint64_t runs_in(const Dataset& data) {
   double sum = 0;
   for (const char* name : {"n_runs", "n_trials"})
     if (const Dataset::Variable* variable = find_variable(data, name))
-      for (const double runs : numbers_of(*variable)) sum += std::max(runs, 0.0);
-  return static_cast<std::uint64_t>(sum);
+      for (const double runs : numbers_of(*variable)) sum += std::max(0.0, runs);
+  constexpr double most = 1e18;
+  return static_cast<std::uint64_t>(std::min(sum, most));
 }
 
 }  // namespace
