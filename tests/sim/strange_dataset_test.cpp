@@ -1,0 +1,200 @@
+// Results that no run of ours wrote: of each experiment a small one is read back and written again
+// with one thing strange, and its digest with it. A report then is a page, or refuses the file.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "program.hpp"
+#include "scenarios.hpp"
+#include "sim/command/experiments.hpp"
+#include "sim/result/stored_dataset.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+using Reals = std::vector<double>;
+using Counts = std::vector<std::int64_t>;
+using Texts = std::vector<std::string>;
+using Variable = Dataset::Variable;
+
+struct Experiment {
+  const char *name, *scenario, *sweep;
+};
+
+constexpr const char* devices = R"(receiver.module = "TSSP4056"
+simulation.sample_rate_hz = 250000
+path.x_m = [0, 1]
+arena.runs = 2
+[devices.near]
+x_m = 1.5
+yaw_deg = 180
+messages = "NEAR"
+[devices.away]
+x_m = 50
+messages = "AWAY"
+)";
+constexpr const char* two_axes = "devices.near.x_m = [1.5, 2]\ndevices.near.y_m = [0, 0.1]";
+const Experiment experiments[] = {
+    {"arena", devices, two_axes},
+    {"guard", devices, two_axes},
+    {"sharedlink", "receiver.module = \"TSSP4056\"\nexchange.duration_s = 5\nexchange.runs = 1\n",
+     "receiver.range_m = [1, 12.5]"},
+    {"presence", "presence.trials = 8\n", "receiver.range_m = [1, 400]"},
+    {"location",
+     "location.trials = 1\nlocation.x_m = [0, 3]\nlocation.y_m = [0, 0]\n"
+     "location.heading_deg = [45, 135]\nfloor.part = \"none\"\n",
+     "location.relative_sigma = \"0.01:0.01:0.21\""},
+    {"listening",
+     "receiver.module = \"TSSP4056\"\nlistening.device_sends = false\n"
+     "listening.duration_s = 10\nlistening.runs = 1\n",
+     "receiver.range_m = [1, 50]"}};
+
+std::string scenario_of(const Experiment& experiment, bool swept) {
+  return fmt::format("experiment = \"{}\"\n{}{}", experiment.name, experiment.scenario,
+                     swept ? fmt::format("[sweep]\n{}\n", experiment.sweep) : "");
+}
+
+/// What no cell of ours holds.
+struct StrangeNumber {
+  double real;
+  std::int64_t count;
+};
+constexpr StrangeNumber strange_numbers[] = {
+    {std::numeric_limits<double>::quiet_NaN(), -1},
+    {-1, std::numeric_limits<std::int64_t>::min()},
+    {1e300, 8'000'000'000'000'000'000},
+    {std::numeric_limits<double>::infinity(), std::numeric_limits<std::int64_t>::max()}};
+
+/// Each `step`th cell from the first on.
+void fill(Variable& variable, const StrangeNumber& strange, std::size_t step) {
+  const auto put = [&](auto& cells, auto number) {
+    for (std::size_t i = 0; i < cells.size(); i += step) cells[i] = number;
+  };
+  if (auto* reals = std::get_if<Reals>(&variable.values))
+    put(*reals, strange.real);
+  else
+    put(std::get<Counts>(variable.values), strange.count);
+}
+
+/// To other dimensions and of the other type, with cells of 1, 2, 3.
+void move(const Dataset& data, Variable& variable, bool on_axes, const Texts& dimensions) {
+  variable.on_axes = on_axes;
+  variable.dimensions = dimensions;
+  Counts counts(cells_a_point(data, variable) * (on_axes ? count_points(data.axes) : 1));
+  std::iota(counts.begin(), counts.end(), 1);
+  if (std::holds_alternative<Reals>(variable.values))
+    variable.values = std::move(counts);
+  else
+    variable.values = Reals(counts.begin(), counts.end());
+}
+
+/// Where a number is none, with what is around it; empty where nowhere. Scripts are not looked at.
+std::string none_in(const std::string& page) {
+  const auto in_a_word = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+  const std::string seen = page.substr(0, page.find("<script")) + '\n';
+  for (const char* none : {"nan", "inf"})
+    for (auto at = seen.find(none); at != std::string::npos; at = seen.find(none, at + 1))
+      if (!in_a_word(seen[at - 1]) && !in_a_word(seen[at + 3])) return seen.substr(at - 60, 90);
+  return "";
+}
+
+class StrangeDataset : public CommandLine,
+                       public testing::WithParamInterface<std::tuple<Experiment, bool>> {
+ protected:
+  StrangeDataset() {
+    write("x.toml", scenario_of(std::get<0>(GetParam()), std::get<1>(GetParam())));
+    const Outcome o = program({"run", "x.toml", "-q", "-o", "x.h5"});
+    if (o.code != 0) throw std::runtime_error(o.err);
+    stored_ = read_dataset(path("x.h5"));
+  }
+
+  static void expect_page(const StoredDataset& stored) {
+    const ReportPart part = reporter_of(stored.scenario)("x", stored);
+    EXPECT_EQ(none_in(page_as_html(page_of({part}))), "");
+  }
+  /// A page of what `read` gives, or a line that refuses it.
+  template <class Read>
+  static void expect_answer(const Read& read) {
+    try {
+      expect_page(read());
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::bad_input);
+      EXPECT_EQ(std::string(failure.what()).find('\n'), std::string::npos) << failure.what();
+    } catch (const std::exception& other) {
+      ADD_FAILURE() << other.what();
+    }
+  }
+  void expect_answer_to_file(const Dataset& data) const {
+    write_dataset(path("y.h5"), data, {"cosys-sim", "1", "c"});
+    expect_answer([&] { return read_dataset(path("y.h5")); });
+  }
+  /// With each of its variables, one at a time, changed.
+  template <class Change>
+  void expect_answers(const std::string& what, const Change& change) const {
+    for (std::size_t i = 0; i < stored_.data.variables.size(); ++i) {
+      SCOPED_TRACE(stored_.data.variables[i].facts.name + " " + what);
+      StoredDataset strange = stored_;
+      change(strange.data.variables, strange.data.variables.begin() + static_cast<long>(i));
+      expect_answer([&] { return strange; });
+    }
+  }
+
+  StoredDataset stored_;
+};
+
+TEST_P(StrangeDataset, WithAStrangeVariable) {
+  expect_page(stored_);
+  expect_answers("missing", [](auto& variables, auto variable) { variables.erase(variable); });
+  for (const StrangeNumber& strange : strange_numbers)
+    for (const std::size_t step : {1U, 2U})
+      expect_answers(fmt::format("of {} in each of {} cells", strange.real, step),
+                     [&](auto&, auto variable) { fill(*variable, strange, step); });
+  std::vector<Texts> places{{}};
+  for (const Dataset::Dimension& dimension : stored_.data.dimensions)
+    places.push_back({dimension.facts.name});
+  for (const Texts& place : places)
+    for (const bool on_axes : {false, true})
+      expect_answers(fmt::format("on {}, on axes: {}", fmt::join(place, ""), on_axes),
+                     [&](auto&, auto variable) { move(stored_.data, *variable, on_axes, place); });
+}
+
+TEST_P(StrangeDataset, WithStrangeElementsOfADimension) {
+  for (std::size_t i = 0; i < stored_.data.dimensions.size(); ++i) {
+    SCOPED_TRACE(stored_.data.dimensions[i].facts.name);
+    StoredDataset strange = stored_;
+    Dataset::Dimension& dimension = strange.data.dimensions[i];
+    dimension.values = Texts(dimension.size(), "a\nb<");
+    expect_answer([&] { return strange; });
+    dimension.values = Reals(dimension.size(), 1e300);
+    expect_answer([&] { return strange; });
+    dimension.values = Reals(dimension.size(), std::nan(""));
+    expect_answer_to_file(strange.data);
+  }
+}
+
+/// By name too: else it is refused at once (StoredDatasetTest).
+TEST_P(StrangeDataset, WithTheScenarioOfAnother) {
+  for (const Experiment& other : experiments) {
+    SCOPED_TRACE(other.name);
+    Dataset strange = stored_.data;
+    strange.scenario_toml = loaded(scenario_of(other, std::get<1>(GetParam()))).text;
+    strange.experiment = other.name;
+    expect_answer_to_file(strange);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, StrangeDataset,
+                         testing::Combine(testing::ValuesIn(experiments), testing::Bool()),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param).name) +
+                                  (std::get<1>(test.param) ? "_swept" : "");
+                         });
+
+}  // namespace
+}  // namespace sim
