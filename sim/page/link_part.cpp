@@ -117,7 +117,7 @@ PageSection trial_section(const TracedTrial& trial) {
           "was misread is marked.",
       .trial =
           PageTrial{view_of(trial),
-                    {"trial", which + ": light above the decoded line", trace_as_picture(trial)}}};
+                    {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}}};
 }
 
 void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {

@@ -3,6 +3,10 @@
 const tapHeight = 130;
 const mostColumns = 1500;
 const fewestSamples = 8;  // of the narrowest window
+const tapColours = {  // those of the still figure
+  irradiance_mw_per_m2: '#d55e00', band_pass_mw_per_m2: '#009e73', threshold_mw_per_m2: '#e69f00',
+  integrator_samples: '#cc79a7', agc_gain: '#56b4e9'};
+const pinColour = '#0072b2';
 
 /** Values of 16 bits, least byte first. */
 function unpacked(text) {
@@ -153,6 +157,7 @@ function rowsOf(trial) {
   const row = (members) => ({
     title: members.map((tap) => `${tap.name} [${tap.unit}]`).join('; '),
     range: spanOf(members),
+    colours: members.map((tap) => tapColours[tap.key]),
     see: (view) => {
       const [[x, first], ...others] = members.map((tap) => seen(grids, tap, view));
       return [x, first, ...others.map((other) => other[1])];
@@ -163,9 +168,8 @@ function rowsOf(trial) {
   const rows = [of('irradiance_mw_per_m2'), of('band_pass_mw_per_m2', 'threshold_mw_per_m2'),
                 of('integrator_samples'), of('agc_gain')].filter((members) => members.length > 0).map(row);
   rows[0].marks = trial.sent;
-  rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], see: (view) => seenWire(trial, view),
-             draw: () => {},
-             marks: trial.read, bits: trial.bits});
+  rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], colours: [pinColour],
+             see: (view) => seenWire(trial, view), draw: () => {}, marks: trial.read, bits: trial.bits});
   return rows;
 }
 
@@ -191,7 +195,7 @@ function drawTrial(figure, trial, number) {
     if (key === 'x' && plots.length === rows.length) queueMicrotask(() => catchUp(plot));
   };
   rows.forEach((row, i) => {
-    plots.push(plotOf(figure, row, i, `trial ${number}`, whole, follow));
+    plots.push(plotOf(figure, row, `trial ${number}`, whole, follow));
     keepUp(figure, plots[i], tapHeight, `${row.title} over time`);
   });
   plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
@@ -203,7 +207,7 @@ function drawTrial(figure, trial, number) {
 }
 
 /** Plots of one `sync` are dragged over together. */
-function plotOf(figure, row, number, sync, whole, follow) {
+function plotOf(figure, row, sync, whole, follow) {
   return new uPlot({
     title: row.title,
     width: figure.clientWidth,
@@ -214,8 +218,8 @@ function plotOf(figure, row, number, sync, whole, follow) {
     axes: [{...axisOf({}), size: 34, space: 90, values: millisecondLabels},
            {...axisOf({}), size: 70, space: 18}],
     padding: [row.marks.length > 0 ? 16 : 4, 8, 0, 0],
-    series: [{}, ...row.see(whole).slice(1).map((values, k) => (
-      {stroke: colours[(number + 5 * k) % colours.length], width: k > 0 ? 2 : 1, points: {show: false}}))],
+    series: [{}, ...row.colours.map((colour, k) => (
+      {stroke: () => shadeOf(colour), width: k > 0 ? 2 : 1, points: {show: false}}))],
     hooks: {setScale: [follow], draw: [row.draw, (u) => drawMarks(u, row.marks, row.bits)]},
   }, row.see(whole), figure);
 }

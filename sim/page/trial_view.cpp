@@ -60,11 +60,6 @@ std::vector<float> values_of(std::span<const float> samples, const Stretch& stre
   return values;
 }
 
-/// Of matched receivers only the light was recorded.
-bool is_recorded(const std::vector<float>& samples) {
-  return !samples.empty() && !std::isnan(samples.front());
-}
-
 std::string quantised(const std::vector<float>& values, float least, float greatest) {
   constexpr float steps = 65535;
   std::vector<unsigned char> bytes;

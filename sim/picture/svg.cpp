@@ -42,6 +42,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .heat6 { fill: #a0da39; }
 .heat7 { fill: #fde725; }
 .contour { stroke-width: 3; stroke: #d55e00; }
+.threshold { stroke: #e69f00; stroke-width: 2; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
 .theory { stroke-dasharray: 6 4; }
 .dotted { stroke-dasharray: 2 3; }

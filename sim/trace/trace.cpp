@@ -1,5 +1,6 @@
 #include "sim/trace/trace.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "sim/link/link.hpp"
@@ -37,6 +38,10 @@ dsp::LogicTrace pin_of(const Link& link, std::uint32_t trial, const Transmission
 }  // namespace
 
 std::span<const Tap> analogue_taps() { return all_taps; }
+
+bool is_recorded(std::span<const float> samples) {
+  return !samples.empty() && !std::isnan(samples.front());
+}
 
 TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   const Link link = make_link(scenario);

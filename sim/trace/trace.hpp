@@ -47,4 +47,7 @@ struct Tap {
 };
 std::span<const Tap> analogue_taps();
 
+/// Whether there is anything in a tap: of matched receivers only the light is recorded.
+bool is_recorded(std::span<const float> samples);
+
 }  // namespace sim

@@ -11,4 +11,7 @@ namespace sim {
 /// As SVG. Where no samples were made the light is drawn as it was keyed.
 std::string trace_as_picture(const TracedTrial& trial);
 
+/// The same with every tap that was recorded between the light and the pin.
+std::string taps_as_picture(const TracedTrial& trial);
+
 }  // namespace sim

@@ -58,7 +58,7 @@ INK = """const canvas = arguments[0], {width, height} = canvas;
     let ends = null;
     for (let y = 0; y < height; ++y) {
       const i = 4 * (y * width + x);
-      const isInk = data[i + 3] > 100 && data[i] < 60 && Math.abs(data[i + 1] - 114) < 30 && data[i + 2] > 140;
+      const isInk = data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 30 && data[i + 2] < 60;
       if (isInk) ends = ends ? [ends[0], y] : [y, y];
     }
     return ends;

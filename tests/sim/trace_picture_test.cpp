@@ -1,5 +1,8 @@
 // The picture of a traced trial: what was sent, what was read, and where they differ.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "occurrences.hpp"
 #include "program.hpp"
@@ -67,6 +70,37 @@ TEST(TracePicture, StandsWhereNothingWasSentOrRead) {
   EXPECT_NE(silent.find("read at the receiver's pin: nothing"), std::string::npos);
   const std::string unheard = sim::trace_as_picture(trial_of({"IND 0\n"}, {}));
   EXPECT_NE(unheard.find("Its character 1, "), std::string::npos);
+}
+
+sim::TracedTrial trial_with_taps() {
+  sim::TracedTrial trial = trial_of({"IND 0\n"}, {"IND 0\n"});
+  const auto samples = static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value) + 1;
+  trial.taps = {.irradiance = std::vector<float>(samples, 0.0125F),
+                .band_pass = std::vector<float>(samples, -0.25F),
+                .threshold = std::vector<float>(samples, 0.25F),
+                .integrator = std::vector<float>(samples, 7000),
+                .agc_gain = std::vector<float>(samples, 1)};
+  return trial;
+}
+
+TEST(TracePicture, HasEveryTapInEachOfItsThreePartsWhereAskedTo) {
+  sim::TracedTrial trial = trial_with_taps();
+  const std::string text = sim::taps_as_picture(trial);
+  for (const char* style : {"light", "curve3", "threshold", "curve4", "curve6", "wire"})
+    EXPECT_EQ(sim::occurrences(text, fmt::format("<path class=\"{}\"", style)), 3U) << style;
+  for (const char* mark : {">0.01</text>", ">-0.2</text>", ">5000</text>", ">0.5</text>"})
+    EXPECT_EQ(sim::occurrences(text, mark), 3U) << mark;
+  EXPECT_EQ(sim::occurrences(sim::trace_as_picture(trial), "class=\"curve"), 0U);
+}
+
+TEST(TracePicture, LeavesOutTapsThatWereNotRecorded) {
+  sim::TracedTrial trial = trial_with_taps();
+  const auto nothing = std::vector<float>(trial.taps.irradiance.size(), std::nanf(""));
+  trial.taps.band_pass = trial.taps.threshold = trial.taps.integrator = trial.taps.agc_gain =
+      nothing;
+  EXPECT_EQ(sim::taps_as_picture(trial), sim::trace_as_picture(trial));
+  trial.taps = {};
+  EXPECT_EQ(sim::taps_as_picture(trial), sim::trace_as_picture(trial));
 }
 
 class TracePictureFile : public CommandLine {};
