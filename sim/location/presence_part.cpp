@@ -72,14 +72,18 @@ std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxi
   if (spans.empty())
     return "at no point that was measured is the device noticed in 90 % of the windows or more.\n";
   const auto [narrowest, widest] = std::ranges::minmax_element(spans, {}, &Span::length);
-  const bool is_for_all = spans.size() == curves.size() && narrowest->length() == widest->length();
+  const bool is_for_all =
+      spans.size() == curves.size() && std::ranges::all_of(spans, [&](const Span& span) {
+        return span.from == widest->from && span.to == widest->to;
+      });
   if (is_for_all) widest->curve.clear();
   std::string text = fmt::format("the device is noticed in 90 % of the windows or more at {}",
                                  in_words(*widest, x));
   if (spans.size() < curves.size())
     text += fmt::format(", but nowhere by {} of {}", curves.size() - spans.size(), curves.size());
   else if (!is_for_all)
-    text += fmt::format(", but only at {}", in_words(*narrowest, x));
+    text += fmt::format(", but {}at {}", narrowest->length() < widest->length() ? "only " : "",
+                        in_words(*narrowest, x));
   return text + ".\n";
 }
 
