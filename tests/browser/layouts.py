@@ -22,6 +22,8 @@ def set_media(driver, medium, scheme):
 def set_width(driver, width):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
         "width": width, "height": 1400, "deviceScaleFactor": 1, "mobile": False})
+    driver.execute_async_script(  # charts follow when the page is next drawn
+        "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));")
 
 
 def channels(driver, selector, name):
