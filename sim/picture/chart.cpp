@@ -143,11 +143,10 @@ void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve
 /// Where there are more curves than colours they are dotted, then dashed.
 std::string style_of(const Chart& chart, std::size_t curve) {
   constexpr std::array again{"", " dotted", " dashed"};
-  const std::size_t colour = colour_of(chart, curve);
+  constexpr std::array theory{" theory", " theory2", " theory3"};
+  const std::size_t colour = colour_of(chart, curve), round = colour / styles.size() % again.size();
   return std::string(styles[colour % styles.size()]) +
-         (chart.curves[curve].kind == CurveKind::theory
-              ? " theory"
-              : again[colour / styles.size() % again.size()]);
+         (chart.curves[curve].kind == CurveKind::theory ? theory[round] : again[round]);
 }
 
 }  // namespace

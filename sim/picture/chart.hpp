@@ -39,7 +39,8 @@ struct Chart {
 /// Which of the colours a curve has: a theory that of the curve before it.
 std::size_t colour_of(const Chart& chart, std::size_t curve);
 
-/// 18 lines of characters, each ended by a newline: what the marks are, the paper, the lower axis.
+/// Lines of characters, each ended by a newline: what the marks are, 15 lines of paper, the lower
+/// axis.
 /// Intervals are not shown. A logarithmic axis leaves out what is not positive.
 std::string chart_as_text(const Chart& chart);
 

@@ -14,7 +14,8 @@ namespace {
 constexpr int columns = 64, rows = 15;
 constexpr int label_width = 10;
 
-constexpr std::string_view marks = "ox+#@%";  // of the curves that were measured, in turn
+/// Of the curves that were measured, in turn.
+constexpr std::string_view marks = "ox+#@%ABCDEFGHIJKLMNPQRSTUVWYZ";
 constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*';
 
 /// Values along one axis, as the paper has them.
@@ -73,6 +74,21 @@ bool has_limits(const Chart& chart) {
   });
 }
 
+/// A head and names behind it, in lines no wider than the paper.
+std::string wrapped(const std::string& head, const std::vector<std::string>& names) {
+  std::string text, line = head;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string next = names[i] + (i + 1 < names.size() ? "," : "");
+    if (line.size() + next.size() > columns) {
+      text += fmt::format("{:>{}}  {}\n", "", label_width, line);
+      line = next;
+    } else {
+      line += " " + next;
+    }
+  }
+  return text + fmt::format("{:>{}}  {}\n", "", label_width, line);
+}
+
 std::string legend(const Chart& chart) {
   std::vector<std::string> names;
   const std::vector<char> found = marks_of(chart.curves);
@@ -83,7 +99,7 @@ std::string legend(const Chart& chart) {
       chart.curves, [](const ChartCurve& curve) { return curve.kind != CurveKind::theory; });
   if (measured > 1)
     names.push_back(fmt::format("{} {}", several_mark, measured == 2 ? "both" : "several"));
-  return fmt::format("{:>{}}  {}; {}\n", "", label_width, label(chart.y), fmt::join(names, ", "));
+  return wrapped(label(chart.y) + ";", names);
 }
 
 /// Where a point is marked: a limit at its upper end.

@@ -45,6 +45,8 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .threshold { stroke: #e69f00; stroke-width: 2; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
 .theory { stroke-dasharray: 6 4; }
+.theory2 { stroke-dasharray: 14 4; }
+.theory3 { stroke-dasharray: 6 3 1 3 1 3; }
 .dotted { stroke-dasharray: 2 3; }
 .dashed { stroke-dasharray: 10 3 2 3; }
 .dot { stroke-width: 2; }
