@@ -5,7 +5,6 @@
 
 #include "channel/instruction_set.hpp"
 #include "protocol/uart.hpp"
-#include "sim/link/link.hpp"
 #include "sim/trace/traced_message.hpp"
 #include "sim/trial/heard_trials.hpp"
 
@@ -23,14 +22,6 @@ std::optional<double> delay_of(const dsp::LogicTrace& pin, double at_s, bool lev
       nearest = delay;
   }
   return nearest;
-}
-
-std::uint32_t trials_to_look_at(const Link& link, std::uint64_t counted) {
-  constexpr std::uint64_t most = 400, fewest = 20;
-  constexpr double most_samples = 1e9;
-  const double samples = transmit(link, 0).messages.back().end.value * link.chain.sample_rate.value;
-  const auto affordable = static_cast<std::uint64_t>(most_samples / std::max(samples, 1.0));
-  return static_cast<std::uint32_t>(std::min(counted, std::clamp(affordable, fewest, most)));
 }
 
 /// Trials without their taps, which would take long and much memory.
@@ -56,11 +47,22 @@ void add_trial(FrameStatistics& frames, const Link& link, const TracedTrial& tri
 
 }  // namespace
 
+std::uint64_t affordable_trials(const Link& link, double most_samples) {
+  constexpr double fewest = 20, most = 1e6;
+  const double samples = transmit(link, 0).messages.back().end.value * link.chain.sample_rate.value;
+  return static_cast<std::uint64_t>(
+      std::clamp(most_samples / std::max(samples, 1.0), fewest, most));
+}
+
 FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& counted,
                                const Workers& workers) {
   const Link link = make_link(scenario);
-  const std::uint32_t trials = trials_to_look_at(link, counted.last - counted.first);
-  FrameStatistics frames{.are_all = trials == counted.last - counted.first};
+  constexpr std::uint64_t most = 400;
+  constexpr double most_samples = 1e9;
+  const std::uint64_t all = counted.last - counted.first;
+  const auto trials =
+      static_cast<std::uint32_t>(std::min({all, most, affordable_trials(link, most_samples)}));
+  FrameStatistics frames{.are_all = trials == all};
   if (trials == 0) return frames;
   const auto begin = static_cast<std::uint32_t>(counted.first);
   RunSharing<std::vector<TracedTrial>> sharing(

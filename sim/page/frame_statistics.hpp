@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/counting/shard.hpp"
+#include "sim/link/link.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/run_sharing.hpp"
 #include "sim/trace/trace.hpp"
@@ -35,6 +36,9 @@ struct FrameStatistics {
   WrongBits wrong{};
   std::optional<std::uint32_t> first_misread{};  // number of the trial
 };
+
+/// How many trials of a link have no more than about so many samples together; 20 at least.
+std::uint64_t affordable_trials(const Link& link, double most_samples);
 
 /// Of the `counted` trials of the point that `scenario` is: all of them, but no more than the first
 /// 400, nor more than about 1e9 samples, and 20 at least. Worth nothing after an interrupt.

@@ -3,15 +3,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/page/frame_statistics.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/result/curve_fit.hpp"
 #include "sim/result/unfinished.hpp"
 
 namespace sim {
 namespace {
+
+constexpr std::uint64_t most_frames = 100;
+constexpr double most_samples = 2e8;  // without one trouble
 
 struct Trouble {
   std::string name;
@@ -48,9 +55,11 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
 }
 
 /// Overrides that make one point of a sweep.
-std::vector<std::string> pinned(const ExperimentResult& result, const PointResult& point) {
-  std::vector<std::string> overrides{"stop.max_frames=100", "stop.max_frame_errors=0",
-                                     "stop.rel_ci=0", "stop.target_flr=0"};
+std::vector<std::string> pinned(const ExperimentResult& result, const PointResult& point,
+                                std::uint64_t frames) {
+  std::vector<std::string> overrides{fmt::format("stop.max_frames={}", frames),
+                                     "stop.max_frame_errors=0", "stop.rel_ci=0",
+                                     "stop.target_flr=0"};
   for (std::size_t i = 0; i < result.axes.size(); ++i) {
     const Axis& axis = result.axes[i];
     overrides.push_back(
@@ -87,7 +96,9 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
                     const Workers& workers) {
   const PointResult* point = failing_point(result);
   if (point == nullptr || has_theory(scenario) || is_weighted(result)) return {};
-  const std::vector<std::string> pins = pinned(result, *point);
+  const Link link = make_link(point_scenario(scenario, point->coordinates));
+  const std::vector<std::string> pins =
+      pinned(result, *point, std::min(most_frames, affordable_trials(link, most_samples)));
   const auto load = [&](const std::vector<std::string>& without) {
     std::vector<std::string> overrides = pins;
     overrides.insert(overrides.end(), without.begin(), without.end());
