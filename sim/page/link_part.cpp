@@ -1,7 +1,10 @@
 #include "sim/page/link_part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "sim/counting/statistics.hpp"
@@ -21,27 +24,60 @@
 namespace sim {
 namespace {
 
+bool has_theory(const ExperimentResult& result) {
+  return std::ranges::any_of(result.points, [](const PointResult& point) {
+    return !std::isnan(point.operating.ber_theory);
+  });
+}
+
+std::vector<std::string> head_of(const ExperimentResult& result, bool theory) {
+  std::vector<std::string> head;
+  for (const Axis& axis : result.axes) head.push_back(axis_name(axis));
+  for (const char* name :
+       {"irradiance [mW/m2]", "SNR [dB]", "frames", "lost", "FLR", "bit errors", "BER"})
+    head.emplace_back(name);
+  if (theory) head.emplace_back("BER in theory");
+  head.emplace_back("undetected");
+  head.emplace_back("stopped by");
+  return head;
+}
+
+std::vector<std::string> row_of(const ExperimentResult& result, const PointResult& point,
+                                bool theory) {
+  std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
+  row.push_back(fmt::format("{:.4g}", point.operating.irradiance_mw_per_m2));
+  row.push_back(fmt::format("{:.1f}", point.operating.snr_db));
+  row.push_back(std::to_string(point.tally.n_frames));
+  row.push_back(std::to_string(point.tally.n_frames_lost));
+  row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
+  row.push_back(std::to_string(point.tally.n_bit_errors));
+  row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
+  if (theory) row.push_back(theory_text(point.operating.ber_theory));
+  row.push_back(std::to_string(point.tally.n_frames_undetected));
+  row.push_back(closing_text(point));
+  return row;
+}
+
 PageTable table_of(const ExperimentResult& result) {
-  PageTable table;
-  for (const Axis& axis : result.axes) table.head.push_back(axis_name(axis));
-  for (const char* name : {"irradiance [mW/m2]", "SNR [dB]", "frames", "lost", "FLR", "bit errors",
-                           "BER", "undetected", "stopped by"})
-    table.head.emplace_back(name);
-  for (const PointResult& point : result.points) {
-    if (!measured(point)) continue;
-    std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
-    row.push_back(fmt::format("{:.4g}", point.operating.irradiance_mw_per_m2));
-    row.push_back(fmt::format("{:.1f}", point.operating.snr_db));
-    row.push_back(std::to_string(point.tally.n_frames));
-    row.push_back(std::to_string(point.tally.n_frames_lost));
-    row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
-    row.push_back(std::to_string(point.tally.n_bit_errors));
-    row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
-    row.push_back(std::to_string(point.tally.n_frames_undetected));
-    row.emplace_back(stop_reason_name(point.stop));
-    table.rows.push_back(std::move(row));
-  }
+  const bool theory = has_theory(result);
+  PageTable table{.head = head_of(result, theory), .rows = {}};
+  for (const PointResult& point : result.points)
+    if (measured(point)) table.rows.push_back(row_of(result, point, theory));
   return table;
+}
+
+/// Marks stand in the table of all numbers, far below.
+std::string marked_points(const ExperimentResult& result) {
+  const auto outside = std::ranges::count_if(
+      result.points, [](const PointResult& point) { return point.outside != 0; });
+  const auto alarming = std::ranges::count_if(
+      result.points, [](const PointResult& point) { return point.alarms != 0; });
+  std::vector<std::string> marks;
+  if (outside > 0) marks.push_back(fmt::format("{} outside of what a model is valid for", outside));
+  if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));
+  if (marks.empty()) return "";
+  return fmt::format("Of {} points {}: they are marked in the table of all numbers.\n",
+                     result.points.size(), fmt::join(marks, " and "));
 }
 
 const char* const fates[] = {"delivered", "a line was heard, but not the one sent",
@@ -74,7 +110,7 @@ PageSection fates_section(const ExperimentResult& result) {
   const ShareBars bars = fates_of(result);
   PageSection section =
       bars.rows.empty() ? PageSection{.heading = bars.title} : shares_section("fates", bars);
-  section.text = loss_reasons(result) + mark_notes(result);
+  section.text = loss_reasons(result);
   return section;
 }
 
@@ -115,9 +151,8 @@ PageSection trial_section(const TracedTrial& trial) {
           "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
           "pan in any of them. Above the light what was sent, along the pin what was read; what "
           "was misread is marked.",
-      .trial =
-          PageTrial{view_of(trial),
-                    {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}}};
+      .trial = PageTrial{view_of(trial),
+                         {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}}};
 }
 
 void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {
@@ -150,7 +185,8 @@ void add_trial(ReportPart& part, const ShownTrial& shown) {
 
 ReportPart link_part(const LinkReport& link) {
   const ExperimentResult& result = link.result;
-  ReportPart part{link.name, result.title, verdict_of(result, link.omissions)};
+  ReportPart part{link.name, result.title,
+                  verdict_of(result, link.omissions) + marked_points(result)};
   add_ranking(part, result);
   part.charts = result_charts(result);
   add_maps(part, result);
@@ -158,7 +194,8 @@ ReportPart link_part(const LinkReport& link) {
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
   if (link.trial) add_trial(part, *link.trial);
   add_frames(part, link.frames);
-  part.sections.push_back({.heading = "All numbers", .table = table_of(result)});
+  part.sections.push_back(
+      {.heading = "All numbers", .text = mark_notes(result), .table = table_of(result)});
   part.sections.push_back(scenario_section(result.command, result.scenario_toml));
   return part;
 }

@@ -25,10 +25,11 @@ PageTable table_of(const Chart& chart) {
   return table;
 }
 
+/// From above, as the picture has it.
 PageTable table_of(const HeatMap& map) {
   PageTable table{.head = {map.y_label + " \\ " + map.x_label}, .rows = {}};
   table.head.insert(table.head.end(), map.columns.begin(), map.columns.end());
-  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+  for (std::size_t r = map.rows.size(); r-- > 0;) {
     table.rows.push_back({map.rows[r]});
     for (const double value : map.values[r])
       table.rows.back().push_back(std::isnan(value) ? "-" : fmt::format("{:.2g}", value));

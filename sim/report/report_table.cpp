@@ -36,23 +36,11 @@ std::string decibel(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
 }
 
-std::string theory_text(double ratio) {
-  if (std::isnan(ratio)) return "-";
-  return ratio < 0.01 ? scientific(ratio, 3) : fmt::format("{:.4f}", ratio);
-}
-
 constexpr const char* alarm_sign = "!!";
 
 template <class Flag>
 std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
   return (mask == 0 ? "" : "  ") + raised_mark(table, mask, sign);
-}
-
-/// Why it stopped, and behind it marks where a model is outside of its range and of alarms.
-std::string closing_text(const PointResult& point, bool known) {
-  if (!known) return "-";
-  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign) +
-         mark(alarms(), point.alarms, alarm_sign);
 }
 
 std::string real_time_factor(const PointResult& p) {
@@ -80,8 +68,18 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
   if (theory) texts.push_back(theory_text(point.operating.ber_theory));
   texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
   texts.push_back(real_time_factor(point));
-  texts.push_back(closing_text(point, known));
+  texts.push_back(known ? closing_text(point) : "-");
   return table_line(columns_of(axes, theory), texts);
+}
+
+std::string theory_text(double ber) {
+  if (std::isnan(ber)) return "-";
+  return ber < 0.01 ? scientific(ber, 3) : fmt::format("{:.4f}", ber);
+}
+
+std::string closing_text(const PointResult& point) {
+  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign) +
+         mark(alarms(), point.alarms, alarm_sign);
 }
 
 std::string mark_notes(const ExperimentResult& result) {

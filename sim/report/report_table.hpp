@@ -16,6 +16,13 @@ std::string table_header(const std::vector<Axis>& axes, bool theory = false);
 std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
                       bool theory = false);
 
+/// What theory says of bit errors; "-" where it says nothing.
+std::string theory_text(double ber);
+
+/// Why a point that was measured stopped, and behind it marks: where a model is outside of its
+/// range ("! carrier"), and alarms ("!! weights").
+std::string closing_text(const PointResult& point);
+
 /// A line for each kind of mark in the table: what "! near" or "!! half" means; empty if there is
 /// none.
 std::string mark_notes(const ExperimentResult& result);
