@@ -19,6 +19,7 @@ class AxisSpan {
     if (!shows(value)) return;
     least_ = std::min(least_, value);
     greatest_ = std::max(greatest_, value);
+    whole_ = whole_ && value == std::round(value);
   }
   /// Of a point all, but of an interval that goes far down no more than two decades below it.
   void cover(const ChartPoint& point) {
@@ -29,10 +30,12 @@ class AxisSpan {
   /// Infinite, and the greater first, where nothing was covered.
   double least() const { return least_; }
   double greatest() const { return greatest_; }
+  /// Whether all were whole numbers, as counts are.
+  bool is_whole() const { return whole_; }
   double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
 
  private:
-  bool logarithmic_;
+  bool logarithmic_, whole_ = true;
   double least_ = std::numeric_limits<double>::infinity();
   double greatest_ = -std::numeric_limits<double>::infinity();
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "sim/picture/axis_span.hpp"
 #include "sim/picture/scale.hpp"
@@ -29,12 +30,18 @@ class Positions {
 
   bool shows(double value) const { return span_.shows(value); }
   void cover(double value) { span_.cover(value); }
-  void cover(const ChartPoint& point) { span_.cover(point); }
+  void cover(const ChartPoint& point) {
+    span_.cover(point);
+    if (point.is_limit && shows(point.high)) lowest_limit_ = std::min(lowest_limit_, point.high);
+  }
   /// To be called once when all is covered.
   void settle() {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
-    if (span_.is_logarithmic()) least = std::floor(least), greatest = std::ceil(greatest);
+    if (span_.is_logarithmic()) {
+      greatest = std::ceil(greatest);
+      least = with_room_for_arrows(std::min(std::floor(least), greatest - 1), greatest);
+    }
     const double size = std::max(std::abs(least), std::abs(greatest));
     const double half = std::max(0.5, 1e-6 * size);
     if (greatest - least <= 1e-9 * size) least -= half, greatest += half;  // else no room for marks
@@ -46,9 +53,10 @@ class Positions {
   /// Values worth a mark.
   std::vector<double> marks() const {
     std::vector<double> values = round_values(scale_.from, scale_.to, 9);
-    if (!span_.is_logarithmic()) return values;
-    std::erase_if(values, [](double exponent) { return exponent != std::round(exponent); });
-    for (double& value : values) value = std::pow(10, value);
+    if (span_.is_logarithmic() || span_.is_whole())
+      std::erase_if(values, [](double value) { return value != std::round(value); });
+    if (span_.is_logarithmic())
+      for (double& value : values) value = std::pow(10, value);
     return values;
   }
   std::string label(double value) const {
@@ -58,8 +66,17 @@ class Positions {
   }
 
  private:
+  /// The lower of two exponents, or so many decades below it that the arrow of the lowest limit
+  /// ends above the axis.
+  double with_room_for_arrows(double from, double to) const {
+    const double room = arrow_length / std::abs(scale_.at_to - scale_.at_from);
+    while (std::log10(lowest_limit_) - from < room * (to - from)) --from;
+    return from;
+  }
+
   AxisSpan span_;
   Scale scale_;
+  double lowest_limit_ = std::numeric_limits<double>::infinity();
 };
 
 struct Paper {
@@ -107,12 +124,13 @@ std::string line_through(const ChartCurve& curve, const Paper& paper) {
   return path;
 }
 
-/// An arrow downward from the upper end.
+/// An arrow downward from the upper end, shorter where the axis is near.
 void draw_limit(SvgDrawing& drawing, double x, double y, const std::string& style) {
-  drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker,
-                           y, 2 * whisker, x, y, arrow_length, whisker, whisker, whisker, whisker,
-                           whisker, whisker),
-               style);
+  const double length = std::min(arrow_length, bottom - y);
+  drawing.path(
+      fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker, y,
+                  2 * whisker, x, y, length, whisker, whisker, whisker, whisker, whisker, whisker),
+      style);
 }
 
 void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& point,

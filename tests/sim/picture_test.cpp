@@ -109,6 +109,28 @@ TEST(Chart, ShowsAPointWithoutErrorsAsALimit) {
   EXPECT_NE(with.find(">1e-3<"), std::string::npos) << "the axis reaches down to the limit";
 }
 
+TEST(Chart, ReachesSoFarBelowALimitThatItsArrowHasRoom) {
+  const ChartPoint limit{1, 0, 0, 0.1, true}, higher{2, 0.5, 0.4, 0.6};
+  const std::string with = chart_as_svg(chart_of({limit, higher}, true));
+  EXPECT_NE(with.find(">0.01<"), std::string::npos) << "0.1 is not the foot of the axis";
+  EXPECT_EQ(occurrences(with, "v24m"), 1U);
+  EXPECT_EQ(chart_as_svg(chart_of({{1, 0.1, 0.1, 0.1}, higher}, true)).find(">0.01<"),
+            std::string::npos);
+  const std::string linear = chart_as_svg(chart_of({{1, 0, 0, 0.05, true}, {2, 1, 1, 1}}, false));
+  EXPECT_EQ(occurrences(linear, "v24m"), 0U) << "it would end below 0";
+  EXPECT_EQ(occurrences(linear, "v16.5m"), 1U);
+}
+
+TEST(Chart, MarksCountsAtWholeNumbers) {
+  const auto marked = [](const char* fraction, double greatest) {
+    const ChartPoint last{3, greatest, greatest, greatest};
+    return occurrences(chart_as_svg(chart_of({{1, 0, 0, 0}, last}, false)), fraction);
+  };
+  EXPECT_EQ(marked(">0.5<", 2), 0U);
+  EXPECT_EQ(marked(">1<", 2), 2U) << "of both axes";
+  EXPECT_EQ(marked(">0.5<", 2.5), 1U);
+}
+
 TEST(Chart, IsNotMadeFlatByAnIntervalThatGoesFarDown) {
   const std::string text = chart_as_svg(chart_of({{1, 0.1, 1e-9, 0.5}, {2, 0.5, 0.4, 0.6}}, true));
   EXPECT_NE(text.find(">1e-3<"), std::string::npos) << "two decades below the point";
