@@ -2,12 +2,14 @@
 
 const cellsOf = (row) => [...row.cells].map((cell) => cell.textContent);
 
-/** Numbers before texts, by their value; texts by their letters. */
+const isLimit = (text) => text.startsWith('<');
+
+/** Numbers before texts, by their value, and before them those of which no more is known than that they are less. */
 function compare(a, b) {
   const x = parseFloat(a.replace(/^[<>]\s*/, '')), y = parseFloat(b.replace(/^[<>]\s*/, ''));
   if (Number.isNaN(x) && Number.isNaN(y)) return a.localeCompare(b);
   if (Number.isNaN(x) || Number.isNaN(y)) return Number.isNaN(x) ? 1 : -1;
-  return x - y;
+  return isLimit(b) - isLimit(a) || x - y;
 }
 
 function sortBy(table, column) {

@@ -16,10 +16,10 @@ def cells(driver, table):
 
 
 def column(driver, table, index):
-    """Its numbers, or None where one is none."""
+    """Its numbers, whether they are more than a bound first, or None where one is none."""
     texts = [row[index] for row in cells(driver, table)[1:]]
     try:
-        return [float(text.lstrip("<> ").split()[0]) for text in texts]
+        return [(not text.startswith("<"), float(text.lstrip("<> ").split()[0])) for text in texts]
     except ValueError:
         return None
 
