@@ -5,15 +5,11 @@ const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curv
 const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
 const shadeOf = (colour) => (colour === '#0072b2' && isDark() ? '#4aa3df' : colour);
 const colourOf = (curve) => shadeOf(colours[curve.colour % colours.length]);
-const borderOf = (curve) =>
-  (curve.kind === 'theory' ? 'dashed' : ['solid', 'dotted', 'double'][Math.floor(curve.colour / colours.length) % 3]);
 const dashOf = (curve) =>
   (curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(curve.colour / colours.length) % dashes.length]);
 const chartHeight = 420;
-const arrow = 24;  // pixels of a limit's arrow
+const plotHeight = 320;  // of it, without what stands at the axes
 const whisker = 4;
-
-const isShown = (axis, value) => Number.isFinite(value) && (!axis.logarithmic || value > 0);
 
 /** The abscissae of all curves, and each curve's points in their places. */
 function alignedPoints(chart) {
@@ -28,32 +24,24 @@ function alignedPoints(chart) {
   return {x, rows};
 }
 
-/** All of a point, but of an interval that goes far down no more than two decades below it. */
-function reachOf(point, axis) {
-  const low = axis.logarithmic && point.y !== null ? Math.max(point.low, point.y / 100) : point.low;
-  return [point.y, point.high, low];
-}
+/** Whether a curve goes through a point; it is broken at limits. */
+const isThrough = (point, chart) => !point.is_limit && isShown(chart.x, point.x) && isShown(chart.y, point.y);
 
-function reach(axis, values) {
-  const shown = values.filter((value) => isShown(axis, value));
-  if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
-  const least = Math.min(...shown), greatest = Math.max(...shown);
-  if (axis.logarithmic && least > 0)
-    return [10 ** Math.floor(Math.log10(least)), 10 ** Math.ceil(Math.log10(greatest) - 1e-9)];
-  return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
-}
-
-/** A little beyond the first and the last, so that their marks are seen whole. */
-function padded([from, to], axis) {
-  const margin = 0.02;
-  if (axis.logarithmic) return [from * (to / from) ** -margin, to * (to / from) ** margin];
-  return [from - margin * (to - from), to + margin * (to - from)];
+/**
+ * A curve's ordinates as uPlot has them: null breaks it, undefined does not. Abscissae that other curves alone have
+ * break it where one of its own points beside them does.
+ */
+function ordinates(row, chart) {
+  const y = row.map((point) => (point ? (isThrough(point, chart) ? point.y : null) : undefined));
+  for (const i of y.keys()) if (y[i] === undefined && y[i - 1] === null) y[i] = null;
+  for (const i of [...y.keys()].reverse()) if (y[i] === undefined && y[i + 1] === null) y[i] = null;
+  return y;
 }
 
 /** Bars for intervals, arrows for limits. */
 function drawIntervals(plot, chart, rows) {
   const context = plot.ctx;
-  const ratio = window.devicePixelRatio || 1;
+  const ratio = pixelRatio();
   const {left, top, width, height: tall} = plot.bbox;
   context.save();
   context.beginPath();
@@ -69,7 +57,7 @@ function drawIntervals(plot, chart, rows) {
       if (!point || !(point.high > 0) || (point.low === point.high && !point.is_limit)) continue;
       const x = plot.valToPos(point.x, 'x', true);
       const high = plot.valToPos(point.high, 'y', true);
-      const low = point.is_limit ? high + arrow * ratio
+      const low = point.is_limit ? Math.min(high + arrow * ratio, top + tall)
                                  : point.low > 0 ? plot.valToPos(point.low, 'y', true) : top + tall;
       const side = whisker * ratio;
       context.moveTo(x - side, high);
@@ -85,34 +73,31 @@ function drawIntervals(plot, chart, rows) {
   context.restore();
 }
 
-function seriesOf(chart) {
-  const text = (value) => (value === null || value === undefined ? '-' : value.toPrecision(3));
-  return chart.curves.map((curve) => ({
+/** A point in the legend. */
+function told(point) {
+  const text = (value) => String(Number(value.toPrecision(3)));
+  if (!point || !Number.isFinite(point.is_limit ? point.high : point.y)) return '-';
+  return point.is_limit ? `< ${text(point.high)}` : text(point.y);
+}
+
+function seriesOf(chart, rows) {
+  return chart.curves.map((curve, k) => ({
     label: curve.name,
     stroke: () => colourOf(curve),
     dash: dashOf(curve),
     points: {show: curve.kind === 'measured'},
-    spanGaps: true,
-    value: (plot, value) => text(value),
+    value: (plot, value, series, i) => told(rows[k][i]),
   }));
 }
 
-/** Of 1, 2 and 5 times a power of ten alone; others get in each other's way. */
-function logarithmicLabel(value) {
-  if (value === null) return '';
-  const [digit, exponent] = value.toExponential(6).replace(/\.?0+e/, 'e').split('e');
-  if (!['1', '2', '5'].includes(digit)) return '';
-  if (exponent >= -2 && exponent <= 4) return String(Number(value.toPrecision(6)));
-  return digit === '1' ? `1e${Number(exponent)}` : '';
-}
-
-/** Colours of the style sheet, which are others in the dark. */
-const styled = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
-
-function axisOf(axis) {
-  const faint = {stroke: 'rgba(128, 128, 128, 0.25)', width: 1};
-  const common = {label: axis.label, stroke: () => styled('--ink'), grid: faint, ticks: faint};
-  return axis.logarithmic ? {...common, values: (plot, marks) => marks.map(logarithmicLabel)} : common;
+/** Lines of the curves' colours and dashes in the legend. */
+function drawSwatches(plot, chart) {
+  const markers = [...plot.root.querySelectorAll('.u-marker')].slice(1);  // the first is that of x
+  chart.curves.forEach((curve, i) => {
+    const style = `stroke: ${colourOf(curve)}; stroke-dasharray: ${(dashOf(curve) || ['none']).join(' ')}`;
+    markers[i].innerHTML =
+      `<svg viewBox="0 0 36 12" aria-hidden="true"><line x2="36" y1="6" y2="6" style="${style}"/></svg>`;
+  });
 }
 
 /** Plots as wide as their figure, in the colours of the day or night; the drawing has a name. */
@@ -126,8 +111,9 @@ function keepUp(figure, plot, height, name) {
 
 function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
-  const values = rows.flat().filter((point) => point).flatMap((point) => reachOf(point, chart.y));
-  const whole = {x: padded(reach({}, x), chart.x), y: reach(chart.y, values)};
+  const points = rows.flat().filter((point) => point), values = points.flatMap((point) => reachOf(point, chart.y));
+  const limits = points.filter((point) => point.is_limit && point.high > 0).map((point) => point.high);
+  const whole = {x: padded(reach({}, x), chart.x), y: reach(chart.y, values, limits, arrow / plotHeight)};
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
@@ -136,15 +122,18 @@ function drawLive(figure, chart) {
       x: scale(chart.x, (u, from, to) => (from === x[0] && to === x.at(-1) ? whole.x : [from, to])),
       y: scale(chart.y, () => whole.y),
     },
-    axes: [axisOf(chart.x), axisOf(chart.y)],
-    series: [{label: chart.x.label}, ...seriesOf(chart)],
-    legend: {markers: {dash: (u, i) => (i > 0 ? borderOf(chart.curves[i - 1]) : 'solid')}},
-    hooks: {draw: [(u) => drawIntervals(u, chart, rows)]},
-  }, [x, ...rows.map((row) => row.map((point) => (point && !point.is_limit ? point.y : null)))], figure);
+    axes: [{...axisOf(chart.x), ...marksFor(chart.x, x)},
+           {...axisOf(chart.y), ...marksFor(chart.y, values), size: widthFor}],
+    series: [{label: chart.x.label}, ...seriesOf(chart, rows)],
+    cursor: {dataIdx: (u, series, i) => i},
+    legend: {markers: {width: 0}},
+    hooks: {draw: [(u) => drawIntervals(u, chart, rows), (u) => drawSwatches(u, chart)]},
+  }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   const view = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale('x', {min, max});
-  listenToKeys(figure, {view, show, whole: whole.x, least: 1e-6, axis: chart.x, name: chart.x.label});
+  const tell = (ends) => `${chart.x.label}: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;
+  listenToKeys(figure, {view, show, whole: whole.x, least: 1e-6, axis: chart.x, tell});
 }
 
 /** What a window becomes that grows by shares of itself at both ends: within the whole, not below the least. */
@@ -155,13 +144,13 @@ function moved([from, to], [before, after], [first, last], least) {
   return [within, within + wide];
 }
 
-/** + and - zoom, arrows pan, 0 shows all. `least`: the narrowest window, as a share of the whole. */
-function listenToKeys(figure, {view, show, whole, least, axis, name}) {
+/** + and - zoom, arrows pan, 0 shows all. `least`: the narrowest window, as a share of the whole; `tell`: its ends. */
+function listenToKeys(figure, {view, show, whole, least, axis, tell}) {
   const there = axis.logarithmic ? Math.log : (value) => value;
   const back = axis.logarithmic ? Math.exp : (value) => value;
   const steps = {'+': [-0.25, -0.25], '=': [-0.25, -0.25], '-': [0.5, 0.5],
                  'ArrowLeft': [0.2, -0.2], 'ArrowRight': [-0.2, 0.2]};
-  const told = addStatus(figure);
+  const status = addStatus(figure);
   figure.addEventListener('keydown', (event) => {
     const step = steps[event.key];
     if (event.ctrlKey || event.metaKey || event.altKey || !(step || event.key === '0')) return;
@@ -169,7 +158,7 @@ function listenToKeys(figure, {view, show, whole, least, axis, name}) {
     const next = step && moved(view().map(there), step, whole.map(there), least).map(back);
     const isAll = !next || next[1] - next[0] >= (1 - 1e-9) * (whole[1] - whole[0]);
     show(isAll ? whole : next);
-    told.textContent = isAll ? 'All is shown' : `${name}: ${next.map((end) => end.toPrecision(4)).join(' to ')}`;
+    status.textContent = isAll ? 'All is shown' : tell(next);
   });
 }
 

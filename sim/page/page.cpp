@@ -154,8 +154,8 @@ std::string page_as_html(const Page& page) {
   html += "</main>\n" + data_of(page);
   if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
   return html +
-         fmt::format("<script>\n'use strict';\n{{\n{}{}{}{}}}\n</script>\n</body>\n</html>\n",
-                     chart_script, trial_script, table_script, report_script);
+         fmt::format("<script>\n'use strict';\n{{\n{}{}{}{}{}}}\n</script>\n</body>\n</html>\n",
+                     axis_script, chart_script, trial_script, table_script, report_script);
 }
 
 bool is_page(const std::filesystem::path& path) {

@@ -120,7 +120,7 @@ function seenWire(trial, [from, to]) {
 /** Characters, or where there is room bits, along the top of a plot. */
 function drawMarks(plot, marks, bits) {
   const {left, top, width} = plot.bbox;
-  const ratio = window.devicePixelRatio || 1;
+  const ratio = pixelRatio();
   const {min, max} = plot.scales.x;
   const shown = (list) => list.filter(([at]) => at >= min && at <= max);
   const fits = bits.length > 0 && shown(bits).length * 14 * ratio < width;
@@ -141,14 +141,6 @@ function spanOf(taps) {
   const least = Math.min(...taps.map((tap) => tap.least)), greatest = Math.max(...taps.map((tap) => tap.greatest));
   const margin = 0.05 * (greatest - least || 1);
   return [least - margin, greatest + margin];
-}
-
-/** Milliseconds with the decimals that tell the marks apart. */
-function millisecondLabels(plot, seconds) {
-  const step = (seconds[1] - seconds[0]) * 1e3;
-  let decimals = 0;
-  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-3) ++decimals;
-  return seconds.map((value) => (value * 1e3).toFixed(decimals));
 }
 
 /** Plots below each other: the light, band-pass and threshold, the others by themselves, the pin. */
@@ -199,7 +191,8 @@ function drawTrial(figure, trial, number) {
     keepUp(figure, plots[i], tapHeight, `${row.title} over time`);
   });
   plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
-  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, name: 'Seconds'});
+  const tell = (ends) => `Seconds: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;
+  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, tell});
   const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
   const edge = [trial.byte_from_s - 5 * trial.cycle_s, trial.byte_from_s + 25 * trial.cycle_s];
   addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
@@ -215,7 +208,8 @@ function plotOf(figure, row, sync, whole, follow) {
     legend: {show: false},
     cursor: {sync: {key: sync}, drag: {x: true, y: false}, points: {show: false}},
     scales: {x: {time: false, range: (u, from, to) => [from, to]}, y: {range: row.range}},
-    axes: [{...axisOf({}), size: 34, space: 90, values: millisecondLabels},
+    axes: [{...axisOf({}), size: 34, space: 90,
+            values: (u, seconds) => labelsOf(seconds.map((value) => value * 1e3))},
            {...axisOf({}), size: 70, space: 18}],
     padding: [row.marks.length > 0 ? 16 : 4, 8, 0, 0],
     series: [{}, ...row.colours.map((colour, k) => (

@@ -6,6 +6,8 @@ from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
+from texts import record_texts
+
 
 def opened(report):
     """A browser with a report in it."""
@@ -15,6 +17,7 @@ def opened(report):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = webdriver.Chrome(options=options)
+    record_texts(driver)
     driver.get(pathlib.Path(report).resolve().as_uri())
     return driver
 

@@ -11,9 +11,12 @@ from selenium.webdriver.common.keys import Keys
 
 from browser import drag_over, enter, expect, expect_no_complaints, image, opened, press, send, send_with_control
 from layouts import look_at_layouts
+from made_up import look_at_made_up
 from tables import use_tables
+from texts import texts, touching, upright_labels
 
 FEWEST_PIXELS = 2000  # axes, labels and a curve have many more
+ROOM = 4              # pixels between labels and what stands beside them
 
 
 def drawn_pixels(driver, canvas):
@@ -23,10 +26,19 @@ def drawn_pixels(driver, canvas):
            return data.filter((value, i) => i % 4 === 3 && value > 0).length;""", canvas)
 
 
+def expect_labels_apart(driver, canvas):
+    """Also from the title beside them."""
+    written = texts(driver, canvas)
+    labels = [one["text"] for one in upright_labels(written)]
+    expect(labels and len(set(labels)) == len(labels), f"marks have the same label: {labels}")
+    expect(not touching(written, ROOM), f"these texts touch: {touching(written, ROOM)}")
+
+
 def use_chart(driver, chart):
     canvas = chart.find_element(By.TAG_NAME, "canvas")
     plot = chart.find_element(By.CLASS_NAME, "u-over")
     expect(drawn_pixels(driver, canvas) > FEWEST_PIXELS, "a chart has nothing on it")
+    expect_labels_apart(driver, canvas)
     enter(driver, chart)
     whole = image(driver, canvas)
     send(driver, Keys.ARROW_RIGHT, "-")
@@ -79,10 +91,14 @@ def use_trial(driver, trial):
         expect(images() == views[0], "the whole frame does not come back")
 
 
+def has_live_pictures(driver):
+    return driver.execute_script("return typeof uPlot !== 'undefined'")
+
+
 def use_pictures(driver):
     charts = driver.find_elements(By.CLASS_NAME, "chart")
     expect(charts, "there is no chart")
-    if driver.execute_script("return typeof uPlot === 'undefined'"):
+    if not has_live_pictures(driver):
         print("built without uPlot: charts stand still")
         expect(all(chart.find_element(By.TAG_NAME, "svg").is_displayed() for chart in charts),
                "a still picture is not shown")
@@ -102,6 +118,8 @@ def main(report, screenshot):
     look_at_layouts(driver)
     expect(driver.execute_script("return performance.getEntriesByType('resource').length") == 0,
            "it loads something")
+    if has_live_pictures(driver):
+        look_at_made_up(driver, report)
     expect_no_complaints(driver)
     driver.quit()
 

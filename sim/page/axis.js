@@ -1,0 +1,77 @@
+// Axes of a report's live plots: how far they reach, and what stands at their marks.
+
+const arrow = 24;  // pixels of a limit's arrow
+const axisWidth = 50, aboutLabels = 25;  // pixels: the narrowest of what stands upright, and all but its labels
+
+const isShown = (axis, value) => Number.isFinite(value) && (!axis.logarithmic || value > 0);
+
+/** All of a point, but of an interval that goes far down no more than two decades below it. */
+function reachOf(point, axis) {
+  const low = axis.logarithmic && point.y !== null ? Math.max(point.low, point.y / 100) : point.low;
+  return [point.y, point.high, low];
+}
+
+/** The exponent `from`, or one so far below it that the lowest limit stands `share` of the axis above its foot. */
+function below(from, to, limits, share) {
+  const lowest = Math.min(...limits.map(Math.log10));
+  return lowest - from < share * (to - from) ? below(from - 1, to, limits, share) : from;
+}
+
+/** Whole decades of a logarithmic axis, with room below `limits`. */
+function reach(axis, values, limits = [], share = 0) {
+  const shown = values.filter((value) => isShown(axis, value));
+  if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
+  const least = Math.min(...shown), greatest = Math.max(...shown);
+  if (!axis.logarithmic) return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
+  const to = Math.ceil(Math.log10(greatest) - 1e-9), from = Math.min(Math.floor(Math.log10(least)), to - 1);
+  return [10 ** below(from, to, limits, share), 10 ** to];
+}
+
+/** A little beyond the first and the last, so that their marks are seen whole. */
+function padded([from, to], axis) {
+  const margin = 0.02;
+  if (axis.logarithmic) return [from * (to / from) ** -margin, to * (to / from) ** margin];
+  return [from - margin * (to - from), to + margin * (to - from)];
+}
+
+/** Of 1, 2 and 5 times a power of ten alone; others get in each other's way. */
+function logarithmicLabel(value) {
+  if (value === null) return '';
+  const [digit, exponent] = value.toExponential(6).replace(/\.?0+e/, 'e').split('e');
+  if (!['1', '2', '5'].includes(digit)) return '';
+  if (exponent >= -2 && exponent <= 4) return String(Number(value.toPrecision(6)));
+  return digit === '1' ? `1e${Number(exponent)}` : '';
+}
+
+/** With the decimals that tell the marks apart. */
+function labelsOf(marks) {
+  const step = marks.length > 1 ? marks[1] - marks[0] : Math.abs(marks[0]);
+  const isTrue = (decimals) => marks.every((mark) => Math.abs(Number(mark.toFixed(decimals)) - mark) <= 1e-3 * step);
+  let decimals = 0;
+  while (decimals < 12 && !isTrue(decimals)) ++decimals;
+  return marks.map((mark) => mark.toFixed(decimals));
+}
+
+const pixelRatio = () => window.devicePixelRatio || 1;
+
+/** So that the axis' title does not touch its labels. */
+function widthFor(plot, labels, i) {
+  plot.ctx.font = plot.axes[i].font[0];
+  const widths = (labels || []).map((label) => plot.ctx.measureText(label).width / pixelRatio());
+  return Math.max(axisWidth, aboutLabels + Math.max(0, ...widths));
+}
+
+/** Colours of the style sheet, which are others in the dark. */
+const styled = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
+const wholeSteps = Array.from({length: 12}, (_, i) => [1, 2, 5].map((digit) => digit * 10 ** i)).flat();
+
+/** Of whole numbers, as counts are, there are no marks between them. */
+const marksFor = (axis, values) =>
+  (values.filter((value) => isShown(axis, value)).every(Number.isInteger) ? {incrs: wholeSteps} : {});
+
+function axisOf(axis) {
+  const faint = {stroke: 'rgba(128, 128, 128, 0.25)', width: 1};
+  return {label: axis.label, stroke: () => styled('--ink'), grid: faint, ticks: faint,
+          values: (plot, marks) => (axis.logarithmic ? marks.map(logarithmicLabel) : labelsOf(marks))};
+}

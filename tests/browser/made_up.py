@@ -1,0 +1,106 @@
+"""A chart of which it is known how it must look, in the place of a report's first one."""
+import json
+import pathlib
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+
+from browser import enter, expect, send
+from layouts import set_width
+from texts import lower_labels, texts
+
+WIDTH = 380        # pixels of a narrow window
+ARROW = 24         # ... of a limit's arrow
+
+
+def point(x, y, is_limit=False):
+    return {"x": x, "y": y, "low": y, "high": y, "is_limit": is_limit}
+
+
+def curve(name, colour, points, kind="measured"):
+    return {"name": name, "colour": colour, "kind": kind, "points": points}
+
+
+# The limit lies at the foot of the axis that would be enough for all else.
+CHART = {
+    "x": {"label": "x", "logarithmic": False}, "y": {"label": "y", "logarithmic": True},
+    "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
+               curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
+               curve("theory", 1, [point(1, 1)], "theory"), curve("dotted", 7, [point(1, 1)]),
+               curve("dashed", 13, [point(1, 1)])]}
+
+
+def with_first_chart(html):
+    """The page with CHART in the place of its first."""
+    begin = html.index('id="charts">') + len('id="charts">')
+    end = html.index("</script>", begin)
+    return html[:begin] + json.dumps([CHART, *json.loads(html[begin:end])[1:]]) + html[end:]
+
+
+# Rows of ink in the curve's colour, #d55e00, in each column of the plot: [[least, greatest] or null].
+INK = """const canvas = arguments[0], over = arguments[1], {data, width} =
+    canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  return Array.from({length: over.clientWidth}, (_, x) => {
+    const rows = Array.from({length: over.clientHeight}, (_, y) => y).filter((y) => {
+      const i = 4 * ((y + over.offsetTop) * width + x + over.offsetLeft);
+      return data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 40 && data[i + 2] < 80;
+    });
+    return rows.length > 0 ? [rows[0], rows.at(-1)] : null;
+  });"""
+
+
+def look_at_line(driver, chart):
+    """It goes on where it has no point, and breaks at the limit, whose arrow is seen whole."""
+    over = chart.find_element(By.CLASS_NAME, "u-over")
+    ink = driver.execute_script(INK, chart.find_element(By.TAG_NAME, "canvas"), over)
+    at = lambda x: round((x + 0.16) / 8.32 * len(ink))  # 2 % are beyond the first and the last
+    for x in (0.5, 1.5, 6.5, 7.5):
+        expect(ink[at(x)], f"at {x} a line has a gap where other curves alone have points")
+    for x in (2.5, 3.5, 4.5, 5.5):
+        expect(not ink[at(x)], f"at {x} a line goes through a limit")
+    top, bottom = ink[at(4)] or ink[at(4) - 1]
+    expect(bottom - top >= ARROW - 2 and bottom < over.size["height"] - 1, f"an arrow goes from {top} to {bottom}")
+
+
+def look_at_legend(driver, chart):
+    expect(len(set(driver.execute_script(
+        """return [...arguments[0].querySelectorAll('.u-marker line')].map((line) =>
+             getComputedStyle(line).stroke + getComputedStyle(line).strokeDasharray)""", chart))) ==
+           len(CHART["curves"]), "curves look the same in the legend")
+    ActionChains(driver).move_to_element(chart.find_element(By.CLASS_NAME, "u-over")).perform()
+    values = [value.text for value in chart.find_elements(By.CLASS_NAME, "u-value")]
+    expect(values == ["4", "< 0.1", "-", "-", "-", "-"], f"at a limit the legend says {values}")
+
+
+def look_at_whole_marks(driver, chart):
+    """Abscissae are whole: there are none between them, however near one looks."""
+    send(driver, "+", "+")
+    labels = lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))
+    expect(labels == ["3", "4", "5"], f"about 4, marks of whole numbers are {labels}")
+
+
+def look_at_narrow_legends(driver):
+    torn = driver.execute_script(
+        """const within = (part, whole) => {
+             const a = part.getBoundingClientRect(), b = whole.getBoundingClientRect(), y = (a.top + a.bottom) / 2;
+             return y > b.top && y < b.bottom;
+           };
+           return [...document.querySelectorAll('.u-series')].filter((row) => {
+             const label = row.querySelector('.u-label');
+             return ![...row.querySelectorAll('.u-marker:has(line), .u-value')].every((part) => within(part, label));
+           }).map((row) => row.textContent);""")
+    expect(not torn, f"in a narrow window these fall apart: {torn}")
+
+
+def look_at_made_up(driver, report):
+    changed = pathlib.Path(report).with_name("made_up.html")
+    changed.write_text(with_first_chart(pathlib.Path(report).read_text()))
+    set_width(driver, 1100)
+    driver.get(changed.resolve().as_uri())
+    chart = driver.find_element(By.CLASS_NAME, "chart")
+    enter(driver, chart)
+    look_at_line(driver, chart)
+    look_at_legend(driver, chart)
+    look_at_whole_marks(driver, chart)
+    set_width(driver, WIDTH)
+    look_at_narrow_legends(driver)
