@@ -7,6 +7,7 @@ const tapColours = {  // those of the still figure
   irradiance_mw_per_m2: '#d55e00', band_pass_mw_per_m2: '#009e73', threshold_mw_per_m2: '#e69f00',
   integrator_samples: '#cc79a7', agc_gain: '#56b4e9'};
 const pinColour = '#0072b2';
+const markSizes = [13, 11, 9];  // pixels
 
 /** Values of 16 bits, least byte first. */
 function unpacked(text) {
@@ -117,6 +118,28 @@ function seenWire(trial, [from, to]) {
   return [x, y];
 }
 
+/** Marks that stand clear of each other in the plot's font. Misread ones come first, in brackets. */
+function withRoom(plot, marks) {
+  const kept = [];
+  for (const [seconds, mark, isWrong] of [...marks].sort((a, b) => b[2] - a[2])) {
+    const text = isWrong ? `[${mark}]` : mark, at = plot.valToPos(seconds, 'x', true);
+    const half = plot.ctx.measureText(text).width / 2 + pixelRatio();
+    if (kept.every((other) => Math.abs(other.at - at) >= other.half + half)) kept.push({text, at, half, isWrong});
+  }
+  return kept;
+}
+
+/** All marks as large as they have room; in the smallest type those that have. Leaves the plot's font so. */
+function placed(plot, marks) {
+  let kept = [];
+  for (const size of markSizes) {
+    plot.ctx.font = `${size * pixelRatio()}px monospace`;
+    kept = withRoom(plot, marks);
+    if (kept.length === marks.length) break;
+  }
+  return kept;
+}
+
 /** Characters, or where there is room bits, along the top of a plot. */
 function drawMarks(plot, marks, bits) {
   const {left, top, width} = plot.bbox;
@@ -128,11 +151,10 @@ function drawMarks(plot, marks, bits) {
   if (list.length * 10 * ratio > width) return;
   const ink = styled('--ink'), wrong = styled('--wrong');
   plot.ctx.save();
-  plot.ctx.font = `${13 * ratio}px monospace`;
   plot.ctx.textAlign = 'center';
-  for (const [at, text, isWrong] of list) {
+  for (const {text, at, isWrong} of placed(plot, list)) {
     plot.ctx.fillStyle = isWrong ? wrong : ink;
-    plot.ctx.fillText(isWrong ? `[${text}]` : text, plot.valToPos(at, 'x', true), top - 5 * ratio, width);
+    plot.ctx.fillText(text, at, top - 5 * ratio);
   }
   plot.ctx.restore();
 }
@@ -143,11 +165,14 @@ function spanOf(taps) {
   return [least - margin, greatest + margin];
 }
 
+/** The bits of the message: the pin's, but where these are wrong. */
+const sentBits = (trial) => trial.bits.map(([at, level, isWrong]) => [at, isWrong ? String(1 - level) : level, false]);
+
 /** Plots below each other: the light, band-pass and threshold, the others by themselves, the pin. */
 function rowsOf(trial) {
   const grids = gridsOf(trial), taps = trial.taps.map(tapOf);
   const row = (members) => ({
-    title: members.map((tap) => `${tap.name} [${tap.unit}]`).join('; '),
+    title: members.map((tap, k) => `${k > 0 ? 'thick: ' : ''}${tap.name} [${tap.unit}]`).join('; '),
     range: spanOf(members),
     colours: members.map((tap) => tapColours[tap.key]),
     see: (view) => {
@@ -160,9 +185,16 @@ function rowsOf(trial) {
   const rows = [of('irradiance_mw_per_m2'), of('band_pass_mw_per_m2', 'threshold_mw_per_m2'),
                 of('integrator_samples'), of('agc_gain')].filter((members) => members.length > 0).map(row);
   rows[0].marks = trial.sent;
+  rows[0].bits = sentBits(trial);
   rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], colours: [pinColour],
              see: (view) => seenWire(trial, view), draw: () => {}, marks: trial.read, bits: trial.bits});
   return rows;
+}
+
+/** A window of seconds, to hundredths of its width. */
+function tellMilliseconds([from, to]) {
+  const decimals = Math.max(0, Math.ceil(2 - Math.log10((to - from) * 1e3)));
+  return `ms: ${[from, to].map((end) => (end * 1e3).toFixed(decimals)).join(' to ')}`;
 }
 
 function drawTrial(figure, trial, number) {
@@ -191,8 +223,7 @@ function drawTrial(figure, trial, number) {
     keepUp(figure, plots[i], tapHeight, `${row.title} over time`);
   });
   plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
-  const tell = (ends) => `Seconds: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;
-  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, tell});
+  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, tell: tellMilliseconds});
   const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
   const edge = [trial.byte_from_s - 5 * trial.cycle_s, trial.byte_from_s + 25 * trial.cycle_s];
   addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});

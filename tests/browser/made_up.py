@@ -1,4 +1,4 @@
-"""A chart of which it is known how it must look, in the place of a report's first one."""
+"""A chart and a trial of which it is known how they must look, in the place of a report's first ones."""
 import json
 import pathlib
 
@@ -7,10 +7,11 @@ from selenium.webdriver.common.by import By
 
 from browser import enter, expect, send
 from layouts import set_width
-from texts import lower_labels, texts
+from texts import lower_labels, marks, texts, touching
 
 WIDTH = 380        # pixels of a narrow window
 ARROW = 24         # ... of a limit's arrow
+STRANGE = "\\x8a"  # a character as it is written that was not to be read
 
 
 def point(x, y, is_limit=False):
@@ -30,11 +31,21 @@ CHART = {
                curve("dashed", 13, [point(1, 1)])]}
 
 
-def with_first_chart(html):
-    """The page with CHART in the place of its first."""
-    begin = html.index('id="charts">') + len('id="charts">')
+def with_first(html, kind, change):
+    """The page with its first chart or trial changed."""
+    begin = html.index(f'id="{kind}s">') + len(f'id="{kind}s">')
     end = html.index("</script>", begin)
-    return html[:begin] + json.dumps([CHART, *json.loads(html[begin:end])[1:]]) + html[end:]
+    data = json.loads(html[begin:end])
+    if data:
+        data[0] = change(data[0])
+    return html[:begin] + json.dumps(data) + html[end:]
+
+
+def misread(trial):
+    """With a wide mark amid the characters that were read."""
+    middle = trial["read"][len(trial["read"]) // 2]
+    middle[1:] = [STRANGE, True]
+    return trial
 
 
 # Rows of ink in the curve's colour, #d55e00, in each column of the plot: [[least, greatest] or null].
@@ -92,9 +103,18 @@ def look_at_narrow_legends(driver):
     expect(not torn, f"in a narrow window these fall apart: {torn}")
 
 
+def look_at_narrow_marks(driver):
+    for trial in driver.find_elements(By.CLASS_NAME, "trial"):
+        written = [marks(texts(driver, canvas)) for canvas in trial.find_elements(By.TAG_NAME, "canvas")]
+        expect(any(one["text"] == f"[{STRANGE}]" for one in written[-1]), "what was misread is not marked")
+        for line in written:
+            expect(not touching(line), f"in a narrow window marks overlap: {touching(line)}")
+
+
 def look_at_made_up(driver, report):
+    html = with_first(pathlib.Path(report).read_text(), "chart", lambda _: CHART)
     changed = pathlib.Path(report).with_name("made_up.html")
-    changed.write_text(with_first_chart(pathlib.Path(report).read_text()))
+    changed.write_text(with_first(html, "trial", misread))
     set_width(driver, 1100)
     driver.get(changed.resolve().as_uri())
     chart = driver.find_element(By.CLASS_NAME, "chart")
@@ -104,3 +124,4 @@ def look_at_made_up(driver, report):
     look_at_whole_marks(driver, chart)
     set_width(driver, WIDTH)
     look_at_narrow_legends(driver)
+    look_at_narrow_marks(driver)

@@ -13,9 +13,10 @@ from browser import drag_over, enter, expect, expect_no_complaints, image, opene
 from layouts import look_at_layouts
 from made_up import look_at_made_up
 from tables import use_tables
-from texts import texts, touching, upright_labels
+from texts import marks, texts, touching, upright_labels
 
 FEWEST_PIXELS = 2000  # axes, labels and a curve have many more
+FEWEST_BITS = 8       # of those about one byte
 ROOM = 4              # pixels between labels and what stands beside them
 
 
@@ -48,8 +49,7 @@ def use_chart(driver, chart):
     send(driver, "+")
     zoomed = image(driver, canvas)
     expect(zoomed != whole, "the key + does not zoom a chart")
-    expect(" to " in chart.find_element(By.CSS_SELECTOR, "[aria-live]").get_attribute("textContent"),
-           "it is not said what is shown")
+    expect(" to " in told_of(chart), "it is not said what is shown")
     send(driver, Keys.ARROW_RIGHT)
     expect(image(driver, canvas) not in (zoomed, whole), "an arrow does not move a chart")
     send(driver, *(9 * [Keys.ARROW_RIGHT]))
@@ -65,6 +65,30 @@ def use_chart(driver, chart):
     ActionChains(driver).double_click(plot).perform()
 
 
+def told_of(figure):
+    """To who does not see it."""
+    return figure.find_element(By.CSS_SELECTOR, "[aria-live]").get_attribute("textContent")
+
+
+def compare_bits(driver, light, pin):
+    """Those that were sent stand above the light; the pin's are marked where they are others."""
+    sent, read = ([one["text"] for one in marks(texts(driver, canvas))] for canvas in (light, pin))
+    expect(len(sent) == len(read) >= FEWEST_BITS and set(sent) <= {"0", "1"}, f"above the light of a byte is {sent}")
+    expect(all(there in (bit, f"[{1 - int(bit)}]") for bit, there in zip(sent, read)),
+           f"of the bits {sent} the pin's are marked as {read}")
+
+
+def expect_words(trial):
+    """Of the colours, and of what is shown after a key."""
+    titles = [title.text for title in trial.find_elements(By.CLASS_NAME, "u-title")]
+    expect(all("threshold of" not in title or "; thick: threshold of" in title for title in titles),
+           f"which curve is the threshold is not said: {titles}")
+    told = told_of(trial)
+    expect(told.startswith("ms: ") and " to " in told, f"it is told that {told!r} is shown")
+    begin, end = (float(word) for word in told[len("ms: "):].split(" to "))
+    expect(end - begin > 10, f"from {begin} to {end} ms is a part of no message")
+
+
 def use_trial(driver, trial):
     """Whatever is done in one of its plots is done in all."""
     canvases = trial.find_elements(By.TAG_NAME, "canvas")
@@ -78,11 +102,16 @@ def use_trial(driver, trial):
     for button in buttons:
         press(driver, button)
         views.append(images())
+        if len(views) == 2:
+            compare_bits(driver, canvases[0], canvases[-1])
     for one, other in ((0, 1), (1, 2), (0, 2)):
         expect(all(a != b for a, b in zip(views[one], views[other])), "two views are the same")
     enter(driver, trial)
     send(driver, "0")
     expect(images() == views[0], "the key 0 does not show the whole trial")
+    send(driver, "+")
+    expect_words(trial)
+    send(driver, "0")
     for act in (lambda: send(driver, "+"),
                 lambda: drag_over(driver, trial.find_elements(By.CLASS_NAME, "u-over")[1])):
         act()

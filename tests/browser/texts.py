@@ -39,6 +39,11 @@ def lower_labels(written):
     return [one["text"] for one in written if one["align"] == "center" and one["text"][-1].isdigit()]
 
 
+def marks(written):
+    """Along the top of a trial's plot, from left to right."""
+    return sorted((one for one in written if "monospace" in one["font"]), key=lambda one: one["left"])
+
+
 def touching(written, gap=0):
     """Pairs of texts that are nearer to each other than a gap in pixels."""
     return [(a["text"], b["text"]) for i, a in enumerate(written) for b in written[:i]
