@@ -8,7 +8,7 @@
 
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
-#include "sim/report/swept_curves.hpp"
+#include "sim/result/curve_fit.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -72,7 +72,7 @@ std::vector<std::size_t> measured_points(const Dataset& data) {
 }
 
 std::string place_text(const Dataset& data, std::size_t point) {
-  return other_values(data.axes, {}, point_coordinates(data.axes, point));
+  return place_text(data.axes, point_coordinates(data.axes, point));
 }
 
 std::string runs_text(const Dataset& data) {

@@ -14,7 +14,7 @@ namespace sim {
 /// Points of which something is known: those with runs or trials.
 std::vector<std::size_t> measured_points(const Dataset& data);
 
-/// "receiver.range_m = 2"; empty of a single point.
+/// "receiver.range_m = 2 m"; empty of a single point.
 std::string place_text(const Dataset& data, std::size_t point);
 
 /// "8 runs at 3 points", "1 run": all that were done.

@@ -1,7 +1,6 @@
 #include "sim/page/omissions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -84,14 +83,6 @@ const PointResult* failing_point(const ExperimentResult& result) {
   return found;
 }
 
-std::string place_of(const ExperimentResult& result, const PointResult& point) {
-  std::vector<std::string> places;
-  for (std::size_t i = 0; i < result.axes.size(); ++i)
-    places.push_back(
-        quantity(result.axes[i], coordinate_text(result.axes[i], point.coordinates[i])));
-  return fmt::format("{}", fmt::join(places, ", "));
-}
-
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers) {
   const PointResult* point = failing_point(result);
@@ -111,7 +102,7 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
         .tally;
   };
   const LoadedScenario whole = load({});
-  Omissions found{place_of(result, *point), {{"", tally_of(whole)}}};
+  Omissions found{place_text(result.axes, point->coordinates), {{"", tally_of(whole)}}};
   for (const Trouble& trouble : troubles_of(whole.base)) {
     if (workers.interrupted()) break;
     found.omissions.push_back({trouble.name, tally_of(load(trouble.overrides))});

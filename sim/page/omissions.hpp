@@ -25,9 +25,6 @@ struct Omissions {
 /// else the one that loses the most. Null where no frame is lost.
 const PointResult* failing_point(const ExperimentResult& result);
 
-/// "receiver.range_m = 2.2 m"; empty where nothing was swept.
-std::string place_of(const ExperimentResult& result, const PointResult& point);
-
 /// At the failing point, with at most 100 frames each, or 20 of more than 1e7 samples. Empty where
 /// there is none, of ideal receivers, which noise alone troubles, and of weighted trials. Worth
 /// nothing after an interrupt.

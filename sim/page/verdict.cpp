@@ -9,6 +9,7 @@
 
 #include "sim/counting/statistics.hpp"
 #include "sim/report/closing_lines.hpp"
+#include "sim/result/curve_fit.hpp"
 #include "sim/result/ranking.hpp"
 
 namespace sim {
@@ -51,7 +52,7 @@ std::string noise_note(double snr_db) {
 std::string where_it_fails(const ExperimentResult& result) {
   const PointResult* point = failing_point(result);
   if (point == nullptr) return "";
-  const std::string place = place_of(result, *point);
+  const std::string place = place_text(result.axes, point->coordinates);
   return sentence(fmt::format("{}{} of frames are lost{}.\n",
                               place.empty() ? "" : "at " + place + " ",
                               loss_in_percent(frame_loss_ratio(point->tally, result.ci_level)),

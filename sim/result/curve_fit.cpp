@@ -2,6 +2,7 @@
 
 #define ARMA_WARN_LEVEL 0  // a singular fit is an outcome here, not news for stderr
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <armadillo>
@@ -205,6 +206,13 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
 
 std::string quantity(const Axis& axis, const std::string& value) {
   return axis.key + " = " + with_unit(axis, value);
+}
+
+std::string place_text(const std::vector<Axis>& axes, const std::vector<double>& coordinates) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    places.push_back(quantity(axes[i], coordinate_text(axes[i], coordinates[i])));
+  return fmt::format("{}", fmt::join(places, ", "));
 }
 
 std::string crossing_words(const Axis& axis, const Crossing& c, double level) {

@@ -3,6 +3,7 @@
 // the logarithm of the axis, or the axis itself if it is not positive. What cannot be fitted is an
 // outcome with its reason, never an exception.
 #include <string>
+#include <vector>
 
 #include "sim/result/result.hpp"
 
@@ -36,5 +37,9 @@ std::string crossing_words(const Axis& axis, const Crossing& crossing, double le
 
 /// "receiver.range_m = 7 m": a value of an axis with its unit, if it has one.
 std::string quantity(const Axis& axis, const std::string& value);
+
+/// "receiver.range_m = 2.2 m, receiver.module = TSOP4856": a point of a sweep; empty where nothing
+/// was swept.
+std::string place_text(const std::vector<Axis>& axes, const std::vector<double>& coordinates);
 
 }  // namespace sim

@@ -164,9 +164,10 @@ TEST(DatasetTable, ARowForEachPointAndElement) {
 }
 
 TEST(DatasetWords, SayWhereItIsLeastAndGreatest) {
-  EXPECT_EQ(extremes(swept(), "loss", "Loss", " x"),
-            "Loss is least at presence.detector = goertzel, receiver.range_m = 1: < 1.0e-2 x, and "
-            "greatest at presence.detector = dc, receiver.range_m = 3: 0.900 [0.800, 0.950] x.\n");
+  EXPECT_EQ(
+      extremes(swept(), "loss", "Loss", " x"),
+      "Loss is least at presence.detector = goertzel, receiver.range_m = 1 m: < 1.0e-2 x, and "
+      "greatest at presence.detector = dc, receiver.range_m = 3 m: 0.900 [0.800, 0.950] x.\n");
   EXPECT_EQ(extremes(swept(), "none", "Loss"), "");
   Dataset one;
   one.variables = {{{"age", "s", ""}, true, {}, Reals{1.25}}};
@@ -184,8 +185,8 @@ TEST(DatasetWords, CompareByTheUpperEndWhereNothingWasFound) {
   data.variables[2].values = Reals(6, 0);
   data.variables[3].values = Reals{0.1, 0.1, 0.1, 0.3, 0.1, 0.1};
   EXPECT_EQ(extremes(data, "loss", "Loss"),
-            "Loss is least at presence.detector = goertzel, receiver.range_m = 1: < 1.0e-1, and "
-            "greatest at presence.detector = dc, receiver.range_m = 1: < 3.0e-1.\n");
+            "Loss is least at presence.detector = goertzel, receiver.range_m = 1 m: < 1.0e-1, and "
+            "greatest at presence.detector = dc, receiver.range_m = 1 m: < 3.0e-1.\n");
 }
 
 /// A presence of two points, each with so many trials.

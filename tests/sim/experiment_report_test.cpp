@@ -112,7 +112,7 @@ TEST_F(ExperimentReport, OfASweptArenaComparesFilesInOnePicture) {
   for (const std::string name : {"a", "b"}) {
     expect_has(page, ">" + name + ", measured</text>");
     expect_has(page, ">" + name + ", theory</text>");
-    expect_has(page, "<h2>" + name + ": Where messages were heard, devices.near.x_m = 2</h2>");
+    expect_has(page, "<h2>" + name + ": Where messages were heard, devices.near.x_m = 2 m</h2>");
   }
   expect_has(page, "<p>a: ");
 }
