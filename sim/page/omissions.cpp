@@ -48,7 +48,7 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
   add(s.device.carrier_error_ppm != 0, "the carrier's error", {"device.carrier_error_ppm=0"});
   add(s.receiver.supply_ripple_mv > 0, "ripple on the supply", {"receiver.supply_ripple_mv=0"});
   for (const auto& [name, settings] : s.disturbances)
-    add(true, fmt::format("the {} ({})", settings.kind, name),
+    add(true, fmt::format("the disturbance {} ({})", name, settings.kind),
         {fmt::format("disturbance.{}.irradiance_w_per_m2=0", name)});
   return troubles;
 }

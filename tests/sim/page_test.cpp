@@ -173,6 +173,17 @@ TEST(Omissions, FindTheGainControlOfTheQuickstart) {
       << "without ambient light the same margin lies lower";
 }
 
+TEST(Omissions, NameADisturbanceAsTheScenarioDoes) {
+  const LoadedScenario scenario = parse_scenario(
+      "receiver.range_m = 40\nstop.max_frames = 4\n[disturbance.lamp]\nkind = \"fluorescent\"\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const Omissions found = leave_out(
+      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  ASSERT_FALSE(found.omissions.empty());
+  EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
+}
+
 TEST(Report, HasThePicturesAndTablesOfAResult) {
   const Page page =
       page_of({link_part({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
