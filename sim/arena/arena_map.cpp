@@ -118,11 +118,11 @@ std::vector<PlanDots> dots_of(const std::vector<Heard>& heard, const std::vector
 }
 
 PageTable table_of(const std::vector<Sender>& senders, const Dataset& data, std::size_t point) {
-  PageTable table{.head = {"device", "x [m]", "y [m]", "highest irradiance [mW/m2]", "messages",
-                           "delivered", "frame loss"},
+  PageTable table{.head = {"device", "x [m]", "y [m]", "highest irradiance [mW/m2]",
+                           "messages sent", "delivered", "frame loss ratio"},
                   .rows = {}};
   std::vector<DeviceCells> columns;
-  for (const char* name : {"irradiance_mw_per_m2", "n_messages", "n_delivered", "frame_loss"})
+  for (const char* name : {"irradiance_mw_per_m2", "n_sent", "n_delivered", "frame_loss"})
     columns.emplace_back(data, name, point);
   for (const Sender& s : senders) {
     table.rows.push_back({s.name, fmt::format("{:.3g}", s.x_m), fmt::format("{:.3g}", s.y_m)});

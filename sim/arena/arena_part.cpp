@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/arena/arena_map.hpp"
+#include "sim/arena/arena_sums.hpp"
 #include "sim/arena/frame_fate.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -88,37 +89,18 @@ void add_charts(ReportPart& part, const Dataset& data) {
 }
 
 std::vector<DatasetColumn> device_columns() {
-  return {{"n_messages", "messages"},
-          {"n_in_reach", "in reach"},
-          {"n_overlapped", "overlapped"},
-          {"n_captured", "captured"},
-          {"n_delivered", "delivered"},
-          {"frame_loss", "frame loss"},
-          {"n_runs_heard", "runs heard in"},
-          {"latency_mean_s", "first after [s]"},
-          {"irradiance_mw_per_m2", "highest irradiance [mW/m2]"},
-          {"n_replaced", "replaced"},
-          {"n_sharedlink_lost", "lost by SharedLink"},
-          {"n_known", "known to the base"},
-          {"age_mean_s", "mean age [s]"},
-          {"age_p95_s", "95 % of ages [s]"},
-          {"unknown_share", "nothing known"}};
+  std::vector<DatasetColumn> columns{{"irradiance_mw_per_m2", "highest irradiance [mW/m2]"}};
+  add_message_columns(columns, "", "delivered");
+  columns.push_back({"n_runs_heard", "heard in runs"});
+  columns.push_back({"latency_mean_s", "first after [s]"});
+  return columns;
 }
 
 std::vector<DatasetColumn> point_columns() {
-  return {{"n_runs", "runs"},
-          {"n_devices", "devices"},
-          {"total_frame_loss", "frame loss"},
-          {"total_offered_load", "offered load G"},
-          {"total_throughput", "throughput S"},
-          {"pure_aloha_throughput", "pure ALOHA S"},
-          {"total_latency_mean_s", "first after [s]"},
-          {"n_frames_false", "accepted, never sent"},
-          {"n_shared_messages_sent", "SharedLink messages"},
-          {"n_shared_messages_accepted", "accepted"},
-          {"n_queries", "questions"},
-          {"n_queries_answered", "answered"},
-          {"n_queries_timed_out", "timed out"}};
+  std::vector<DatasetColumn> columns{{"n_runs", "runs"}, {"n_devices", "devices"}};
+  add_message_columns(columns, "total_", "delivered");
+  add_load_columns(columns);
+  return columns;
 }
 
 }  // namespace
@@ -130,23 +112,44 @@ std::vector<CountedKind> arena_fates() {
   return fates;
 }
 
-ReportPart part_of_messages(const std::string& name, const StoredDataset& stored,
-                            const std::vector<CountedKind>& fates) {
-  const Dataset& data = stored.data;
+void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
+                         const std::string& delivered) {
+  for (const auto& [name, head] : {std::pair<const char*, std::string>{"n_sent", "messages sent"},
+                                   {"n_in_reach", "in reach"},
+                                   {"n_overlapped", "overlapped"},
+                                   {"n_captured", "captured"},
+                                   {"n_delivered", delivered},
+                                   {"frame_loss", "frame loss ratio"}})
+    columns.push_back({of + name, head});
+}
+
+void add_load_columns(std::vector<DatasetColumn>& columns) {
+  for (const auto& [name, head] : {std::pair{"total_latency_mean_s", "first after [s]"},
+                                   {"total_offered_load", "offered load G"},
+                                   {"total_throughput", "throughput S"},
+                                   {"pure_aloha_throughput", "pure ALOHA S"},
+                                   {"n_frames_false", "accepted, never sent"}})
+    columns.push_back({name, head});
+}
+
+ReportPart part_of_messages(const std::string& name, StoredDataset stored,
+                            const MessageTables& tables) {
+  Dataset& data = stored.data;
+  add_message_sums(data);
   ReportPart part{name, data.title, size_of(data)};
   part.verdict +=
       extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) + missing_points(stored);
   add_charts(part, data);
   add_maps(part, stored);
-  part.sections.push_back(shares_section("fates", shares_of(data, fates)));
-  part.sections.push_back(
-      {.heading = "All devices", .table = dataset_table(data, device_columns())});
-  add_closing(part, data, point_columns());
+  part.sections.push_back(shares_section("fates", shares_of(data, tables.fates)));
+  part.sections.push_back({.heading = "All devices", .table = dataset_table(data, tables.devices)});
+  add_closing(part, data, tables.points);
   return part;
 }
 
 ReportPart arena_part(const std::string& name, const StoredDataset& stored) {
-  ReportPart part = part_of_messages(name, stored, arena_fates());
+  ReportPart part =
+      part_of_messages(name, stored, {arena_fates(), device_columns(), point_columns()});
   if (!stored.data.axes.empty())
     part.verdict += extremes(stored.data, "total_throughput", "Throughput");
   return part;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/page/dataset_shares.hpp"
+#include "sim/page/dataset_table.hpp"
 #include "sim/page/report_part.hpp"
 #include "sim/result/stored_dataset.hpp"
 
@@ -12,9 +13,22 @@ namespace sim {
 /// What becomes of messages.
 std::vector<CountedKind> arena_fates();
 
-/// Maps, what became of the messages, frame loss, all devices; `fates` has delivery first.
-ReportPart part_of_messages(const std::string& name, const StoredDataset& stored,
-                            const std::vector<CountedKind>& fates);
+/// What is said of messages in a report's pictures and tables. Columns may be of arena_sums.hpp.
+struct MessageTables {
+  std::vector<CountedKind> fates;  // delivery first
+  std::vector<DatasetColumn> devices, points;
+};
+
+/// Columns that `run` prints of messages, from those sent to frame loss. `of`: "" of each device,
+/// "total_" of all; `delivered`: what delivery is called.
+void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
+                         const std::string& delivered);
+/// Columns of a point from the first message on: load, throughput, false messages.
+void add_load_columns(std::vector<DatasetColumn>& columns);
+
+/// Maps, what became of the messages, frame loss, all devices.
+ReportPart part_of_messages(const std::string& name, StoredDataset stored,
+                            const MessageTables& tables);
 
 ReportPart arena_part(const std::string& name, const StoredDataset& stored);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/arena/arena_report.hpp"
 #include "sim/report/outside_report.hpp"
@@ -43,6 +44,23 @@ std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
   columns.push_back({{"", "timed", "out"}, 9});
   columns.push_back(outside_column());
   return columns;
+}
+
+/// Of all devices of a point together.
+void add_total_ages(Dataset& data, const std::vector<GuardPoint>& points) {
+  std::vector<double> means, p95s, unknown;
+  for (const GuardPoint& point : points) {
+    const AgeCounts age = together(point).age;
+    means.push_back(age.mean_s());
+    p95s.push_back(age.quantile_s(high_share));
+    unknown.push_back(age.unknown_share());
+  }
+  const auto add = [&](VariableFacts facts, std::vector<double> values) {
+    data.variables.push_back({std::move(facts), true, {}, std::move(values)});
+  };
+  add({"total_age_mean_s", "s", "age_mean_s of all devices together"}, std::move(means));
+  add({"total_age_p95_s", "s", "age_p95_s of all devices together"}, std::move(p95s));
+  add({"total_unknown_share", "1", "unknown_share of all devices together"}, std::move(unknown));
 }
 
 std::vector<TextColumn> device_columns(std::size_t name_width) {
@@ -124,6 +142,7 @@ Dataset guard_dataset(const LoadedScenario& scenario, const std::string& command
   add_device_reals(
       data, arenas, {"unknown_share", "1", "share of time in which nothing is known"},
       [&](std::size_t p, std::size_t i) { return mirror_of(p, i).age.unknown_share(); });
+  add_total_ages(data, points);
   const std::pair<const char*, std::uint64_t GuardTally::*> counts[] = {
       {"n_shared_messages_sent", &GuardTally::n_sent},
       {"n_shared_messages_accepted", &GuardTally::n_accepted},

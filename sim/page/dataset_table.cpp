@@ -57,7 +57,8 @@ std::optional<PageTable> dataset_table(const Dataset& data, std::vector<DatasetC
     std::vector<std::string> row =
         coordinate_texts(data.axes, point_coordinates(data.axes, i / each));
     std::ranges::move(elements_at(data, first, i % each), std::back_inserter(row));
-    for (const DatasetCells& c : cells) row.push_back(c.text(i));
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      row.push_back(columns[c].words ? columns[c].words(i) : cells[c].text(i));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -1,5 +1,6 @@
 #pragma once
 // A table of a dataset's variables for a report.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace sim {
 struct DatasetColumn {
   std::string name;  // of the variable
   std::string head;  // with its unit
+  /// What stands in its cell of that number, if it is not the number.
+  std::function<std::string(std::size_t cell)> words = {};
 };
 
 /// A row for each point and for each element of the dimensions that the first column's variable

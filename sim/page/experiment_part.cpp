@@ -2,19 +2,31 @@
 
 #include <utility>
 
+#include "sim/page/dataset_cells.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/report/outside_report.hpp"
 
 namespace sim {
+namespace {
+
+/// The marks that `run` puts behind a point's row.
+DatasetColumn outside_points(const Dataset& data) {
+  return {outside_name, "outside", [masks = DatasetCells(data, outside_name)](std::size_t cell) {
+            return outside_mark(masks.count(cell));
+          }};
+}
+
+}  // namespace
 
 void add_chart(ReportPart& part, std::optional<Chart> chart) {
   if (chart && !chart->curves.empty()) part.charts.push_back(std::move(*chart));
 }
 
-void add_closing(ReportPart& part, const Dataset& data, const std::vector<DatasetColumn>& columns) {
-  part.sections.push_back({.heading = "All numbers",
-                           .text = outside_notes(data),
-                           .table = dataset_table(data, columns)});
+void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColumn> columns) {
+  const std::string notes = outside_notes(data);
+  if (!notes.empty()) columns.push_back(outside_points(data));
+  part.sections.push_back(
+      {.heading = "All numbers", .text = notes, .table = dataset_table(data, std::move(columns))});
   part.sections.push_back(scenario_section(data.command, data.scenario_toml));
 }
 

@@ -14,7 +14,8 @@ namespace sim {
 /// Adds a chart, if there is one with a curve.
 void add_chart(ReportPart& part, std::optional<Chart> chart);
 
-/// The last sections: all numbers of the points, and the scenario.
-void add_closing(ReportPart& part, const Dataset& data, const std::vector<DatasetColumn>& columns);
+/// The last sections: all numbers of the points, with marks where one leaves the range of a model,
+/// and the scenario.
+void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColumn> columns);
 
 }  // namespace sim

@@ -6,11 +6,6 @@
 #include "sim/scenario/flags.hpp"
 
 namespace sim {
-namespace {
-
-constexpr const char* variable_name = "outside_validity";
-
-}  // namespace
 
 TextColumn outside_column() { return {{"", "", ""}, -1}; }
 
@@ -19,7 +14,7 @@ std::string outside_mark(std::uint64_t mask) {
 }
 
 Dataset::Variable outside_variable(std::vector<std::int64_t> masks) {
-  return {.facts = {variable_name, "1", "models that are outside of their range"},
+  return {.facts = {outside_name, "1", "models that are outside of their range"},
           .on_axes = true,
           .dimensions = {},
           .values = std::move(masks),
@@ -28,7 +23,7 @@ Dataset::Variable outside_variable(std::vector<std::int64_t> masks) {
 
 std::string outside_notes(const Dataset& data) {
   std::uint64_t raised = 0;
-  if (const Dataset::Variable* variable = find_variable(data, variable_name))
+  if (const Dataset::Variable* variable = find_variable(data, outside_name))
     if (const auto* masks = std::get_if<std::vector<std::int64_t>>(&variable->values))
       for (const std::int64_t mask : *masks) raised |= static_cast<std::uint64_t>(mask);
   return raised_notes(validity_limits(), raised, outside_sign);

@@ -10,11 +10,13 @@
 
 namespace sim {
 
+inline constexpr const char* outside_name = "outside_validity";
+
 /// The last column of a table of points, and what stands in it: "! near", or nothing.
 TextColumn outside_column();
 std::string outside_mark(std::uint64_t mask);
 
-/// The same in files; `masks`: of each point.
+/// The same in files, as the variable of that name; `masks`: of each point.
 Dataset::Variable outside_variable(std::vector<std::int64_t> masks);
 
 /// What the marks of all points mean, a line each.
