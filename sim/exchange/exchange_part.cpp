@@ -85,7 +85,7 @@ class RefusalCounts {
   std::vector<std::string> kinds() const {
     std::vector<std::string> words{"accepted"};
     for (std::size_t k = 0; k < named(); ++k)
-      words.push_back("refused: " + value_text(reasons_, order_[k]));
+      words.push_back("refused: " + plain_words(value_text(reasons_, order_[k])));
     words.emplace_back("refused for another reason");
     words.emplace_back("not noticed");
     return words;

@@ -120,7 +120,7 @@ Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& comm
   data.dimensions.push_back({{"reading", "1", "number of the receiver or heading"}, numbers});
   for (const Point& point : points) data.n_runs += point.result ? point.result->trials() : 0;
   TrialVariables<Point> to(data, points);
-  to.count({"n_trials", "1", "times that the device was located"}, [](const Point& p) {
+  to.count({"n_trials", "1", "times that locating was tried"}, [](const Point& p) {
     return p.result ? static_cast<std::int64_t>(p.result->trials()) : 0;
   });
   to.counts({"n_outcomes", "1", "trials by what they came to"}, "outcome",

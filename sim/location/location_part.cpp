@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -26,22 +27,44 @@ std::uint32_t dots_at_each(std::size_t points) {
   return points == 0 || points > most_points ? 0 : most_dots / static_cast<std::uint32_t>(points);
 }
 
+/// "located", "poor fit": what locating may come to.
+std::vector<std::string> outcome_kinds(const Dataset& data) {
+  const Dataset::Dimension& outcomes = dimension_named(data, "outcome");
+  std::vector<std::string> kinds;
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    kinds.push_back(plain_words(value_text(outcomes, i)));
+  return kinds;
+}
+
+/// ": located 1792 times, ambiguous 6": of all points.
+std::string outcomes_text(const Dataset& data) {
+  const std::vector<std::string> kinds = outcome_kinds(data);
+  const DatasetCells cells(data, "n_outcomes");
+  std::string text;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    std::uint64_t count = 0;
+    for (std::size_t i = kind; i < cells.size(); i += kinds.size()) count += cells.count(i);
+    if (count > 0)
+      text += fmt::format("{}{} {}{}", text.empty() ? ": " : ", ", kinds[kind], count,
+                          text.empty() ? " times" : "");
+  }
+  return text;
+}
+
 std::string size_of(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
-  return fmt::format("A device was located {} times{}.\n", data.n_runs,
-                     points > 1 ? fmt::format(" at {} points", points) : "");
+  return fmt::format("Locating was tried {} times{}{}.\n", data.n_runs,
+                     points > 1 ? fmt::format(" at {} points", points) : "", outcomes_text(data));
 }
 
 ShareBars outcomes_of(const Dataset& data) {
-  const Dataset::Dimension& outcomes = dimension_named(data, "outcome");
-  std::vector<std::string> kinds;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) kinds.push_back(value_text(outcomes, i));
+  const std::vector<std::string> kinds = outcome_kinds(data);
   const DatasetCells cells(data, "n_outcomes");
   return point_shares(data, "What locating came to", "the trials by their outcome", kinds,
                       [&](std::size_t point) {
                         std::vector<std::uint64_t> counts;
-                        for (std::size_t i = 0; i < outcomes.size(); ++i)
-                          counts.push_back(cells.count(point * outcomes.size() + i));
+                        for (std::size_t i = 0; i < kinds.size(); ++i)
+                          counts.push_back(cells.count(point * kinds.size() + i));
                         return counts;
                       });
 }
@@ -102,12 +125,36 @@ FloorPlan plan_of(const StoredDataset& stored) {
   return plan;
 }
 
+/// How many ellipses a picture has: those of too long an axis it leaves out.
+std::size_t ellipses_in(const std::string& svg) {
+  constexpr std::string_view ellipse = "<path class=\"curve1\"";
+  std::size_t n = 0;
+  for (auto at = svg.find(ellipse); at != std::string::npos; at = svg.find(ellipse, at + 1)) ++n;
+  return n;
+}
+
+/// Each point has a device, but not each an ellipse.
+std::string left_out_note(const FloorPlan& plan, const std::string& svg) {
+  const std::size_t points = plan.devices.size(), known = plan.ellipses.size();
+  const std::size_t drawn = std::min(ellipses_in(svg), known);
+  std::string text;
+  if (known < points)
+    text += fmt::format("Of {} of {} points there is no ellipse, as the readings bound nothing.\n",
+                        points - known, points);
+  if (drawn < known)
+    text += fmt::format(
+        "{} of {} ellipses are left out: a half axis is longer than all the rest is wide.\n",
+        known - drawn, known);
+  return text;
+}
+
 PageSection map_of(const StoredDataset& stored) {
   const FloorPlan plan = plan_of(stored);
+  const std::string svg = floor_plan_as_svg(plan);
   return {
       .heading = plan.title,
-      .text = "Ellipses with a half axis of more than the size of all the rest are left out.",
-      .picture = PagePicture{"map", plan.description, floor_plan_as_svg(plan)},
+      .text = left_out_note(plan, svg),
+      .picture = PagePicture{"map", plan.description, svg},
       .table = dataset_table(stored.data, {{"ellipse_major_m", "longer half axis [m]"},
                                            {"ellipse_minor_m", "shorter half axis [m]"},
                                            {"ellipse_direction_deg", "longer one from +x [deg]"}})};

@@ -75,6 +75,13 @@ std::string place_text(const Dataset& data, std::size_t point) {
   return place_text(data.axes, point_coordinates(data.axes, point));
 }
 
+std::string plain_words(const std::string& name) {
+  if (name == "not_converged") return "did not converge";
+  std::string words = name;
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 std::string runs_text(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
   return fmt::format("{} run{}{}", data.n_runs, data.n_runs == 1 ? "" : "s",

@@ -17,6 +17,9 @@ std::vector<std::size_t> measured_points(const Dataset& data);
 /// "receiver.range_m = 2 m"; empty of a single point.
 std::string place_text(const Dataset& data, std::size_t point);
 
+/// A name of the program as people say it: "poor_fit" is "poor fit".
+std::string plain_words(const std::string& name);
+
 /// "8 runs at 3 points", "1 run": all that were done.
 std::string runs_text(const Dataset& data);
 

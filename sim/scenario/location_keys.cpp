@@ -84,7 +84,7 @@ std::vector<Key> device_keys() {
                   "where the device may be: x from, to, y from, to",
                   "empty: as far as the light allows"),
       no_physics(whole("location.trials", "1", from(1, 1e7), at, &L::trials,
-                       "times that the device is located at each point")),
+                       "times that locating is tried at each point")),
   };
 }
 

@@ -153,7 +153,7 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
                            "experiment = \"location\"\n[location]\ntrials = 8\n[sweep]\n"
                            "location.relative_sigma = [0.01, 0.03]\n");
   const std::string page = report({"x.h5", "--svg", "p"});
-  expect_has(page, "<p>A device was located 16 times at 2 points.</p>");
+  expect_has(page, "<p>Locating was tried 16 times at 2 points: located ");
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
   const std::string map = content(path("p/map.svg"));
