@@ -14,12 +14,21 @@ namespace sim {
 namespace {
 
 std::string size_of(const Dataset& data) {
+  const std::string hours = fmt::format("{:.3g}", DatasetCells(data, "line_h").sum());
   return fmt::format(
-      "{:.3g} hours of line were listened to{}; {:.0f} messages were accepted though none was "
+      "{} listened to{}; {:.0f} messages were accepted though none was "
       "sent, and {:.0f} while another was sent.\n",
-      DatasetCells(data, "line_h").sum(),
+      hours == "1" ? "1 hour of line was" : hours + " hours of line were",
       data.axes.empty() ? "" : fmt::format(" at {} points", measured_points(data).size()),
       DatasetCells(data, "n_frames_false").sum(), DatasetCells(data, "n_frames_undetected").sum());
+}
+
+/// How often what should not be accepted was. Without a device no error is undetected.
+std::string rates_of(const Dataset& data) {
+  const bool sends = DatasetCells(data, "n_frames").sum() > 0;
+  return (sends ? extremes(data, "undetected_per_hour", "The rate of undetected errors", " an hour")
+                : "") +
+         extremes(data, "false_per_hour", "The rate of false accepts", " an hour");
 }
 
 std::vector<CountedKind> line_kinds() {
@@ -45,10 +54,7 @@ std::vector<DatasetColumn> columns() {
 
 ReportPart listening_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportPart part{name, data.title,
-                  size_of(data) +
-                      extremes(data, "false_per_hour", "The rate of false accepts", " an hour") +
-                      missing_points(stored)};
+  ReportPart part{name, data.title, size_of(data) + rates_of(data) + missing_points(stored)};
   for (const auto& [variable, title] :
        {std::pair{"false_per_hour", "False accepts"}, {"undetected_per_hour", "Undetected errors"}})
     add_chart(part, swept_chart(data, {.name = variable,

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "sim/location/location_parts.hpp"
+#include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
@@ -87,15 +89,39 @@ std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxi
   return text + ".\n";
 }
 
-std::string detection_words(const Dataset& data, const Chart& chart) {
+/// The least probability of false alarm; nothing where none is set.
+std::optional<std::size_t> strictest_alarm(const Dataset::Dimension& alarms) {
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < alarms.size(); ++i)
+    if (!least || value_of(alarms, i) < value_of(alarms, *least)) least = i;
+  return least;
+}
+
+/// Where no number is swept: how often at the point, or of several where least and most.
+std::string detected_shares(const Dataset& data, std::size_t alarm, std::size_t alarms) {
+  const DatasetCells shares(data, "p_detection");
+  const auto cell = [&](std::size_t point) { return point * alarms + alarm; };
+  std::vector<std::size_t> known = measured_points(data);
+  std::erase_if(known, [&](std::size_t point) { return std::isnan(shares[cell(point)]); });
+  if (known.empty()) return "";
+  const auto [least, most] =
+      std::ranges::minmax_element(known, {}, [&](std::size_t i) { return shares[cell(i)]; });
+  if (known.size() == 1)
+    return fmt::format("the device is noticed in {} of the windows.\n", shares.text(cell(*least)));
+  return fmt::format(
+      "the device is noticed least at {}: in {} of the windows, and most at {}: in {}.\n",
+      place_text(data, *least), shares.text(cell(*least)), place_text(data, *most),
+      shares.text(cell(*most)));
+}
+
+std::string detection_words(const Dataset& data, const std::optional<Chart>& swept) {
   const Dataset::Dimension& alarms = dimension_named(data, "false_alarm");
-  if (alarms.size() == 0) return "";
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < alarms.size(); ++i)
-    if (value_of(alarms, i) < value_of(alarms, least)) least = i;
-  const std::string false_alarm = "false_alarm = " + value_text(alarms, least);
-  return fmt::format("With {} {}", false_alarm,
-                     detected_where(strictest(chart, false_alarm), chart.x));
+  const std::optional<std::size_t> alarm = strictest_alarm(alarms);
+  if (!alarm) return "";
+  const std::string false_alarm = "false_alarm = " + value_text(alarms, *alarm);
+  const std::string detected = swept ? detected_where(strictest(*swept, false_alarm), swept->x)
+                                     : detected_shares(data, *alarm, alarms.size());
+  return detected.empty() ? "" : fmt::format("With {} {}", false_alarm, detected);
 }
 
 /// A curve each of so many points at most can be told apart.
@@ -112,7 +138,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                 .label = "probability of detection",
                                 .theory = "p_detection_theory"};
   const std::optional<Chart> swept = swept_chart(data, detection);
-  if (swept) part.verdict += detection_words(data, *swept);
+  part.verdict += detection_words(data, swept);
   add_chart(part, swept);
   if (measured_points(data).size() > most_curves) return;
   DrawnVariable roc = detection;

@@ -1,8 +1,11 @@
-// What reports of location answer, and in whose words.
+// What reports of location, presence and listening answer, and in whose words.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "experiment_report.hpp"
+#include "page_tables.hpp"
+#include "sim/listening/listening_part.hpp"
+#include "sim/loading/load_scenario.hpp"
 
 namespace sim {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 class ExperimentAnswer : public ExperimentReport {};
 
 const std::string location = "experiment = \"location\"\n[location]\ntrials = 40\n";
+
+std::string answer_of(const std::string& page) { return page.substr(0, page.find("<h2>")); }
 
 TEST_F(ExperimentAnswer, OfLocationSaysHowOftenEachCameOut) {
   const Json counted = run("x", location + "[sweep]\nlocation.relative_sigma = [0.03, 0.3]\n");
@@ -57,6 +62,60 @@ TEST_F(ExperimentAnswer, OfSharedLinkSaysWhyInWords) {
   const std::string page = report({"s.h5"});
   expect_has(page, "refused: wrong checksum");
   EXPECT_EQ(page.find("refused: wrong_checksum"), std::string::npos);
+}
+
+TEST_F(ExperimentAnswer, OfPresenceAtOnePointSaysHowOften) {
+  const Json counted = run("p",
+                           "experiment = \"presence\"\n[receiver]\nrange_m = 100\n[presence]\n"
+                           "trials = 50\nadc_bits = 16\nfalse_alarm = [0.1, 0.001]\n");
+  const std::string page = report({"p.h5"});
+  const std::string share = table_under(page, "Detections and false alarms").at(1).at("detected");
+  ASSERT_NEAR(std::stod(share), counted["variables"]["p_detection"]["values"][1].get<double>(),
+              0.01);
+  expect_has(answer_of(page), "<p>With false_alarm = 0.001 the device is noticed in " + share +
+                                  " of the windows.</p>");
+}
+
+TEST_F(ExperimentAnswer, OfPresenceAtOneRangeComparesDetectors) {
+  run("p",
+      "experiment = \"presence\"\n[receiver]\nrange_m = 100\n[presence]\ntrials = 50\n"
+      "adc_bits = 16\n[sweep]\npresence.detector = [\"synchronous\", \"dc-difference\"]\n");
+  expect_has(report({"p.h5"}),
+             "<p>With false_alarm = 0.001 the device is noticed least at presence.detector = "
+             "dc-difference: in ");
+}
+
+/// Of an hour of line with so many messages of a device.
+std::string listening_answer(double hours, std::int64_t frames, std::int64_t undetected) {
+  StoredDataset stored{parse_scenario("experiment = \"listening\"\nlistening.runs = 1\n", "x.toml",
+                                      {}, {COSYS_SOURCE_DIR "/scenarios"}),
+                       dataset_of({}, "c")};
+  const auto add = [&](const std::string& name, auto value) {
+    stored.data.variables.push_back({{name, "1", ""}, true, {}, std::vector{value}});
+  };
+  add("n_runs", std::int64_t{1});
+  add("line_h", hours);
+  add("n_frames", frames);
+  add("n_frames_undetected", undetected);
+  add("n_frames_false", std::int64_t{0});
+  add("undetected_per_hour", static_cast<double>(undetected) / hours);
+  add("undetected_per_hour_ci_low", 13.0);
+  add("undetected_per_hour_ci_high", 32.0);
+  add("false_per_hour", 0.0);
+  add("false_per_hour_ci_low", 0.0);
+  add("false_per_hour_ci_high", 3.7 / hours);
+  return listening_part("x", stored).verdict;
+}
+
+TEST(ListeningAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {
+  EXPECT_EQ(listening_answer(1, 0, 0),
+            "1 hour of line was listened to; 0 messages were accepted though none was sent, and 0 "
+            "while another was sent.\nThe rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(listening_answer(1, 900, 21),
+            "1 hour of line was listened to; 0 messages were accepted though none was sent, and 21 "
+            "while another was sent.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
+            "The rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(listening_answer(0.5, 0, 0).find("0.5 hours of line were listened to;"), 0U);
 }
 
 }  // namespace
