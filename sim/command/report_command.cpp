@@ -51,6 +51,7 @@ void look_closer(LinkReport& link, const StoredResult& stored, const Workers& wo
   const TrialRange counted = counted_trials(stored.result, point, scenario);
   link.frames = look_at_frames(scenario, counted, workers);
   link.frames.are_all &= stored.result.shards.size() == 1;
+  link.why_no_trial = why_no_trial(scenario);
   link.trial = trial_to_show(
       stored, point, link.frames.first_misread.value_or(static_cast<std::uint32_t>(counted.first)));
 }

@@ -191,6 +191,7 @@ ReportPart link_part(const LinkReport& link) {
   part.charts = result_charts(result);
   add_maps(part, result);
   part.sections.push_back(fates_section(result));
+  part.sections.back().text += link.why_no_trial;
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
   if (link.trial) add_trial(part, *link.trial);
   add_frames(part, link.frames);

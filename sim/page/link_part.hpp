@@ -18,6 +18,7 @@ struct LinkReport {
   Omissions omissions;
   FrameStatistics frames{};  // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};
+  std::string why_no_trial = {};  // a line, or empty
 };
 
 ReportPart link_part(const LinkReport& link);

@@ -42,6 +42,14 @@ ChartCurve response_curve(const channel::ModuleData& module, const ChartCurve& b
   return curve;
 }
 
+std::string spectrum_description(bool is_matched) {
+  return fmt::format(
+      "Power spectral density of the trial{} (Welch, Hann windows of 4096 samples){}. Harmonics of "
+      "the carrier above half of the sample rate are folded back",
+      is_matched ? "'s light and noise" : " before and behind the band-pass",
+      is_matched ? "" : ", and the module's response from the highest point down");
+}
+
 /// Enough of them to show a bit: the integrator is much slower than the samples.
 std::vector<float> thinned(const std::vector<float>& samples, std::size_t step) {
   std::vector<float> kept;
@@ -50,6 +58,16 @@ std::vector<float> thinned(const std::vector<float>& samples, std::size_t step) 
 }
 
 }  // namespace
+
+std::string why_no_trial(const Scenario& scenario) {
+  const std::string& fidelity = scenario.simulation.fidelity;
+  return fidelity == "waveform"
+             ? ""
+             : fmt::format(
+                   "A trial of fidelity = \"{}\" has no waveform to show; `cosys-sim trace` "
+                   "draws its pin (-o x.svg).\n",
+                   fidelity);
+}
 
 std::optional<ShownTrial> trial_to_show(const StoredResult& stored, std::uint64_t point,
                                         std::uint32_t number) {
@@ -68,18 +86,15 @@ std::optional<ShownTrial> trial_to_show(const StoredResult& stored, std::uint64_
 Chart spectrum_chart(const ShownTrial& shown) {
   constexpr std::size_t segment = 1 << 12;
   const TracedTrial& trial = shown.trial;
+  const bool is_matched = channel::is_matched(shown.module);
   Chart chart{.title = "Spectrum",
-              .description =
-                  "Power spectral density before and behind the band-pass of the trial "
-                  "(Welch, Hann windows of 4096 samples), and the module's response from the "
-                  "highest point down. Harmonics of the carrier above half of the sample rate "
-                  "are folded back",
+              .description = spectrum_description(is_matched),
               .x = {"frequency [kHz]", false},
               .y = {"density [(mW/m2)2/Hz]", true},
               .curves = {}};
   chart.curves.push_back(density_curve(
       "light and noise", dsp::welch(trial.taps.irradiance, trial.sample_rate, segment)));
-  if (channel::is_matched(shown.module)) return chart;
+  if (is_matched) return chart;
   chart.curves.push_back(density_curve(
       "behind the band-pass", dsp::welch(trial.taps.band_pass, trial.sample_rate, segment)));
   chart.curves.push_back(response_curve(shown.module, chart.curves.front()));

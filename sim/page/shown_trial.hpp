@@ -16,11 +16,15 @@ struct ShownTrial {
   channel::ModuleData module;
 };
 
+/// A line for who misses the trial: where trials make no waveform; else empty.
+std::string why_no_trial(const Scenario& scenario);
+
 /// Nothing where trials make no waveform, or send nothing.
 std::optional<ShownTrial> trial_to_show(const StoredResult& stored, std::uint64_t point,
                                         std::uint32_t number);
 
-/// Power spectral density before and behind the band-pass (Welch), with the module's response.
+/// Power spectral density before and behind the band-pass (Welch), with the module's response; of
+/// matched receivers that of the light alone.
 Chart spectrum_chart(const ShownTrial& shown);
 /// The integrator over two bits, all bits of the message over each other, as SVG.
 std::string eye_as_svg(const ShownTrial& shown);

@@ -44,9 +44,12 @@ std::string loss_in_percent(const Estimate& loss) {
                      100 * loss.high);
 }
 
-std::string noise_note(double snr_db) {
-  if (!std::isfinite(snr_db)) return "";
-  return fmt::format("; noise is {:.0f} dB below the signal behind the band-pass", snr_db);
+/// Theory is known of matched receivers alone, which have no band-pass.
+std::string noise_note(const OperatingPoint& at) {
+  if (!std::isfinite(at.snr_db)) return "";
+  return fmt::format(
+      "; noise is {:.0f} dB below the signal {}", at.snr_db,
+      std::isfinite(at.ber_theory) ? "in the bandwidth of a bit" : "behind the band-pass");
 }
 
 std::string where_it_fails(const ExperimentResult& result) {
@@ -56,7 +59,7 @@ std::string where_it_fails(const ExperimentResult& result) {
   return sentence(fmt::format("{}{} of frames are lost{}.\n",
                               place.empty() ? "" : "at " + place + " ",
                               loss_in_percent(frame_loss_ratio(point->tally, result.ci_level)),
-                              noise_note(point->operating.snr_db)));
+                              noise_note(point->operating)));
 }
 
 /// ", 3 without noise".

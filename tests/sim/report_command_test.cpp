@@ -37,6 +37,33 @@ TEST_F(ReportCommand, ShowsTheFirstTrialThatIsMisread) {
   EXPECT_EQ(occurrences(page, " of point 0</h2>"), 1U);
 }
 
+TEST_F(ReportCommand, DescribesOfIdealReceiversWhatTheyHave) {
+  run("edge", "receiver.range_m = [1, 11]");
+  const std::string module = report({"edge.h5"});
+  EXPECT_EQ(occurrences(module, "before and behind the band-pass"), 3U) << "picture, caption";
+  run("ideal", "receiver.ebn0_db = [2, 4]",
+      {"--set", "receiver.module=ideal-coherent", "--set", "simulation.warmup_messages=0"});
+  const std::string ideal = report({"ideal.h5"});
+  EXPECT_EQ(occurrences(ideal, "light and noise (Welch"), 3U);
+  EXPECT_EQ(occurrences(ideal, "dB below the signal in the bandwidth of a bit.</p>"), 1U);
+  EXPECT_EQ(occurrences(ideal.substr(0, ideal.find("<h2>The scenario")), "behind the band-pass"),
+            0U);
+}
+
+TEST_F(ReportCommand, SaysWhyThereIsNoTrial) {
+  const std::string none =
+      " has no waveform to show; `cosys-sim trace` draws its pin (-o x.svg).</p>";
+  run("wave", "receiver.range_m = [1, 11]");
+  EXPECT_EQ(occurrences(report({"wave.h5"}), none), 0U);
+  run("step", "receiver.range_m = [1, 11]",
+      {"--set", "simulation.fidelity=envelope", "--set", "simulation.warmup_messages=1"});
+  EXPECT_EQ(
+      occurrences(report({"step.h5"}), "<p>A trial of fidelity = &quot;envelope&quot;" + none), 1U);
+  const Outcome traced = program({"trace", "step.toml", "--set", "simulation.fidelity=envelope",
+                                  "--set", "simulation.warmup_messages=1", "-o", "x.svg"});
+  EXPECT_EQ(traced.code, 0) << traced.err;
+}
+
 TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   run("one", "receiver.range_m = [1, 11]");
   run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
