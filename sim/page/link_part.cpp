@@ -1,21 +1,18 @@
 #include "sim/page/link_part.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "sim/counting/statistics.hpp"
 #include "sim/page/frame_charts.hpp"
+#include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
-#include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_rows.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/result/ranking.hpp"
@@ -23,62 +20,6 @@
 
 namespace sim {
 namespace {
-
-bool has_theory(const ExperimentResult& result) {
-  return std::ranges::any_of(result.points, [](const PointResult& point) {
-    return !std::isnan(point.operating.ber_theory);
-  });
-}
-
-std::vector<std::string> head_of(const ExperimentResult& result, bool theory) {
-  std::vector<std::string> head;
-  for (const Axis& axis : result.axes) head.push_back(axis_name(axis));
-  for (const char* name :
-       {"irradiance [mW/m2]", "SNR [dB]", "frames", "lost", "FLR", "bit errors", "BER"})
-    head.emplace_back(name);
-  if (theory) head.emplace_back("BER in theory");
-  head.emplace_back("undetected");
-  head.emplace_back("stopped by");
-  return head;
-}
-
-std::vector<std::string> row_of(const ExperimentResult& result, const PointResult& point,
-                                bool theory) {
-  std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
-  row.push_back(fmt::format("{:.4g}", point.operating.irradiance_mw_per_m2));
-  row.push_back(fmt::format("{:.1f}", point.operating.snr_db));
-  row.push_back(std::to_string(point.tally.n_frames));
-  row.push_back(std::to_string(point.tally.n_frames_lost));
-  row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
-  row.push_back(std::to_string(point.tally.n_bit_errors));
-  row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
-  if (theory) row.push_back(theory_text(point.operating.ber_theory));
-  row.push_back(std::to_string(point.tally.n_frames_undetected));
-  row.push_back(closing_text(point));
-  return row;
-}
-
-PageTable table_of(const ExperimentResult& result) {
-  const bool theory = has_theory(result);
-  PageTable table{.head = head_of(result, theory), .rows = {}};
-  for (const PointResult& point : result.points)
-    if (measured(point)) table.rows.push_back(row_of(result, point, theory));
-  return table;
-}
-
-/// Marks stand in the table of all numbers, far below.
-std::string marked_points(const ExperimentResult& result) {
-  const auto outside = std::ranges::count_if(
-      result.points, [](const PointResult& point) { return point.outside != 0; });
-  const auto alarming = std::ranges::count_if(
-      result.points, [](const PointResult& point) { return point.alarms != 0; });
-  std::vector<std::string> marks;
-  if (outside > 0) marks.push_back(fmt::format("{} outside of what a model is valid for", outside));
-  if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));
-  if (marks.empty()) return "";
-  return fmt::format("Of {} points {}: they are marked in the table of all numbers.\n",
-                     result.points.size(), fmt::join(marks, " and "));
-}
 
 const char* const fates[] = {"delivered", "a line was heard, but not the one sent",
                              "characters were heard, but no line ended", "nothing was heard"};
@@ -195,8 +136,7 @@ ReportPart link_part(const LinkReport& link) {
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
   if (link.trial) add_trial(part, *link.trial);
   add_frames(part, link.frames);
-  part.sections.push_back(
-      {.heading = "All numbers", .text = mark_notes(result), .table = table_of(result)});
+  part.sections.push_back(numbers_section(result));
   part.sections.push_back(scenario_section(result.command, result.scenario_toml));
   return part;
 }
