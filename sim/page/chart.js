@@ -1,12 +1,13 @@
 // Live charts of a report, drawn by uPlot, and how keys move in them.
 
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
-const dashes = [undefined, [2, 3], [10, 3, 2, 3]];  // where there are more curves than colours
+// Where there are more curves than colours the next dash of their kind.
+const dashes = [undefined, [2, 3], [10, 3, 2, 3]], theoryDashes = [[6, 4], [14, 4], [6, 3, 1, 3, 1, 3]];
 const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
 const shadeOf = (colour) => (colour === '#0072b2' && isDark() ? '#4aa3df' : colour);
 const colourOf = (curve) => shadeOf(colours[curve.colour % colours.length]);
 const dashOf = (curve) =>
-  (curve.kind === 'theory' ? [6, 4] : dashes[Math.floor(curve.colour / colours.length) % dashes.length]);
+  (curve.kind === 'theory' ? theoryDashes : dashes)[Math.floor(curve.colour / colours.length) % dashes.length];
 const chartHeight = 420;
 const plotHeight = 320;  // of it, without what stands at the axes
 const whisker = 4;

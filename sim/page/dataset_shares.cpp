@@ -53,17 +53,16 @@ ShareBars point_shares(const Dataset& data, const std::string& title, const std:
                        const std::function<std::vector<std::uint64_t>(std::size_t point)>& counts) {
   const SweptRows rows(data.axes);
   join_rest(kinds);
-  ShareBars bars{
-      .title = title,
-      .description = fmt::format(
-          "Share of {}{}", of,
-          rows.joins_points()
-              ? ", in thousandths of each point; those of all other values of the sweep are "
-                "added up"
-              : ""),
-      .rows_label = rows.head(),
-      .kinds = std::move(kinds),
-      .rows = {}};
+  ShareBars bars{.title = title,
+                 .description = fmt::format(
+                     "Share of {}{}", of,
+                     rows.joins_points()
+                         ? ", of all other values of the sweep together: each point weighs the same"
+                         : ""),
+                 .rows_label = rows.head(),
+                 .are_shares = rows.joins_points(),
+                 .kinds = std::move(kinds),
+                 .rows = {}};
   for (const std::size_t point : measured_points(data)) {
     std::vector<std::uint64_t> all = counts(point);
     join_rest(all);

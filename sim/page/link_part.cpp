@@ -34,11 +34,11 @@ ShareBars fates_of(const ExperimentResult& result) {
   const SweptRows rows(result.axes);
   ShareBars bars{.title = "What became of the frames",
                  .description = rows.joins_points()
-                                    ? "Share of frames by how far they came, in thousandths of "
-                                      "each point; those of all other values of the sweep are "
-                                      "added up"
+                                    ? "Share of frames by how far they came, of all other values "
+                                      "of the sweep together: each point weighs the same"
                                     : "Share of frames by how far they came",
                  .rows_label = rows.head(),
+                 .are_shares = rows.joins_points(),
                  .kinds = {std::begin(fates), std::end(fates)},
                  .rows = {}};
   for (const PointResult& point : result.points)

@@ -25,9 +25,9 @@ struct Omissions {
 /// else the one that loses the most. Null where no frame is lost.
 const PointResult* failing_point(const ExperimentResult& result);
 
-/// At the failing point, with at most 100 frames each, or 20 of more than 1e7 samples. Empty where
-/// there is none, of ideal receivers, which noise alone troubles, and of weighted trials. Worth
-/// nothing after an interrupt.
+/// At the failing point, with 100 frames each, or fewer of more than 2e6 samples, 20 at least.
+/// Empty where there is none, of ideal receivers, which noise alone troubles, and of weighted
+/// trials. Worth nothing after an interrupt.
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers);
 

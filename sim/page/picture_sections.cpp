@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "sim/report/estimate_text.hpp"
@@ -37,12 +38,21 @@ PageTable table_of(const HeatMap& map) {
   return table;
 }
 
+std::string percent_of(std::uint64_t count, const std::vector<std::uint64_t>& counts) {
+  const auto whole = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  if (whole == 0) return "-";
+  return fmt::format("{:.1f}", 100 * static_cast<double>(count) / static_cast<double>(whole));
+}
+
 PageTable table_of(const ShareBars& bars) {
   PageTable table{.head = {bars.rows_label}, .rows = {}};
-  table.head.insert(table.head.end(), bars.kinds.begin(), bars.kinds.end());
+  for (const std::string& kind : bars.kinds)
+    table.head.push_back(bars.are_shares ? kind + " [%]" : kind);
   for (const ShareRow& row : bars.rows) {
     table.rows.push_back({row.label});
-    for (const std::uint64_t count : row.counts) table.rows.back().push_back(std::to_string(count));
+    for (const std::uint64_t count : row.counts)
+      table.rows.back().push_back(bars.are_shares ? percent_of(count, row.counts)
+                                                  : std::to_string(count));
   }
   return table;
 }

@@ -93,7 +93,7 @@ function addCopyButton(table, heading) {
 
 /** Names as receiver.range_m may go on in the next line, on paper. */
 function breakable(name) {
-  return name.split(/(?<=[._])/).flatMap((part) => [part, document.createElement('wbr')]).slice(0, -1);
+  return name.split(/(?<=[._])(?=[a-z])/).flatMap((part) => [part, document.createElement('wbr')]).slice(0, -1);
 }
 
 function makeLive(table) {

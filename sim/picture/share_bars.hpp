@@ -14,6 +14,7 @@ struct ShareRow {
 struct ShareBars {
   std::string title, description;
   std::string rows_label;          // what the rows' labels are
+  bool are_shares{};               // the counts tell shares alone, not how many there were
   std::vector<std::string> kinds;  // at most nine
   std::vector<ShareRow> rows;      // at least one
 };

@@ -8,9 +8,11 @@
 
 #include "made_up_trial.hpp"
 #include "sim/engine/experiment.hpp"
+#include "sim/link/link.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_charts.hpp"
 #include "sim/result/unfinished.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {
@@ -163,6 +165,13 @@ TEST(FrameStatistics, LookAtNoMoreThanWillDo) {
   EXPECT_FALSE(first.are_all);
   EXPECT_NE(jitter_chart(first).description.find("the first 400 trials"), std::string::npos);
   EXPECT_EQ(look_at_frames(scenario.base, {8, 8}, {}).trials, 0);
+}
+
+TEST(FrameStatistics, AffordFewerLongTrials) {
+  const Link link = make_link(failing_link("").base);
+  const double samples = transmit(link, 0).messages.back().end.value * link.chain.sample_rate.value;
+  EXPECT_EQ(affordable_trials(link, 30.5 * samples), 30);
+  EXPECT_EQ(affordable_trials(link, samples), 20) << "at least";
 }
 
 }  // namespace

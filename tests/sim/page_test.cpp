@@ -11,9 +11,11 @@
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/link_part.hpp"
 #include "sim/page/page.hpp"
+#include "sim/page/picture_sections.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/picture/heat_map.hpp"
 #include "sim/picture/share_bars.hpp"
+#include "sim/report/report_table.hpp"
 #include "sim/result/unfinished.hpp"
 
 namespace sim {
@@ -200,6 +202,33 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   EXPECT_EQ(page.sections[4].preformatted, "text");
 }
 
+TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
+  ExperimentResult result = sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)});
+  result.points[0].outside = 1;
+  result.points[0].operating.ber_theory = 0.25;
+  result.points[1].alarms = 1;
+  const ReportPart part = link_part({"file", result, {}});
+  EXPECT_NE(part.verdict.find("\nOf 2 points 1 outside of what a model is valid for and 1 with an "
+                              "alarm: they are marked in the table of all numbers.\n"),
+            std::string::npos)
+      << part.verdict;
+  const PageSection& numbers = part.sections[part.sections.size() - 2];
+  EXPECT_EQ(numbers.heading, "All numbers");
+  EXPECT_EQ(numbers.text, mark_notes(result));
+  EXPECT_EQ(numbers.table->head[8], "BER in theory");
+  EXPECT_EQ(numbers.table->rows[0][8], "0.2500");
+  EXPECT_EQ(numbers.table->rows[0].back(), closing_text(result.points[0]));
+  EXPECT_NE(numbers.table->rows[0].back().find(" ! "), std::string::npos);
+  EXPECT_NE(numbers.table->rows[1].back().find(" !! "), std::string::npos);
+}
+
+TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
+  const ReportPart part = link_part({"file", sweep_of({point_of(1, 10, 0)}), {}});
+  EXPECT_EQ(part.verdict.find("marked"), std::string::npos) << part.verdict;
+  const PageSection& numbers = part.sections[part.sections.size() - 2];
+  EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
+}
+
 TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
   ExperimentResult result = sweep_of({});
   result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
@@ -216,11 +245,25 @@ TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
       std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
   ASSERT_NE(section, page.sections.end());
   ASSERT_EQ(section->table->rows.size(), 40U);
-  EXPECT_EQ(section->table->rows[39], (std::vector<std::string>{"39", "1600", "0", "0", "400"}))
-      << "thousandths of each point";
+  EXPECT_EQ(section->table->head[1], "delivered [%]");
+  EXPECT_EQ(section->table->rows[39],
+            (std::vector<std::string>{"39", "80.0", "0.0", "0.0", "20.0"}))
+      << "both points weigh the same";
 }
 
 // ---- bars of shares ----
+
+TEST(ShareBars, OfShareAloneHaveATableInPercent) {
+  const PageSection section = shares_section("bars", {.title = "t",
+                                                      .description = "d",
+                                                      .rows_label = "x",
+                                                      .are_shares = true,
+                                                      .kinds = {"a", "b"},
+                                                      .rows = {{"one", {2, 1}}, {"none", {0, 0}}}});
+  EXPECT_EQ(section.table->head, (std::vector<std::string>{"x", "a [%]", "b [%]"}));
+  EXPECT_EQ(section.table->rows,
+            (std::vector<std::vector<std::string>>{{"one", "66.7", "33.3"}, {"none", "-", "-"}}));
+}
 
 TEST(ShareBars, AreAsWideAsTheirShares) {
   const std::string svg = share_bars_as_svg({.title = "t",
@@ -254,6 +297,19 @@ TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
   EXPECT_NE(svg.find("<path class=\"contour\" d=\"M340.00 76.00v26\"/>"), std::string::npos)
       << "between 0 and 0.5 alone\n"
       << svg;
+}
+
+TEST(HeatMap, HasATableFromAboveAsThePicture) {
+  const PageSection section = map_section("map", {.title = "t",
+                                                  .description = "d",
+                                                  .x_label = "x",
+                                                  .y_label = "y",
+                                                  .columns = {"1", "2"},
+                                                  .rows = {"low", "high"},
+                                                  .values = {{0, 0.5}, {0.005, std::nan("")}}});
+  EXPECT_EQ(section.table->head, (std::vector<std::string>{"y \\ x", "1", "2"}));
+  EXPECT_EQ(section.table->rows,
+            (std::vector<std::vector<std::string>>{{"high", "0.005", "-"}, {"low", "0", "0.5"}}));
 }
 
 TEST(HeatMap, ColoursWhatIsNoRatioAsMuch) {

@@ -1,10 +1,13 @@
 // Drawing: places and round values, waveforms without lost spikes, text that stays text, charts.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "occurrences.hpp"
 #include "sim/picture/chart.hpp"
@@ -162,6 +165,20 @@ TEST(Chart, TellsMoreCurvesThanColoursApart) {
     EXPECT_EQ(occurrences(text, std::string("<line class=") + style), 1U) << style;
 }
 
+TEST(Chart, TellsMoreTheoriesThanColoursApart) {
+  Chart chart = chart_of({}, false);
+  chart.curves.clear();
+  for (int i = 0; i < 14; ++i) {
+    chart.curves.push_back({"measured", {{1, 1, 1, 1}}});
+    chart.curves.push_back({"theory", {{1, 1}, {2, 2}}, CurveKind::theory});
+  }
+  const std::string text = chart_as_svg(chart);
+  for (const char* style : {"curve1 theory", "curve1 theory2", "curve2 theory3"})
+    EXPECT_EQ(occurrences(text, fmt::format("<line class=\"{}\"", style)), 1U) << style;
+  for (const char* style : {".theory {", ".theory2 {", ".theory3 {"})
+    EXPECT_EQ(occurrences(text, style), 1U) << style;
+}
+
 TEST(Chart, StandsOnPaperWhateverItIsGiven) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -207,6 +224,27 @@ TEST(ChartText, MarksLimitsAndLetsWhatWasMeasuredCoverTheory) {
   EXPECT_NE(plot.find("|" + std::string(63, ' ') + "o\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|v\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|.\n"), std::string::npos) << plot;
+}
+
+TEST(ChartText, TellsManyCurvesApartInALegendNoWiderThanThePaper) {
+  Chart chart = chart_of({}, false);
+  chart.curves.clear();
+  for (int i = 0; i < 30; ++i)
+    chart.curves.push_back({fmt::format("n{}", i), {{static_cast<double>(i), 1, 1, 1}}});
+  const std::string plot = chart_as_text(chart);
+  std::istringstream lines(plot);
+  std::string legend, line;
+  while (std::getline(lines, line) && line.find('|') == std::string::npos) {
+    EXPECT_LE(line.size(), 76U) << line;
+    legend += line;
+  }
+  std::set<char> marks;
+  for (int i = 0; i < 30; ++i) {
+    const std::size_t name = legend.find(fmt::format(" n{}{}", i, i < 29 ? "," : ""));
+    ASSERT_NE(name, std::string::npos) << i;
+    marks.insert(legend[name - 1]);
+  }
+  EXPECT_EQ(marks.size(), 30U);
 }
 
 }  // namespace
