@@ -26,7 +26,7 @@ function makeScrollable(box) {
 
 function watchWidths() {
   const watch = new ResizeObserver((entries) => entries.forEach((entry) => makeScrollable(entry.target)));
-  document.querySelectorAll('.table, pre').forEach((box) => watch.observe(box));
+  document.querySelectorAll('.table, .still, pre').forEach((box) => watch.observe(box));
 }
 
 function drawEach(kind, draw) {

@@ -1,8 +1,10 @@
 """A report on paper, in the dark, in a narrow window, and for who does not see it."""
 from browser import expect
 
-NARROW = 400  # pixels
-A4 = 680      # ... within margins of 15 mm
+NARROW = 400    # pixels
+A4 = 680        # ... within margins of 15 mm
+LEAST_TEXT = 8  # ... of a still picture's letters
+SCROLLING = ".table, .still, pre"
 
 IS_SHOWN = "(element) => element.checkVisibility() && element.getClientRects().length > 0"
 
@@ -87,11 +89,16 @@ def look_in_the_dark(driver):
 
 def look_narrowly(driver):
     set_width(driver, NARROW)
-    expect_nothing_wide(driver, NARROW, ".table, pre")
+    expect_nothing_wide(driver, NARROW, SCROLLING)
     boxes = driver.execute_script(
-        """return [...document.querySelectorAll('.table, pre')].filter((box) => box.scrollWidth > box.clientWidth)
-             .map((box) => box.tabIndex);""")
+        """return [...document.querySelectorAll(arguments[0])].filter((box) => box.scrollWidth > box.clientWidth)
+             .map((box) => box.tabIndex);""", SCROLLING)
     expect(boxes and all(index == 0 for index in boxes), f"no keyboard reaches what scrolls: {boxes}")
+    sizes = driver.execute_script(
+        f"""const isShown = {IS_SHOWN};
+            return [...document.querySelectorAll('.still text')].filter(isShown).map((text) =>
+              parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a);""")
+    expect(min(sizes, default=LEAST_TEXT) >= LEAST_TEXT, f"text of a picture is {min(sizes, default=0)} pixels high")
 
 
 def expect_names(driver):
