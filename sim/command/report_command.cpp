@@ -14,6 +14,7 @@
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
+#include "sim/scenario/settings.hpp"
 #include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
@@ -63,15 +64,23 @@ ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   LinkReport link;
   link.name = name_of(path, request.results);
   link.omissions = leave_out(stored.scenario, stored.result, workers);
-  if (!is_weighted(stored.result) && !workers.interrupted()) look_closer(link, stored, workers);
+  if (is_weighted(stored.result))
+    link.why_no_trial =
+        "No trial is shown: importance sampling does not draw them as they come by nature.\n";
+  else if (!workers.interrupted())
+    look_closer(link, stored, workers);
   link.result = std::move(stored.result);
-  return link_part(link);
+  ReportPart part = link_part(link);
+  part.settings = settings_of(stored.scenario);
+  return part;
 }
 
 ReportPart part_of(const fs::path& path, const ReportRequest& request) {
   if (filetype_of(path) != experiment_result_type) return link_part_of(path, request);
   const StoredDataset stored = read_dataset(path);
-  return reporter_of(stored.scenario)(name_of(path, request.results), stored);
+  ReportPart part = reporter_of(stored.scenario)(name_of(path, request.results), stored);
+  part.settings = settings_of(stored.scenario);
+  return part;
 }
 
 void write_file(const fs::path& path, const std::string& text) {

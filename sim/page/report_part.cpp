@@ -5,15 +5,34 @@
 #include <sstream>
 #include <utility>
 
+#include "sim/page/differences.hpp"
 #include "sim/page/picture_sections.hpp"
 
 namespace sim {
 namespace {
 
+bool are_alike(const Chart& a, const Chart& b) {
+  return a.title == b.title && a.x.label == b.x.label;
+}
+
+/// Charts that one part alone has say whose they are.
+void name_lone_charts(std::vector<ReportPart>& parts) {
+  std::vector<std::pair<Chart*, std::string>> lone;
+  for (ReportPart& part : parts)
+    for (Chart& chart : part.charts) {
+      const auto has_alike = [&](const ReportPart& other) {
+        return &other != &part && std::ranges::any_of(other.charts, [&](const Chart& another) {
+          return are_alike(chart, another);
+        });
+      };
+      if (std::ranges::none_of(parts, has_alike)) lone.emplace_back(&chart, part.name);
+    }
+  for (const auto& [chart, name] : lone) chart->title = name + ": " + chart->title;
+}
+
 void add_chart(std::vector<Chart>& charts, Chart chart) {
-  const auto same = std::ranges::find_if(charts, [&](const Chart& other) {
-    return other.title == chart.title && other.x.label == chart.x.label;
-  });
+  const auto same =
+      std::ranges::find_if(charts, [&](const Chart& other) { return are_alike(other, chart); });
   if (same == charts.end())
     charts.push_back(std::move(chart));
   else
@@ -44,7 +63,11 @@ std::string title_of(const std::vector<ReportPart>& parts) {
 Page page_of(std::vector<ReportPart> parts) {
   Page page{.title = title_of(parts), .verdict = {}, .sections = {}};
   std::vector<Chart> charts;
-  if (parts.size() > 1) std::ranges::for_each(parts, say_whose);
+  if (parts.size() > 1) {
+    page.sections.push_back(differences_section(parts));
+    name_lone_charts(parts);
+    std::ranges::for_each(parts, say_whose);
+  }
   for (ReportPart& part : parts) {
     page.verdict += part.verdict;
     std::ranges::move(part.first, std::back_inserter(page.sections));

@@ -6,6 +6,7 @@
 
 #include "sim/page/page.hpp"
 #include "sim/picture/chart.hpp"
+#include "sim/scenario/settings.hpp"
 
 namespace sim {
 
@@ -17,9 +18,11 @@ struct ReportPart {
   /// Those of several results that have one title and one lower axis are drawn into one picture.
   std::vector<Chart> charts{};
   std::vector<PageSection> sections{};  // behind the charts
+  std::vector<Setting> settings{};      // of its scenario
 };
 
-/// At least one part. Where there are several, headings and curves say whose they are.
+/// At least one part. Where there are several, headings and curves say whose they are, and the
+/// first section in what their scenarios differ.
 Page page_of(std::vector<ReportPart> parts);
 
 }  // namespace sim
