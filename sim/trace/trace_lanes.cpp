@@ -15,11 +15,16 @@ SampledWave wave_of(const TracedTrial& trial, const std::vector<float>& samples)
   return {samples, period_s / 2, period_s};
 }
 
-/// Makes room for a curve; where it is level too.
+/// Makes room for a curve.
 void cover(Lane& lane, std::span<const float> samples) {
   const auto [least, greatest] = std::ranges::minmax(samples);
   lane.least = std::min(lane.least, double{least});
-  lane.greatest = std::max({lane.greatest, double{greatest}, lane.least + 1e-12});
+  lane.greatest = std::max(lane.greatest, double{greatest});
+}
+
+/// Where all is level, as of an integrator that nothing moves, there is room all the same.
+void settle(Lane& lane) {
+  if (!(lane.greatest > lane.least)) lane.greatest = lane.least + 1;
 }
 
 struct TapCurve {
@@ -34,7 +39,7 @@ struct TapLane {
 
 std::vector<TapLane> lanes_behind_light() {
   using channel::Recording;
-  return {{{"band-pass", "threshold: thick", "mW/m\u00b2"},
+  return {{{"band-pass", "threshold: thick", "mW/m2"},
            {{&Recording::band_pass, "curve3"}, {&Recording::threshold, "threshold"}}},
           {{"integrator", "samples"}, {{&Recording::integrator, "curve4"}}},
           {{"slow gain"}, {{&Recording::agc_gain, "curve6"}}}};
@@ -63,7 +68,8 @@ Lane light_lane(const TracedTrial& trial, const std::vector<float>& keyed) {
             .curves = {{{keyed, 0, 1 / (trial.carrier.value * values_a_cycle)}, "light"}}};
   Lane lane{.names = {"light"}, .greatest = 0, .curves = {{wave_of(trial, samples), "light"}}};
   cover(lane, samples);
-  lane.names.push_back(fmt::format("to {:.3g} mW/m\u00b2", lane.greatest));
+  lane.names.push_back(fmt::format("to {:.3g} mW/m2", lane.greatest));
+  settle(lane);
   return lane;
 }
 
@@ -77,6 +83,7 @@ std::vector<Lane> tap_lanes(const TracedTrial& trial) {
       cover(lane, samples);
       lane.curves.push_back({wave_of(trial, samples), curve.style});
     }
+    settle(lane);
     if (!lane.curves.empty()) lanes.push_back(std::move(lane));
   }
   return lanes;

@@ -62,7 +62,7 @@ TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {
   trial.taps.irradiance.assign(
       static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value), 0.25F);
   trial.taps.irradiance[4800] = 12.5F;
-  EXPECT_NE(sim::trace_as_picture(trial).find("to 12.5 mW/m\u00b2"), std::string::npos);
+  EXPECT_NE(sim::trace_as_picture(trial).find("to 12.5 mW/m2"), std::string::npos);
 }
 
 TEST(TracePicture, StandsWhereNothingWasSentOrRead) {
@@ -91,6 +91,14 @@ TEST(TracePicture, HasEveryTapInEachOfItsThreePartsWhereAskedTo) {
   for (const char* mark : {">0.01</text>", ">-0.2</text>", ">5000</text>", ">0.5</text>"})
     EXPECT_EQ(sim::occurrences(text, mark), 3U) << mark;
   EXPECT_EQ(sim::occurrences(sim::trace_as_picture(trial), "class=\"curve"), 0U);
+}
+
+TEST(TracePicture, MarksATapThatNothingMoves) {
+  sim::TracedTrial trial = trial_with_taps();
+  std::ranges::fill(trial.taps.integrator, 0.0F);
+  const std::string text = sim::taps_as_picture(trial);
+  EXPECT_EQ(text.find("e-1"), std::string::npos) << "no marks such as 5e-13";
+  EXPECT_EQ(sim::occurrences(text, ">0.5</text>"), 6U) << "of the integrator and of the gain";
 }
 
 TEST(TracePicture, LeavesOutTapsThatWereNotRecorded) {
