@@ -11,6 +11,7 @@
 #include "sim/arena/arena_part.hpp"
 #include "sim/arena/sender.hpp"
 #include "sim/guard/guard_check.hpp"
+#include "sim/guard/guard_report.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -53,13 +54,18 @@ std::string device_text(const Dataset& data, const Dataset::Variable& variable, 
          (place.empty() ? "" : " at " + place);
 }
 
-/// The cell with the greatest number, of a variable of devices; nothing where none is known.
+/// The cell with the greatest number of several, of a variable of devices; nothing where no cell is
+/// known, or none stands out.
 std::optional<std::size_t> greatest(const Dataset& data, const std::string& name) {
   const DatasetCells cells(data, name);
-  std::optional<std::size_t> found;
-  if (!is_of_devices(find_variable(data, name))) return found;
+  if (!is_of_devices(find_variable(data, name))) return std::nullopt;
+  std::vector<std::size_t> known;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (!std::isnan(cells[i]) && (!found || cells[i] > cells[*found])) found = i;
+    if (!std::isnan(cells[i])) known.push_back(i);
+  if (known.size() < 2) return std::nullopt;
+  const auto value = [&](std::size_t i) { return cells[i]; };
+  const std::size_t found = *std::ranges::max_element(known, {}, value);
+  if (std::ranges::count(known, cells[found], value) > 1) return std::nullopt;
   return found;
 }
 
@@ -79,24 +85,22 @@ std::string oldest_of(const Dataset& data) {
                               DatasetCells(data, "age_p95_s")[*oldest]));
 }
 
-std::string percent(double share) {
-  return std::isnan(share) ? "-" : fmt::format("{:.1f} %", 100 * share);
-}
-
 std::string least_known_of(const Dataset& data) {
   const std::optional<std::size_t> least = greatest(data, "unknown_share");
   const double share = least ? DatasetCells(data, "unknown_share")[*least] : 0;
-  if (!(share > 0)) return "";
+  constexpr double told = 0.0005;  // less would be 0.0 %
+  if (!(share >= told)) return "";
   return fmt::format("Nothing is known most often of {}: {} of the time.\n",
                      device_text(data, *find_variable(data, "unknown_share"), *least),
-                     percent(share));
+                     percent_text(share));
 }
 
 /// Of all devices together. Files of earlier versions lack it.
 std::string ages_of(const Dataset& data) {
   if (!data.axes.empty())
     return extremes(data, "total_age_mean_s", "The mean age of what it knows", " s") +
-           extremes(data, "total_unknown_share", "The share of time in which it knows nothing");
+           extremes(data, "total_unknown_share",
+                    "The share of time in which it knows nothing of a device");
   const double mean_s = DatasetCells(data, "total_age_mean_s")[0];
   const double unknown = DatasetCells(data, "total_unknown_share")[0];
   std::string text;
@@ -104,7 +108,8 @@ std::string ages_of(const Dataset& data) {
     text = fmt::format("What it knows is {}.\n",
                        age_text(" old", mean_s, DatasetCells(data, "total_age_p95_s")[0]));
   if (!std::isnan(unknown))
-    text += fmt::format("For {} of the time it knows nothing of a device.\n", percent(unknown));
+    text +=
+        fmt::format("For {} of the time it knows nothing of a device.\n", percent_text(unknown));
   return text;
 }
 
@@ -115,7 +120,7 @@ void add_age_columns(std::vector<DatasetColumn>& columns, const Dataset& data,
   columns.push_back({of + "age_p95_s", "95 % of ages [s]"});
   columns.push_back({of + "unknown_share", "nothing known",
                      [shares = DatasetCells(data, of + "unknown_share")](std::size_t cell) {
-                       return percent(shares[cell]);
+                       return percent_text(shares[cell]);
                      }});
 }
 

@@ -17,10 +17,6 @@ constexpr double high_share = 0.95;
 
 std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2f}", value); }
 
-std::string percent(double share) {
-  return std::isnan(share) ? "-" : fmt::format("{:.1f} %", 100 * share);
-}
-
 void add_age_columns(std::vector<TextColumn>& columns) {
   columns.push_back({{"mean age", "at base", "[s]"}, 8});
   columns.push_back({{"95 % of", "ages", "[s]"}, 8});
@@ -30,7 +26,7 @@ void add_age_columns(std::vector<TextColumn>& columns) {
 void add_ages(std::vector<std::string>& texts, const AgeCounts& age) {
   texts.push_back(seconds(age.mean_s()));
   texts.push_back(seconds(age.quantile_s(high_share)));
-  texts.push_back(percent(age.unknown_share()));
+  texts.push_back(percent_text(age.unknown_share()));
 }
 
 std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
@@ -75,6 +71,10 @@ std::vector<TextColumn> device_columns(std::size_t name_width) {
 }
 
 }  // namespace
+
+std::string percent_text(double share) {
+  return std::isnan(share) ? "-" : fmt::format("{:.1f} %", 100 * share);
+}
 
 std::string guard_header(const LoadedScenario& scenario) {
   return table_head(point_columns(scenario.sweep));

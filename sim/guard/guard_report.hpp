@@ -11,6 +11,9 @@ namespace sim {
 std::string guard_header(const LoadedScenario& scenario);
 std::string guard_row(const LoadedScenario& scenario, const GuardPoint& point);
 
+/// "17.6 %"; "-" where it is not known.
+std::string percent_text(double share);
+
 /// Of each device: messages on their way, and how old the base station's knowledge is.
 std::string mirror_table(const GuardPoint& point);
 /// From the devices' messages to the base station; adds up.

@@ -15,12 +15,13 @@ namespace {
 
 std::string size_of(const Dataset& data) {
   const std::string hours = fmt::format("{:.3g}", DatasetCells(data, "line_h").sum());
+  const double accepted = DatasetCells(data, "n_frames_false").sum();
   return fmt::format(
-      "{} listened to{}; {:.0f} messages were accepted though none was "
-      "sent, and {:.0f} while another was sent.\n",
+      "{} listened to{}; {:.0f} message{} accepted though the device sent none, and {:.0f} though "
+      "it sent another.\n",
       hours == "1" ? "1 hour of line was" : hours + " hours of line were",
-      data.axes.empty() ? "" : fmt::format(" at {} points", measured_points(data).size()),
-      DatasetCells(data, "n_frames_false").sum(), DatasetCells(data, "n_frames_undetected").sum());
+      data.axes.empty() ? "" : fmt::format(" at {} points", measured_points(data).size()), accepted,
+      accepted == 1 ? " was" : "s were", DatasetCells(data, "n_frames_undetected").sum());
 }
 
 /// How often what should not be accepted was. Without a device no error is undetected.
@@ -33,8 +34,8 @@ std::string rates_of(const Dataset& data) {
 
 std::vector<CountedKind> line_kinds() {
   return {{"n_frames_ok", "accepted as sent"},
-          {"n_frames_undetected", "accepted while another was sent"},
-          {"n_frames_false", "accepted though none was sent"},
+          {"n_frames_undetected", "accepted though the device sent another"},
+          {"n_frames_false", "accepted though the device sent none"},
           {"n_rejected", "refused"}};
 }
 
@@ -59,7 +60,7 @@ ReportPart listening_part(const std::string& name, const StoredDataset& stored) 
        {std::pair{"false_per_hour", "False accepts"}, {"undetected_per_hour", "Undetected errors"}})
     add_chart(part, swept_chart(data, {.name = variable,
                                        .title = title,
-                                       .label = "an hour of line",
+                                       .label = std::string(title) + " an hour of line",
                                        .logarithmic = true}));
   part.sections.push_back(shares_section(
       "lines", point_shares(data, "What became of the lines that ended",

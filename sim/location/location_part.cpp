@@ -46,14 +46,17 @@ std::string outcomes_text(const Dataset& data) {
     for (std::size_t i = kind; i < cells.size(); i += kinds.size()) count += cells.count(i);
     if (count > 0)
       text += fmt::format("{}{} {}{}", text.empty() ? ": " : ", ", kinds[kind], count,
-                          text.empty() ? " times" : "");
+                          !text.empty() ? ""
+                          : count == 1  ? " time"
+                                        : " times");
   }
   return text;
 }
 
 std::string size_of(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
-  return fmt::format("Locating was tried {} times{}{}.\n", data.n_runs,
+  return fmt::format("Locating was tried {} time{}{}{}.\n", data.n_runs,
+                     data.n_runs == 1 ? "" : "s",
                      points > 1 ? fmt::format(" at {} points", points) : "", outcomes_text(data));
 }
 
@@ -125,18 +128,10 @@ FloorPlan plan_of(const StoredDataset& stored) {
   return plan;
 }
 
-/// How many ellipses a picture has: those of too long an axis it leaves out.
-std::size_t ellipses_in(const std::string& svg) {
-  constexpr std::string_view ellipse = "<path class=\"curve1\"";
-  std::size_t n = 0;
-  for (auto at = svg.find(ellipse); at != std::string::npos; at = svg.find(ellipse, at + 1)) ++n;
-  return n;
-}
-
 /// Each point has a device, but not each an ellipse.
-std::string left_out_note(const FloorPlan& plan, const std::string& svg) {
+std::string left_out_note(const FloorPlan& plan) {
   const std::size_t points = plan.devices.size(), known = plan.ellipses.size();
-  const std::size_t drawn = std::min(ellipses_in(svg), known);
+  const std::size_t drawn = drawn_ellipses(plan).size();
   std::string text;
   if (known < points)
     text += fmt::format("Of {} of {} points there is no ellipse, as the readings bound nothing.\n",
@@ -150,11 +145,10 @@ std::string left_out_note(const FloorPlan& plan, const std::string& svg) {
 
 PageSection map_of(const StoredDataset& stored) {
   const FloorPlan plan = plan_of(stored);
-  const std::string svg = floor_plan_as_svg(plan);
   return {
       .heading = plan.title,
-      .text = left_out_note(plan, svg),
-      .picture = PagePicture{"map", plan.description, svg},
+      .text = left_out_note(plan),
+      .picture = PagePicture{"map", plan.description, floor_plan_as_svg(plan)},
       .table = dataset_table(stored.data, {{"ellipse_major_m", "longer half axis [m]"},
                                            {"ellipse_minor_m", "shorter half axis [m]"},
                                            {"ellipse_direction_deg", "longer one from +x [deg]"}})};
@@ -177,7 +171,7 @@ ReportPart location_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of(data)};
   part.verdict += extremes(data, "rmse_m", "The rms error of the located ones", " m") +
-                  extremes(data, "error_over_bound", "Over the Cramer-Rao bound it") +
+                  extremes(data, "error_over_bound", "That error over its Cramer-Rao bound") +
                   missing_points(stored);
   part.first.push_back(map_of(stored));
   add_charts(part, data);

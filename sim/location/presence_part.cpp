@@ -66,26 +66,36 @@ std::vector<ChartCurve> strictest(const Chart& chart, const std::string& false_a
   return curves;
 }
 
+/// The narrowest stretch that is another than the widest; nothing where all are one.
+std::optional<Span> narrowest_other(const std::vector<Span>& spans, const Span& widest) {
+  std::optional<Span> found;
+  for (const Span& span : spans)
+    if ((span.from != widest.from || span.to != widest.to) &&
+        (!found || span.length() < found->length()))
+      found = span;
+  return found;
+}
+
 /// The widest of the curves, and how that of the others is less.
 std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxis& x) {
   std::vector<Span> spans;
   for (const ChartCurve& curve : curves)
     if (const auto span = span_of(curve)) spans.push_back(*span);
   if (spans.empty())
-    return "at no point that was measured is the device noticed in 90 % of the windows or more.\n";
-  const auto [narrowest, widest] = std::ranges::minmax_element(spans, {}, &Span::length);
-  const bool is_for_all =
-      spans.size() == curves.size() && std::ranges::all_of(spans, [&](const Span& span) {
-        return span.from == widest->from && span.to == widest->to;
-      });
-  if (is_for_all) widest->curve.clear();
+    return "at no point that was simulated is the device noticed in 90 % of the windows or more.\n";
+  Span widest = *std::ranges::max_element(spans, {}, &Span::length);
+  const std::optional<Span> other = narrowest_other(spans, widest);
+  const bool is_for_all = spans.size() == curves.size() && !other;
+  if (is_for_all) widest.curve.clear();
   std::string text = fmt::format("the device is noticed in 90 % of the windows or more at {}",
-                                 in_words(*widest, x));
-  if (spans.size() < curves.size())
+                                 in_words(widest, x));
+  if (is_for_all && spans.size() > 1)
+    text += spans.size() == 2 ? ", by both" : fmt::format(", by all {}", spans.size());
+  else if (spans.size() < curves.size())
     text += fmt::format(", but nowhere by {} of {}", curves.size() - spans.size(), curves.size());
-  else if (!is_for_all)
-    text += fmt::format(", but {}at {}", narrowest->length() < widest->length() ? "only " : "",
-                        in_words(*narrowest, x));
+  else if (other)
+    text += fmt::format(", but {}at {}", other->length() < widest.length() ? "only " : "",
+                        in_words(*other, x));
   return text + ".\n";
 }
 
@@ -108,6 +118,9 @@ std::string detected_shares(const Dataset& data, std::size_t alarm, std::size_t 
       std::ranges::minmax_element(known, {}, [&](std::size_t i) { return shares[cell(i)]; });
   if (known.size() == 1)
     return fmt::format("the device is noticed in {} of the windows.\n", shares.text(cell(*least)));
+  if (shares.text(cell(*least)) == shares.text(cell(*most)))
+    return fmt::format("the device is noticed in {} of the windows at each of {} points.\n",
+                       shares.text(cell(*least)), known.size());
   return fmt::format(
       "the device is noticed least at {}: in {} of the windows, and most at {}: in {}.\n",
       place_text(data, *least), shares.text(cell(*least)), place_text(data, *most),

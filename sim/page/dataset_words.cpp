@@ -35,7 +35,10 @@ double wanted_runs(const Scenario& scenario) {
 class Compared {
  public:
   Compared(const Dataset& data, const std::string& name)
-      : cells_(data, name), highs_(data, name + "_ci_high"), points_(count_points(data.axes)) {}
+      : cells_(data, name),
+        lows_(data, name + "_ci_low"),
+        highs_(data, name + "_ci_high"),
+        points_(count_points(data.axes)) {}
 
   std::vector<std::size_t> known() const {
     std::vector<std::size_t> known;
@@ -47,9 +50,13 @@ class Compared {
     return {cells_[i], std::isnan(highs_[i]) ? 0 : highs_[i]};
   }
   std::string text(std::size_t i) const { return cells_.text(i); }
+  /// Whether their intervals are apart, or one has none.
+  bool are_apart(std::size_t less, std::size_t more) const {
+    return !(highs_[less] >= lows_[more]);
+  }
 
  private:
-  DatasetCells cells_, highs_;
+  DatasetCells cells_, lows_, highs_;
   std::size_t points_;
 };
 
@@ -58,7 +65,15 @@ std::string at_all(const Dataset& data, std::size_t known) {
   const std::size_t points = count_points(data.axes);
   if (points == 1) return "";
   return known == points ? " at all points"
-                         : fmt::format(" at the {} of {} points that were measured", known, points);
+                         : fmt::format(" at the {} of {} points where it is known", known, points);
+}
+
+/// The point, or how many there are that are no different.
+std::string places_of(const Dataset& data, const std::vector<std::size_t>& known,
+                      const Compared& cells, std::size_t point) {
+  const auto same =
+      std::ranges::count_if(known, [&](std::size_t other) { return cells(other) == cells(point); });
+  return same == 1 ? place_text(data, point) : fmt::format("{} of {} points", same, known.size());
 }
 
 }  // namespace
@@ -97,9 +112,10 @@ std::string extremes(const Dataset& data, const std::string& name, const std::st
   if (cells(*least) == cells(*greatest))
     return fmt::format("{} is {}{}{}.\n", what, cells.text(*least), unit,
                        at_all(data, known.size()));
-  return fmt::format("{} is least at {}: {}{}, and greatest at {}: {}{}.\n", what,
-                     place_text(data, *least), cells.text(*least), unit,
-                     place_text(data, *greatest), cells.text(*greatest), unit);
+  return fmt::format("{} is least at {}: {}{}, and greatest at {}: {}{}{}.\n", what,
+                     places_of(data, known, cells, *least), cells.text(*least), unit,
+                     places_of(data, known, cells, *greatest), cells.text(*greatest), unit,
+                     cells.are_apart(*least, *greatest) ? "" : ", which is no clear difference");
 }
 
 std::string missing_points(const StoredDataset& stored) {

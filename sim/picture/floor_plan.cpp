@@ -66,16 +66,6 @@ Extent extent_without_ellipses(const FloorPlan& plan) {
   return extent;
 }
 
-/// What can be drawn of the ellipses.
-std::vector<PlanEllipse> drawn_ellipses(const FloorPlan& plan) {
-  Extent extent = extent_without_ellipses(plan);
-  extent.widen();
-  std::vector<PlanEllipse> drawn;
-  for (const PlanEllipse& e : plan.ellipses)
-    if (e.semi_major_m <= extent.size() && is_somewhere(on_ellipse(e, 1))) drawn.push_back(e);
-  return drawn;
-}
-
 /// From metres to pixels, the same along both.
 class Ground {
  public:
@@ -216,6 +206,15 @@ void draw_legend(SvgDrawing& drawing, const FloorPlan& plan, double y) {
 }
 
 }  // namespace
+
+std::vector<PlanEllipse> drawn_ellipses(const FloorPlan& plan) {
+  Extent extent = extent_without_ellipses(plan);
+  extent.widen();
+  std::vector<PlanEllipse> drawn;
+  for (const PlanEllipse& e : plan.ellipses)
+    if (e.semi_major_m <= extent.size() && is_somewhere(on_ellipse(e, 1))) drawn.push_back(e);
+  return drawn;
+}
 
 std::string floor_plan_as_svg(const FloorPlan& plan) {
   const std::vector<PlanEllipse> ellipses = drawn_ellipses(plan);

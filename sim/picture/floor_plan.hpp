@@ -47,8 +47,10 @@ struct FloorPlan {
   std::vector<PlanEllipse> ellipses{};
 };
 
-/// As SVG. The floor is as large as all of it, but for ellipses of more than twice the size of the
-/// rest, which are left out.
+/// Those that have a place on the picture: not of more than twice the size of the rest.
+std::vector<PlanEllipse> drawn_ellipses(const FloorPlan& plan);
+
+/// As SVG. The floor is as large as all of it, but for ellipses that are left out.
 std::string floor_plan_as_svg(const FloorPlan& plan);
 
 }  // namespace sim

@@ -62,7 +62,7 @@ struct DrawnCells {
 
   /// Adds a cell to the curve of that name, and to its theory.
   void add_to(Chart& chart, const std::string& name, double x, std::size_t i) const {
-    ChartCurve& measured = curve_of(chart, name.empty() ? "measured" : name, CurveKind::measured);
+    ChartCurve& measured = curve_of(chart, name.empty() ? "simulated" : name, CurveKind::measured);
     if (std::isfinite(values[i])) measured.points.push_back(point(x, i, chart.y.logarithmic));
     if (i < theory.size() && std::isfinite(theory[i]))
       curve_of(chart, joined(name, "theory"), CurveKind::theory)

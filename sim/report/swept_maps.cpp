@@ -33,11 +33,25 @@ HeatMap empty_map(const Axis& across, const Axis& up) {
           .values = {up.values.size(), std::vector<double>(across.values.size(), std::nan(""))}};
 }
 
+/// The two numbers with the most values, or the one and the text with the most.
+std::vector<std::size_t> axes_of_maps(const std::vector<Axis>& axes) {
+  std::vector<std::size_t> over = widest_axes(axes);
+  if (over.size() != 1) return over;
+  std::size_t most = 1;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i].is_text() && axes[i].values.size() > most) {
+      most = axes[i].values.size();
+      over.resize(1);
+      over.push_back(i);
+    }
+  return over;
+}
+
 }  // namespace
 
 std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<double>& ratios,
                                 const std::string& title, const std::string& what) {
-  const std::vector<std::size_t> over = widest_axes(axes);
+  const std::vector<std::size_t> over = axes_of_maps(axes);
   if (over.size() < 2) return {};
   const Axis &across = axes[over[0]], &up = axes[over[1]];
   std::map<std::string, HeatMap> maps;

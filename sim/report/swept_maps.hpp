@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// One value a point, over the two swept numbers with the most values: a map for each
-/// combination of the others' values. Empty where less than two numbers were swept.
+/// One value a point, over the two swept numbers with the most values, or one and a text: a map for
+/// each combination of the others' values. Empty where there are no two such axes.
 std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<double>& ratios,
                                 const std::string& title, const std::string& what);
 

@@ -99,7 +99,7 @@ TEST(DatasetCharts, OverADimensionOfNumbers) {
   EXPECT_EQ(chart->x.label, "as set");
   EXPECT_TRUE(chart->x.logarithmic) << "two decades";
   ASSERT_EQ(chart->curves.size(), 1U);
-  EXPECT_EQ(chart->curves[0].name, "measured");
+  EXPECT_EQ(chart->curves[0].name, "simulated");
   EXPECT_EQ(chart->curves[0].points.at(0).x, 0.001);
   EXPECT_EQ(chart->curves[0].points.at(0).y, 0.5);
   EXPECT_FALSE(dimension_chart(data, {.name = "q", .title = "", .label = ""})) << "of texts";
@@ -144,6 +144,16 @@ TEST(SweptMaps, AMapForEachOtherValue) {
   EXPECT_EQ(maps[0].values[0][1], 0.02) << "a = 1, b = 2, c = x";
 }
 
+TEST(SweptMaps, OfOneNumberAndATextWhereThereAreNoTwoNumbers) {
+  const std::vector<Axis> axes{{"module", "", "", {0, 1}, {"A", "B"}},
+                               {"range", "m", "", {1, 2, 3}}};
+  const auto maps = swept_maps(axes, {0, 0.1, 0.2, 0.3, 0.4, 0.5}, "Map", "loss");
+  ASSERT_EQ(maps.size(), 1U);
+  EXPECT_EQ(maps[0].rows, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(maps[0].values[1][2], 0.5);
+  EXPECT_TRUE(swept_maps({axes[1]}, {0, 0, 0}, "Map", "loss").empty());
+}
+
 TEST(DatasetTable, ARowForEachPointAndElement) {
   const PageTable points =
       dataset_table(swept(),
@@ -174,7 +184,7 @@ TEST(DatasetWords, SayWhereItIsLeastAndGreatest) {
   EXPECT_EQ(extremes(one, "age", "Age", " s"), "Age is 1.25 s.\n");
   Dataset same = swept();
   same.variables[4].values = Reals{2, 2, 2, 2, 2, nan};
-  EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at the 5 of 6 points that were measured.\n");
+  EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at the 5 of 6 points where it is known.\n");
   same.variables[4].values = Reals(6, 2);
   EXPECT_EQ(extremes(same, "law", "It"), "It is 2 at all points.\n");
 }
@@ -185,8 +195,8 @@ TEST(DatasetWords, CompareByTheUpperEndWhereNothingWasFound) {
   data.variables[2].values = Reals(6, 0);
   data.variables[3].values = Reals{0.1, 0.1, 0.1, 0.3, 0.1, 0.1};
   EXPECT_EQ(extremes(data, "loss", "Loss"),
-            "Loss is least at presence.detector = goertzel, receiver.range_m = 1 m: < 1.0e-1, and "
-            "greatest at presence.detector = dc, receiver.range_m = 1 m: < 3.0e-1.\n");
+            "Loss is least at 5 of 6 points: < 1.0e-1, and greatest at presence.detector = dc, "
+            "receiver.range_m = 1 m: < 3.0e-1, which is no clear difference.\n");
 }
 
 /// A presence of two points, each with so many trials.

@@ -33,6 +33,11 @@ TEST_F(ExperimentAnswer, OfLocationSaysHowOftenEachCameOut) {
   expect_has(page, "<th scope=\"col\">did not converge</th>");
 }
 
+TEST_F(ExperimentAnswer, OfLocationCountsOneTime) {
+  run("x", "experiment = \"location\"\nlocation.trials = 1\n");
+  expect_has(report({"x.h5"}), "<p>Locating was tried 1 time: located 1 time.</p>");
+}
+
 TEST_F(ExperimentAnswer, OfLocationSaysTheTruthOfWhatWasCounted) {
   const Json counted = run("x", location);
   EXPECT_EQ(counted["variables"]["n_trials"]["long_name"], "times that locating was tried");
@@ -108,13 +113,15 @@ std::string listening_answer(double hours, std::int64_t frames, std::int64_t und
 }
 
 TEST(ListeningAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {
-  EXPECT_EQ(listening_answer(1, 0, 0),
-            "1 hour of line was listened to; 0 messages were accepted though none was sent, and 0 "
-            "while another was sent.\nThe rate of false accepts is < 3.7 an hour.\n");
-  EXPECT_EQ(listening_answer(1, 900, 21),
-            "1 hour of line was listened to; 0 messages were accepted though none was sent, and 21 "
-            "while another was sent.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
-            "The rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(
+      listening_answer(1, 0, 0),
+      "1 hour of line was listened to; 0 messages were accepted though the device sent none, and "
+      "0 though it sent another.\nThe rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(
+      listening_answer(1, 900, 21),
+      "1 hour of line was listened to; 0 messages were accepted though the device sent none, and "
+      "21 though it sent another.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
+      "The rate of false accepts is < 3.7 an hour.\n");
   EXPECT_EQ(listening_answer(0.5, 0, 0).find("0.5 hours of line were listened to;"), 0U);
 }
 

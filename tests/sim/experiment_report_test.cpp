@@ -61,7 +61,7 @@ TEST_F(ExperimentReport, OfASweptArenaComparesFilesInOnePicture) {
   const std::string page = report({"a.h5", "b.h5"});
   EXPECT_EQ(occurrences(page, "<h2>Throughput</h2>"), 1U);
   for (const std::string name : {"a", "b"}) {
-    expect_has(page, ">" + name + ", measured</text>");
+    expect_has(page, ">" + name + ", simulated</text>");
     expect_has(page, ">" + name + ", theory</text>");
     expect_has(page, "<h2>" + name + ": Where messages were heard, devices.near.x_m = 2 m</h2>");
   }
@@ -144,8 +144,8 @@ TEST_F(ExperimentReport, OfPresenceComparesDetectors) {
     return report({"p.h5"});
   };
   const std::string equal = answer("[40, 50, 400]");
-  expect_has(equal, "or more at receiver.range_m [m] from 40 to 50.</p>");
-  expect_has(answer("[300, 400]"), "at no point that was measured is the device noticed in 90 %");
+  expect_has(equal, "or more at receiver.range_m [m] from 40 to 50, by both.</p>");
+  expect_has(answer("[300, 400]"), "at no point that was simulated is the device noticed in 90 %");
 }
 
 TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
@@ -172,10 +172,11 @@ TEST_F(ExperimentReport, OfListeningSaysHowOftenSomethingWasAccepted) {
                            "air = \"cosys\"\n");
   const std::string page = report({"n.h5"});
   ASSERT_GT(sum(counted, "n_frames_false"), 0);
-  expect_has(page, fmt::format("{} messages were accepted though none was sent, and 0 while",
-                               sum(counted, "n_frames_false")));
+  expect_has(page,
+             fmt::format("{} messages were accepted though the device sent none, and 0 though",
+                         sum(counted, "n_frames_false")));
   expect_has(page, "<p>The rate of false accepts is ");
-  expect_has(page, ">accepted though none was sent</text>");
+  expect_has(page, ">accepted though the device sent none</text>");
   expect_has(page, fmt::format("<td>all</td><td>0</td><td>0</td><td>{}</td><td>{}</td>",
                                sum(counted, "n_frames_false"), sum(counted, "n_rejected")));
 }

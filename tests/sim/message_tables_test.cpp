@@ -142,11 +142,20 @@ TEST_F(MessageTables, OfAGuardHaveTheAgesThatRunPrints) {
   expect_has(page, "<p>Nothing is known most often of away: 100.0 % of the time.</p>");
 }
 
+TEST_F(MessageTables, OfAGuardCompareNoDeviceWithItself) {
+  run("g", std::regex_replace(guard.substr(0, guard.find("[devices.away]")),
+                              std::regex("silent.*\n"), ""));
+  const std::string page = report({"g.h5"});
+  expect_has(page, "<p>What it knows is ");
+  for (const char* words : {"is oldest of", "most often of"})
+    EXPECT_EQ(page.find(words), std::string::npos) << words;
+}
+
 TEST_F(MessageTables, OfASweptGuardSayWhereItsKnowledgeIsOldest) {
   run("g", guard + "[sweep]\nguard.transmit_every_ms = [200, 1000]\n");
   const std::string page = report({"g.h5"});
   expect_has(page, "<p>The mean age of what it knows is least at guard.transmit_every_ms = ");
-  expect_has(page, "<p>The share of time in which it knows nothing is least at ");
+  expect_has(page, "<p>The share of time in which it knows nothing of a device is least at ");
 }
 
 }  // namespace

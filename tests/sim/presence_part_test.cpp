@@ -7,19 +7,25 @@
 namespace sim {
 namespace {
 
-/// Two detectors at four ranges, and how often each noticed the device.
-std::string answer(const std::vector<double>& p_detection) {
+/// How often the points of a sweep noticed the device.
+std::string answer(const std::vector<double>& p_detection, const std::string& sweep) {
   StoredDataset stored{
-      parse_scenario(
-          "experiment = \"presence\"\n[presence]\ntrials = 20\n[sweep]\n"
-          "presence.detector = [\"goertzel\", \"synchronous\"]\nreceiver.range_m = [1, 2, 3, 4]\n",
-          "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"}),
+      parse_scenario("experiment = \"presence\"\n[presence]\ntrials = 20\n[sweep]\n" + sweep,
+                     "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"}),
       {}};
   stored.data = dataset_of(stored.scenario, "c");
   stored.data.dimensions = {{{"false_alarm", "1", "as set"}, std::vector<double>{0.001}}};
-  stored.data.variables = {{{"n_trials", "1", ""}, true, {}, std::vector<std::int64_t>(8, 20)},
-                           {{"p_detection", "1", ""}, true, {"false_alarm"}, p_detection}};
+  stored.data.variables = {
+      {{"n_trials", "1", ""}, true, {}, std::vector<std::int64_t>(p_detection.size(), 20)},
+      {{"p_detection", "1", ""}, true, {"false_alarm"}, p_detection}};
   return presence_part("p", stored).verdict;
+}
+
+/// Two detectors at four ranges.
+std::string answer(const std::vector<double>& p_detection) {
+  return answer(p_detection,
+                "presence.detector = [\"goertzel\", \"synchronous\"]\n"
+                "receiver.range_m = [1, 2, 3, 4]\n");
 }
 
 void expect_has(const std::string& answer, const std::string& text) {
@@ -27,14 +33,28 @@ void expect_has(const std::string& answer, const std::string& text) {
 }
 
 TEST(PresencePart, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
-  expect_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}), "at receiver.range_m [m] from 2 to 3.\n");
+  expect_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}),
+             "at receiver.range_m [m] from 2 to 3, by both.\n");
 }
 
 TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
-  expect_has(
-      answer({0, 0, 1, 1, 1, 1, 0, 0}),
-      "from 1 to 2 (presence.detector = synchronous), but at receiver.range_m [m] from 3 to 4 "
-      "(presence.detector = goertzel).\n");
+  expect_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
+             "from 3 to 4 (presence.detector = goertzel), but at receiver.range_m [m] from 1 to 2 "
+             "(presence.detector = synchronous).\n");
+}
+
+TEST(PresencePart, NamesTheOneOfThreeThatNoticesItElsewhere) {
+  expect_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
+                    "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
+             ", but at receiver.range_m [m] from 3 to 4 (presence.detector = ");
+}
+
+TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
+  const std::string detectors = "presence.detector = [\"goertzel\", \"synchronous\"]\n";
+  expect_has(answer({0.75, 0.75}, detectors),
+             "the device is noticed in 0.75 of the windows at each of 2 points.\n");
+  expect_has(answer({0.75, 0.5}, detectors),
+             "noticed least at presence.detector = synchronous: in 0.5 of the windows, and most ");
 }
 
 TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
@@ -46,7 +66,7 @@ TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
 TEST(PresencePart, SaysHowManyNoticeItNowhere) {
   expect_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
              "from 1 to 3 (presence.detector = goertzel), but nowhere by 1 of 2.\n");
-  expect_has(answer(std::vector<double>(8, 0.5)), "at no point that was measured is the device");
+  expect_has(answer(std::vector<double>(8, 0.5)), "at no point that was simulated is the device");
 }
 
 }  // namespace
