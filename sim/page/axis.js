@@ -66,12 +66,40 @@ const styled = (name) => getComputedStyle(document.documentElement).getPropertyV
 
 const wholeSteps = Array.from({length: 12}, (_, i) => [1, 2, 5].map((digit) => digit * 10 ** i)).flat();
 
-/** Of whole numbers, as counts are, there are no marks between them. */
-const marksFor = (axis, values) =>
-  (values.filter((value) => isShown(axis, value)).every(Number.isInteger) ? {incrs: wholeSteps} : {});
+/** Of counts there are no marks between whole numbers. */
+const marksFor = (axis) => (axis.is_count ? {incrs: wholeSteps} : {});
+
+/** 1 to 9 of each decade. */
+function digitsWithin(least, greatest) {
+  const first = Math.floor(Math.log10(least)), decades = Math.ceil(Math.log10(greatest)) - first;
+  return Array.from({length: 9 * decades}, (_, i) => Number(`${i % 9 + 1}e${first + Math.floor(i / 9)}`))
+    .concat(Number(`1e${first + decades}`)).filter((mark) => mark >= least && mark <= greatest);
+}
+
+/** Steps of 1, 2 or 5 times a power of ten. */
+function stepsWithin(least, greatest) {
+  const most = 8, power = 10 ** Math.floor(Math.log10((greatest - least) / most));
+  const step = power * [1, 2, 5, 10].find((digit) => (greatest - least) / (digit * power) <= most);
+  const first = Math.ceil(least / step);
+  return Array.from({length: Math.floor(greatest / step) - first + 1}, (_, i) => (first + i) * step);
+}
+
+/** On a lower logarithmic axis: 1, 2 and 5 of each decade where they have room, else powers of ten; of less even steps. */
+function lowerMarks(axis) {
+  if (!axis.logarithmic) return {};
+  const leastGap = 36;  // pixels
+  const isWide = ({scales: {x}}) => x.max / x.min >= 10;
+  const hasRoom = (plot) => plot.valToPos(10, 'x') - plot.valToPos(5, 'x') >= leastGap;
+  const isPower = (value) => Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6);
+  return {
+    splits: (plot, i, ...ends) => (isWide(plot) ? digitsWithin : stepsWithin)(...ends),
+    filter: (plot, marks) => marks.map((mark) => (!isWide(plot) || hasRoom(plot) || isPower(mark) ? mark : null)),
+    values: (plot, marks) => (isWide(plot) ? marks.map(logarithmicLabel) : labelsOf(marks)),
+  };
+}
 
 function axisOf(axis) {
   const faint = {stroke: 'rgba(128, 128, 128, 0.25)', width: 1};
-  return {label: axis.label, stroke: () => styled('--ink'), grid: faint, ticks: faint,
+  return {label: axis.title, stroke: () => styled('--ink'), grid: faint, ticks: faint,
           values: (plot, marks) => (axis.logarithmic ? marks.map(logarithmicLabel) : labelsOf(marks))};
 }

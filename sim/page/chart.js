@@ -74,9 +74,28 @@ function drawIntervals(plot, chart, rows) {
   context.restore();
 }
 
+/** A line across, named at its right end. */
+function drawLevel(plot, {level}) {
+  if (!level || level.at < plot.scales.y.min || level.at > plot.scales.y.max) return;
+  const context = plot.ctx, ratio = pixelRatio();
+  const y = plot.valToPos(level.at, 'y', true), right = plot.bbox.left + plot.bbox.width;
+  context.save();
+  context.strokeStyle = context.fillStyle = styled('--ink');
+  context.lineWidth = ratio;
+  context.setLineDash([ratio, 3 * ratio]);
+  context.beginPath();
+  context.moveTo(plot.bbox.left, y);
+  context.lineTo(right, y);
+  context.stroke();
+  context.font = `${11 * ratio}px sans-serif`;
+  context.textAlign = 'right';
+  context.fillText(level.text, right - 4 * ratio, y - 4 * ratio);
+  context.restore();
+}
+
 /** A point in the legend. */
 function told(point) {
-  const text = (value) => String(Number(value.toPrecision(3)));
+  const text = (value) => String(Number.isInteger(value) ? value : Number(value.toPrecision(3)));
   if (!point || !Number.isFinite(point.is_limit ? point.high : point.y)) return '-';
   return point.is_limit ? `< ${text(point.high)}` : text(point.y);
 }
@@ -87,6 +106,7 @@ function seriesOf(chart, rows) {
     stroke: () => colourOf(curve),
     dash: dashOf(curve),
     points: {show: curve.kind === 'measured'},
+    ...(curve.kind === 'bars' && {paths: uPlot.paths.bars({size: [0.6, 60]}), fill: () => colourOf(curve)}),
     value: (plot, value, series, i) => told(rows[k][i]),
   }));
 }
@@ -114,7 +134,8 @@ function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
   const points = rows.flat().filter((point) => point), values = points.flatMap((point) => reachOf(point, chart.y));
   const limits = points.filter((point) => point.is_limit && point.high > 0).map((point) => point.high);
-  const whole = {x: padded(reach({}, x), chart.x), y: reach(chart.y, values, limits, arrow / plotHeight)};
+  const whole = {x: padded(reach({}, x), chart.x),
+                 y: reach(chart.y, chart.y.from_zero ? [0, ...values] : values, limits, arrow / plotHeight)};
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
@@ -123,12 +144,13 @@ function drawLive(figure, chart) {
       x: scale(chart.x, (u, from, to) => (from === x[0] && to === x.at(-1) ? whole.x : [from, to])),
       y: scale(chart.y, () => whole.y),
     },
-    axes: [{...axisOf(chart.x), ...marksFor(chart.x, x)},
-           {...axisOf(chart.y), ...marksFor(chart.y, values), size: widthFor}],
+    axes: [{...axisOf(chart.x), ...marksFor(chart.x), ...lowerMarks(chart.x)},
+           {...axisOf(chart.y), ...marksFor(chart.y), size: widthFor}],
     series: [{label: chart.x.label}, ...seriesOf(chart, rows)],
     cursor: {dataIdx: (u, series, i) => i},
     legend: {markers: {width: 0}},
-    hooks: {draw: [(u) => drawIntervals(u, chart, rows), (u) => drawSwatches(u, chart)]},
+    hooks: {draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
+                   (u) => drawSwatches(u, chart)]},
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   const view = () => [plot.scales.x.min, plot.scales.x.max];

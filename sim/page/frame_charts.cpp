@@ -74,7 +74,8 @@ HeatMap wrong_bits_map(const FrameStatistics& frames) {
               .y_label = "character",
               .columns = {"start", "0", "1", "2", "3", "4", "5", "6", "7", "stop"},
               .rows = {},
-              .values = {}};
+              .values = {},
+              .has_contour = false};
   for (std::size_t i = frames.wrong.characters.size(); i-- > 0;) {
     map.rows.push_back(fmt::format("{}: {}", i + 1, frames.wrong.characters[i]));
     std::vector<double>& shares = map.values.emplace_back();
@@ -98,22 +99,22 @@ Chart settling_chart(const FrameStatistics& frames) {
                                      "middle, of {}: what settles in a message shows here",
                                      trials_text(frames)),
           .x = {"time since the message began [ms]", false},
-          .y = {"share of wrong bits", false},
+          .y = {.label = "share of wrong bits", .from_zero = true},
           .curves = {curve}};
 }
 
 Chart burst_chart(const FrameStatistics& frames) {
-  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::continuous};
+  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::bars};
   const std::vector<int>& bursts = frames.wrong.bursts;
-  for (std::size_t n = 0; n <= bursts.size() + 1; ++n) {  // from nothing to nothing
+  for (std::size_t n = 0; n <= bursts.size() + 1; ++n) {  // room beside the first and the last
     const double count = n == 0 || n > bursts.size() ? 0 : bursts[n - 1];
     curve.points.push_back({static_cast<double>(n), count, count, count});
   }
   return {.title = "Bursts of wrong bits",
           .description = fmt::format("How often so many wrong bits followed each other in {}",
                                      trials_text(frames)),
-          .x = {"wrong bits in a row", false},
-          .y = {"bursts", false},
+          .x = {.label = "wrong bits in a row", .is_count = true},
+          .y = {.label = "bursts", .is_count = true, .from_zero = true},
           .curves = {curve}};
 }
 
@@ -137,7 +138,7 @@ Chart jitter_chart(const FrameStatistics& frames) {
                           "ends",
                           step_us, trials_text(frames)),
           .x = {"delay [us]", false},
-          .y = {"edges", false},
+          .y = {.label = "edges", .is_count = true, .from_zero = true},
           .curves = {histogram("falling: light begins", frames.delays.falling_us, step_us),
                      histogram("rising: light ends", frames.delays.rising_us, step_us)}};
 }

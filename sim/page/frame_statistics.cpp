@@ -49,7 +49,7 @@ void add_trial(FrameStatistics& frames, const Link& link, const TracedTrial& tri
 
 std::uint64_t affordable_trials(const Link& link, double most_samples) {
   constexpr double fewest = 20, most = 1e6;
-  const double samples = transmit(link, 0).messages.back().end.value * link.chain.sample_rate.value;
+  const double samples = mean_length(link).value * link.chain.sample_rate.value;
   return static_cast<std::uint64_t>(
       std::clamp(most_samples / std::max(samples, 1.0), fewest, most));
 }

@@ -15,6 +15,7 @@
 #include "sim/report/result_charts.hpp"
 #include "sim/report/swept_rows.hpp"
 #include "sim/report/text_table.hpp"
+#include "sim/result/curve_fit.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/trace/trace_picture.hpp"
 
@@ -83,15 +84,21 @@ void add_ranking(ReportPart& part, const ExperimentResult& result) {
         {.heading = "How far each reaches", .preformatted = ranking_lines(result, ranking)});
 }
 
-PageSection trial_section(const TracedTrial& trial) {
+PageSection trial_section(const ExperimentResult& result, const ShownTrial& shown) {
+  const TracedTrial& trial = shown.trial;
   const std::string which =
       fmt::format("Trial {} of point {}", trial.origin.trial, trial.origin.point);
+  const std::string place = place_text(result.axes, result.points[trial.origin.point].coordinates);
   return {
       .heading = which,
       .text =
+          (place.empty() ? "" : "At " + place + ". ") +
           "Every tap of the receiver on one time axis, in ms since the message began: zoom and "
           "pan in any of them. Above the light what was sent, along the pin what was read; what "
-          "was misread is marked.",
+          "was misread is marked." +
+          (channel::is_matched(shown.module) ? " This receiver decides at the end of a bit: its "
+                                               "pin is a bit later than the light."
+                                             : ""),
       .trial = PageTrial{view_of(trial),
                          {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}}};
 }
@@ -115,8 +122,8 @@ void add_frames(ReportPart& part, const FrameStatistics& frames) {
   part.sections.back().text = delays_text(frames);
 }
 
-void add_trial(ReportPart& part, const ShownTrial& shown) {
-  part.sections.push_back(trial_section(shown.trial));
+void add_trial(ReportPart& part, const ExperimentResult& result, const ShownTrial& shown) {
+  part.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     part.sections.push_back({.heading = "Eye diagram", .picture = eye_of(shown)});
   part.sections.push_back(chart_section(spectrum_chart(shown)));
@@ -134,7 +141,7 @@ ReportPart link_part(const LinkReport& link) {
   part.sections.push_back(fates_section(result));
   part.sections.back().text += link.why_no_trial;
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
-  if (link.trial) add_trial(part, *link.trial);
+  if (link.trial) add_trial(part, result, *link.trial);
   add_frames(part, link.frames);
   part.sections.push_back(numbers_section(result));
   part.sections.push_back(scenario_section(result.command, result.scenario_toml));

@@ -36,8 +36,8 @@ std::vector<std::string> head_of(const ExperimentResult& result, bool theory) {
 std::vector<std::string> row_of(const ExperimentResult& result, const PointResult& point,
                                 bool theory) {
   std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
-  row.push_back(fmt::format("{:.4g}", point.operating.irradiance_mw_per_m2));
-  row.push_back(fmt::format("{:.1f}", point.operating.snr_db));
+  row.push_back(irradiance_text(point.operating.irradiance_mw_per_m2));
+  row.push_back(decibel_text(point.operating.snr_db));
   row.push_back(std::to_string(point.tally.n_frames));
   row.push_back(std::to_string(point.tally.n_frames_lost));
   row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
@@ -72,8 +72,9 @@ std::string marked_points(const ExperimentResult& result) {
   if (outside > 0) marks.push_back(fmt::format("{} outside of what a model is valid for", outside));
   if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));
   if (marks.empty()) return "";
-  return fmt::format("Of {} points {}: they are marked in the table of all numbers.\n",
-                     result.points.size(), fmt::join(marks, " and "));
+  return fmt::format("Marked in the table of all numbers: of {} point{} {}.\n",
+                     result.points.size(), result.points.size() == 1 ? "" : "s",
+                     fmt::join(marks, " and "));
 }
 
 }  // namespace sim

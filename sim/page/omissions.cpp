@@ -11,6 +11,7 @@
 #include "sim/page/frame_statistics.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/result/curve_fit.hpp"
+#include "sim/result/ranking.hpp"
 #include "sim/result/unfinished.hpp"
 
 namespace sim {
@@ -68,19 +69,33 @@ std::vector<std::string> pinned(const ExperimentResult& result, const PointResul
   return overrides;
 }
 
-}  // namespace
+/// Whether a point is of the link that comes first; all are where there is no ranking.
+bool is_of_first(const PointResult& point, const Ranking& ranking) {
+  for (std::size_t i = 0; i < ranking.others.size(); ++i)
+    if (point.coordinates[ranking.others[i]] != ranking.rows.front().others[i]) return false;
+  return true;
+}
 
-const PointResult* failing_point(const ExperimentResult& result) {
+const PointResult* nearest_to_half(const ExperimentResult& result, const Ranking& ranking) {
   constexpr double half = 0.5;
   const PointResult* found = nullptr;
   double least = 0;
   for (const PointResult& point : result.points) {
-    if (!measured(point)) continue;
+    if (!measured(point) || !is_of_first(point, ranking)) continue;
     const double loss = frame_loss_ratio(point.tally, result.ci_level).value;
     const bool nearer = loss >= half ? least < half || loss < least : loss > least && least < half;
     if (loss > 0 && nearer) found = &point, least = loss;
   }
   return found;
+}
+
+}  // namespace
+
+const PointResult* failing_point(const ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (ranking.best_first && !ranking.rows.empty())
+    if (const PointResult* best = nearest_to_half(result, ranking)) return best;
+  return nearest_to_half(result, {});
 }
 
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,

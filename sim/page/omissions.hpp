@@ -21,13 +21,14 @@ struct Omissions {
   std::vector<Omission> omissions;  // first the link as it is
 };
 
-/// Where the link fails: the point that loses the least of those that lose half their frames, or
-/// else the one that loses the most. Null where no frame is lost.
+/// Where the link fails, of several that are compared the one that comes first: the point that
+/// loses the least of those that lose half their frames, or else the one that loses the most. Null
+/// where no frame is lost.
 const PointResult* failing_point(const ExperimentResult& result);
 
-/// At the failing point, with 100 frames each, or fewer of more than 2e6 samples, 20 at least.
-/// Empty where there is none, of ideal receivers, which noise alone troubles, and of weighted
-/// trials. Worth nothing after an interrupt.
+/// At the failing point, with 100 frames each, or fewer where a trial has more than 2e6 samples, 20
+/// at least. Empty where there is none, of ideal receivers, which noise alone troubles, and of
+/// weighted trials. Worth nothing after an interrupt.
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers);
 

@@ -70,7 +70,13 @@ std::string section_html(const PageSection& section) {
 }
 
 Json axis_json(const ChartAxis& axis) {
-  return {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
+  Json json{{"label", axis.label},
+            {"title", title_of(axis)},
+            {"logarithmic", axis.logarithmic},
+            {"is_count", axis.is_count},
+            {"from_zero", axis.from_zero}};
+  if (axis.level) json["level"] = {{"at", *axis.level}, {"text", level_text(*axis.level)}};
+  return json;
 }
 
 const char* curve_kind_name(CurveKind kind) {
@@ -80,9 +86,11 @@ const char* curve_kind_name(CurveKind kind) {
     case CurveKind::theory:
       return "theory";
     case CurveKind::continuous:
+      return "continuous";
+    case CurveKind::bars:
       break;
   }
-  return "continuous";
+  return "bars";
 }
 
 std::string chart_json(const Chart& chart) {

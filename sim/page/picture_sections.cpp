@@ -15,6 +15,13 @@ bool has_interval(const ChartCurve& curve, const ChartPoint& point) {
   return curve.kind == CurveKind::measured && point.low != point.high;
 }
 
+/// Counts as they are.
+std::string value_text(double value) {
+  constexpr double exact = 1e15;
+  return value == std::round(value) && std::abs(value) < exact ? fmt::format("{:.0f}", value)
+                                                               : fmt::format("{:.3g}", value);
+}
+
 PageTable table_of(const Chart& chart) {
   PageTable table{.head = {"curve", chart.x.label, chart.y.label}, .rows = {}};
   for (const ChartCurve& curve : chart.curves)
@@ -22,7 +29,7 @@ PageTable table_of(const Chart& chart) {
       table.rows.push_back({curve.name, fmt::format("{:.6g}", point.x),
                             has_interval(curve, point)
                                 ? estimate_text({point.y, point.low, point.high})
-                                : fmt::format("{:.3g}", point.y)});
+                                : value_text(point.y)});
   return table;
 }
 

@@ -90,7 +90,7 @@ Chart spectrum_chart(const ShownTrial& shown) {
   Chart chart{.title = "Spectrum",
               .description = spectrum_description(is_matched),
               .x = {"frequency [kHz]", false},
-              .y = {"density [(mW/m2)2/Hz]", true},
+              .y = {"density [(mW/m2)^2/Hz]", true},
               .curves = {}};
   chart.curves.push_back(density_curve(
       "light and noise", dsp::welch(trial.taps.irradiance, trial.sample_rate, segment)));
@@ -120,6 +120,9 @@ std::string eye_as_svg(const ShownTrial& shown) {
     drawing.line({x, top}, {x, bottom}, "grid");
     drawing.text({x, bottom + 18}, fmt::format("{:g}", bits), "middle small");
   }
+  for (const double samples : {level.from, level.to})
+    drawing.text({left - 8, level(samples) + 4}, fmt::format("{:.3g}", samples), "end small");
+  drawing.text({20, top - 12}, "integrator [samples]", "");
   drawing.text({(left + right) / 2, bottom + 42}, "bits since the sender's bit began", "middle");
   for (const protocol::UartByte& byte : message.sent)
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {

@@ -23,9 +23,23 @@ function sortBy(table, column) {
   table.tBodies[0].append(...rows);
 }
 
+/** "1.0 [0.9, 1.1]" as its value and the ends of its interval, "< 0.1" as 0 and from 0 to that; else nothing. */
+function estimateOf(text) {
+  const [, value, low, high] = text.match(/^(\S+) \[(\S+), (\S+)\]$/) ?? [];
+  if (value !== undefined) return [value, low, high];
+  const [, limit] = text.match(/^< ([\d.e+-]+)$/) ?? [];
+  return limit !== undefined ? ['0', '0', limit] : null;
+}
+
+/** Columns of estimates as three each, so that they are numbers. */
 function asCsv(table) {
   const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  return [...table.rows].map((row) => cellsOf(row).map(quoted).join(',') + '\r\n').join('');
+  const [head, ...rows] = [...table.rows].map(cellsOf);
+  const isEstimate = head.map((_, column) => rows.some((row) => estimateOf(row[column]) !== null));
+  const spread = (cells, parts) => cells.flatMap((cell, column) => (isEstimate[column] ? parts(cell) : [cell]));
+  const lines = [spread(head, (name) => [name, `${name} low`, `${name} high`]),
+                 ...rows.map((row) => spread(row, (cell) => estimateOf(cell) ?? [cell, '', '']))];
+  return lines.map((line) => line.map(quoted).join(',') + '\r\n').join('');
 }
 
 /** Shows the text below a table, selected, for who must copy it by hand. */

@@ -168,11 +168,14 @@ function spanOf(taps) {
 /** The bits of the message: the pin's, but where these are wrong. */
 const sentBits = (trial) => trial.bits.map(([at, level, isWrong]) => [at, isWrong ? String(1 - level) : level, false]);
 
+/** Where the pin has them. */
+const readBits = (trial) => trial.bits.map(([at, ...rest]) => [at + trial.delay_s, ...rest]);
+
 /** Plots below each other: the light, band-pass and threshold, the others by themselves, the pin. */
 function rowsOf(trial) {
   const grids = gridsOf(trial), taps = trial.taps.map(tapOf);
   const row = (members) => ({
-    title: members.map((tap, k) => `${k > 0 ? 'thick: ' : ''}${tap.name} [${tap.unit}]`).join('; '),
+    title: members.map((tap, k) => `${k > 0 ? 'thick: ' : ''}${tap.name}${tap.unit && ` [${tap.unit}]`}`).join('; '),
     range: spanOf(members),
     colours: members.map((tap) => tapColours[tap.key]),
     see: (view) => {
@@ -187,7 +190,7 @@ function rowsOf(trial) {
   rows[0].marks = trial.sent;
   rows[0].bits = sentBits(trial);
   rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], colours: [pinColour],
-             see: (view) => seenWire(trial, view), draw: () => {}, marks: trial.read, bits: trial.bits});
+             see: (view) => seenWire(trial, view), draw: () => {}, marks: trial.read, bits: readBits(trial)});
   return rows;
 }
 

@@ -100,10 +100,18 @@ void add_bits(TrialView& view, const TracedTrial& trial, const TracedMessage& me
   for (const protocol::UartByte& byte : message.sent)
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
       const double at_s = byte.start.value + (slot + 0.5) * bit_s;
-      const bool level = trial.rx.level_at(dsp::Seconds(at_s));
+      const bool level = trial.rx.level_at(dsp::Seconds(at_s) + trial.delay);
       view.bits.push_back({at_s - message.start_s(0), level ? "1" : "0",
                            level != protocol::line_bit(byte.value, slot)});
     }
+}
+
+/// As the other sections and data sheets write it: files have "mW m-2" for "mW/m2", and "1" for
+/// none.
+std::string printed(const std::string& unit) {
+  if (unit == "1") return "";
+  const std::size_t at = unit.find(" m-2");
+  return at == std::string::npos ? unit : unit.substr(0, at) + "/m2";
 }
 
 void add_taps(TrialView& view, const TracedTrial& trial, const Stretch& whole,
@@ -111,7 +119,7 @@ void add_taps(TrialView& view, const TracedTrial& trial, const Stretch& whole,
   for (const Tap& tap : analogue_taps()) {
     const std::vector<float>& samples = trial.taps.*tap.samples;
     if (is_recorded(samples))
-      view.taps.push_back({tap.name, tap.long_name, tap.unit, values_of(samples, whole),
+      view.taps.push_back({tap.name, tap.long_name, printed(tap.unit), values_of(samples, whole),
                            values_of(samples, detail)});
   }
 }
@@ -143,6 +151,7 @@ TrialView view_of(const TracedTrial& trial, std::size_t most) {
   view.byte_from_s = message.start_s(shown_first(message)) - zero_s;
   view.byte_s = message.character_s;
   view.cycle_s = 1 / trial.carrier.value;
+  view.delay_s = trial.delay.value;
   return view;
 }
 
@@ -159,6 +168,7 @@ std::string view_json(const TrialView& view) {
                     {"detail", quantised(tap.detail, least, greatest)}});
   }
   const Json json{{"first_s", view.first_s},
+                  {"delay_s", view.delay_s},
                   {"period_s", view.period_s},
                   {"stretch", view.stretch},
                   {"detail_first_s", view.detail_first_s},

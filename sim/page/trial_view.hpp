@@ -28,11 +28,12 @@ struct TrialView {
   std::size_t stretch = 1;           // samples of which two values are kept; 1 where all are
   double detail_first_s = 0;         // of the detail
   std::vector<TapValues> taps;
-  bool wire_begins = true;             // level of the pin at first
-  std::vector<double> wire_flips_s;    // of the pin
-  std::vector<ViewMark> sent, read;    // characters, at their middles
-  std::vector<ViewMark> bits;          // levels of the pin in the middle of each bit that was sent
-  double message_s = 0;                // how long it is
+  bool wire_begins = true;           // level of the pin at first
+  std::vector<double> wire_flips_s;  // of the pin
+  std::vector<ViewMark> sent, read;  // characters, at their middles
+  std::vector<ViewMark> bits;        // at the middle of each that was sent, the pin's level for it
+  double delay_s = 0;                // how much later the pin has it
+  double message_s = 0;              // how long it is
   double byte_from_s = 0, byte_s = 0;  // the character that is shown first: one that was misread
   double cycle_s = 0;                  // of the carrier
 };

@@ -20,6 +20,13 @@ std::string sentence(std::string text) {
   return text;
 }
 
+/// Lines that end as sentences do.
+std::string ended(std::string lines) {
+  for (auto at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 2))
+    if (at > 0 && lines[at - 1] != '.') lines.insert(at, ".");
+  return lines;
+}
+
 std::string size_of(const ExperimentResult& result) {
   std::uint64_t frames = 0, lost = 0;
   for (const PointResult& point : result.points) {
@@ -32,11 +39,30 @@ std::string size_of(const ExperimentResult& result) {
                      is_weighted(result) ? ", as drawn by importance sampling" : "");
 }
 
+/// "TSSP4056, TSSP96056": those that reach farthest, where all are compared with each other.
+std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<std::string> names;
+  const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
+  if (!ranking.best_first || !std::ranges::all_of(ranking.others, is_text)) return names;
+  for (const RowCrossing& row : ranking.rows) {
+    if (row.place != 1) continue;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < ranking.others.size(); ++i)
+      texts.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
+    names.push_back(fmt::format("{}", fmt::join(texts, " with ")));
+  }
+  return names;
+}
+
 /// Where there are many rows they have a section of their own.
 std::string reach_of(const ExperimentResult& result) {
   const Ranking ranking = rank(result);
-  if (ranking.rows.size() <= 1) return sentence(ranking_lines(result, ranking));
-  return fmt::format("How far {} links reach is listed below.\n", ranking.rows.size());
+  if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
+  const std::vector<std::string> best = best_of(result, ranking);
+  if (best.empty() || best.size() == ranking.rows.size())
+    return fmt::format("How far {} links reach is listed below.\n", ranking.rows.size());
+  return fmt::format("Of {} links {} come{} first; how far each reaches is listed below.\n",
+                     ranking.rows.size(), fmt::join(best, ", "), best.size() == 1 ? "s" : "");
 }
 
 std::string loss_in_percent(const Estimate& loss) {
@@ -48,7 +74,8 @@ std::string loss_in_percent(const Estimate& loss) {
 std::string noise_note(const OperatingPoint& at) {
   if (!std::isfinite(at.snr_db)) return "";
   return fmt::format(
-      "; noise is {:.0f} dB below the signal {}", at.snr_db,
+      "; noise is {:.0f} dB {} the signal {}", std::abs(at.snr_db),
+      at.snr_db < 0 ? "above" : "below",
       std::isfinite(at.ber_theory) ? "in the bandwidth of a bit" : "behind the band-pass");
 }
 
@@ -56,8 +83,9 @@ std::string where_it_fails(const ExperimentResult& result) {
   const PointResult* point = failing_point(result);
   if (point == nullptr) return "";
   const std::string place = place_text(result.axes, point->coordinates);
-  return sentence(fmt::format("{}{} of frames are lost{}.\n",
-                              place.empty() ? "" : "at " + place + " ",
+  return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
+                              rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
+                              place.empty() ? "" : "at " + place + ", ",
                               loss_in_percent(frame_loss_ratio(point->tally, result.ci_level)),
                               noise_note(point->operating)));
 }
@@ -83,7 +111,7 @@ std::string what_limits(const Omissions& omissions) {
     if (!o.without.empty()) all.push_back(o.without);
   return fmt::format(
       "What limits it there: none of these alone. Leaving out {} does not clearly lower the "
-      "loss.\n",
+      "loss: it is several together, or light too weak for what the receiver needs.\n",
       fmt::join(all, ", or "));
 }
 

@@ -10,7 +10,8 @@ namespace sim {
 
 class AxisSpan {
  public:
-  explicit AxisSpan(const ChartAxis& axis) : logarithmic_(axis.logarithmic) {}
+  explicit AxisSpan(const ChartAxis& axis)
+      : logarithmic_(axis.logarithmic), is_count_(axis.is_count) {}
 
   bool is_logarithmic() const { return logarithmic_; }
   /// Whether a value has a place on the axis.
@@ -19,7 +20,6 @@ class AxisSpan {
     if (!shows(value)) return;
     least_ = std::min(least_, value);
     greatest_ = std::max(greatest_, value);
-    whole_ = whole_ && value == std::round(value);
   }
   /// Of a point all, but of an interval that goes far down no more than two decades below it.
   void cover(const ChartPoint& point) {
@@ -30,12 +30,11 @@ class AxisSpan {
   /// Infinite, and the greater first, where nothing was covered.
   double least() const { return least_; }
   double greatest() const { return greatest_; }
-  /// Whether all were whole numbers, as counts are.
-  bool is_whole() const { return whole_; }
+  bool is_count() const { return is_count_; }
   double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
 
  private:
-  bool logarithmic_, whole_ = true;
+  bool logarithmic_, is_count_;
   double least_ = std::numeric_limits<double>::infinity();
   double greatest_ = -std::numeric_limits<double>::infinity();
 };

@@ -25,8 +25,9 @@ constexpr std::array styles{"curve1", "curve2", "curve3", "curve4", "curve5", "c
 /// Places of values along an axis.
 class Positions {
  public:
-  Positions(const ChartAxis& axis, double at_from, double at_to)
-      : span_(axis), scale_{0, 1, at_from, at_to} {}
+  /// `in_decades`: a logarithmic axis begins and ends at powers of ten.
+  Positions(const ChartAxis& axis, double at_from, double at_to, bool in_decades)
+      : span_(axis), scale_{0, 1, at_from, at_to}, in_decades_(in_decades) {}
 
   bool shows(double value) const { return span_.shows(value); }
   void cover(double value) { span_.cover(value); }
@@ -38,7 +39,7 @@ class Positions {
   void settle() {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
-    if (span_.is_logarithmic()) {
+    if (span_.is_logarithmic() && in_decades_) {
       greatest = std::ceil(greatest);
       least = with_room_for_arrows(std::min(std::floor(least), greatest - 1), greatest);
     }
@@ -52,20 +53,35 @@ class Positions {
 
   /// Values worth a mark.
   std::vector<double> marks() const {
+    constexpr double most_decades = 3;  // for marks between powers of ten
+    if (span_.is_logarithmic() && !in_decades_ && scale_.to - scale_.from <= most_decades)
+      return digits();
     std::vector<double> values = round_values(scale_.from, scale_.to, 9);
-    if (span_.is_logarithmic() || span_.is_whole())
+    if (span_.is_logarithmic() || span_.is_count())
       std::erase_if(values, [](double value) { return value != std::round(value); });
     if (span_.is_logarithmic())
       for (double& value : values) value = std::pow(10, value);
     return values;
   }
   std::string label(double value) const {
-    if (span_.is_logarithmic() && (value < 1e-2 || value > 1e4))
+    const bool is_power = std::log10(value) == std::round(std::log10(value));
+    if (span_.is_logarithmic() && is_power && (value < 1e-2 || value > 1e4))
       return fmt::format("1e{:.0f}", std::log10(value));
     return fmt::format("{:g}", value);
   }
 
  private:
+  /// 1, 2 and 5 of each decade.
+  std::vector<double> digits() const {
+    std::vector<double> values;
+    for (double exponent = std::floor(scale_.from); exponent <= scale_.to; ++exponent)
+      for (const double digit : {1, 2, 5}) {
+        const double at = exponent + std::log10(digit);
+        if (at >= scale_.from - 1e-9 && at <= scale_.to + 1e-9)
+          values.push_back(digit * std::pow(10, exponent));
+      }
+    return values;
+  }
   /// The lower of two exponents, or so many decades below it that the arrow of the lowest limit
   /// ends above the axis.
   double with_room_for_arrows(double from, double to) const {
@@ -76,6 +92,7 @@ class Positions {
 
   AxisSpan span_;
   Scale scale_;
+  bool in_decades_;
   double lowest_limit_ = std::numeric_limits<double>::infinity();
 };
 
@@ -84,12 +101,13 @@ struct Paper {
 };
 
 Paper paper_for(const Chart& chart) {
-  Paper paper{{chart.x, left, right}, {chart.y, bottom, top}};
+  Paper paper{{chart.x, left, right, false}, {chart.y, bottom, top, true}};
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points) {
       paper.x.cover(point.x);
       paper.y.cover(point);
     }
+  if (chart.y.from_zero) paper.y.cover(0);
   paper.x.settle();
   paper.y.settle();
   return paper;
@@ -106,9 +124,18 @@ void draw_axes(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
   }
   drawing.line({left, bottom}, {right, bottom}, "axis");
   drawing.line({left, top}, {left, bottom}, "axis");
-  drawing.text({(left + right) / 2, bottom + 42}, chart.x.label, "middle");
+  drawing.text({(left + right) / 2, bottom + 42}, title_of(chart.x), "middle");
   drawing.text({left - 60, top - 12}, chart.y.label, "");
   drawing.text({left - 60, 20}, chart.title, "heading");
+}
+
+/// Where the paper reaches so far.
+void draw_level(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
+  if (!chart.y.level || !paper.y.shows(*chart.y.level)) return;
+  const double y = paper.y(*chart.y.level);
+  if (y < top || y > bottom) return;
+  drawing.line({left, y}, {right, y}, "level");
+  drawing.text({right - 4, y - 4}, level_text(*chart.y.level), "end small");
 }
 
 /// From point to point; broken where nothing is known.
@@ -139,14 +166,28 @@ void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& po
   if (point.low == point.high && !point.is_limit) return;
   const double x = paper.x(point.x), high = paper.y(point.high);
   if (point.is_limit) return draw_limit(drawing, x, high, style);
-  const double low = paper.y.shows(point.low) ? std::min(paper.y(point.low), bottom) : bottom;
-  drawing.path(fmt::format("M{0:.2f} {2:.2f}h{4}M{1:.2f} {2:.2f}V{3:.2f}m-{5} 0h{4}", x - whisker,
-                           x, high, low, 2 * whisker, whisker),
+  const bool has_end = paper.y.shows(point.low) && paper.y(point.low) <= bottom;
+  const double low = has_end ? paper.y(point.low) : bottom;
+  drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}V{:.2f}", x - whisker, high, 2 * whisker,
+                           x, high, low) +
+                   (has_end ? fmt::format("m-{} 0h{}", whisker, 2 * whisker) : ""),
                style);
+}
+
+/// As wide as most of the way from one whole number to the next.
+void draw_bars(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve) {
+  constexpr double share = 0.6;
+  const double wide = share * (paper.x(1) - paper.x(0));
+  for (const ChartPoint& point : curve.points) {
+    if (!paper.x.shows(point.x) || !paper.y.shows(point.y)) continue;
+    const double y = paper.y(point.y);
+    drawing.rectangle({paper.x(point.x) - wide / 2, y}, wide, bottom - y, "fill1");
+  }
 }
 
 void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,
                 const std::string& style) {
+  if (curve.kind == CurveKind::bars) return draw_bars(drawing, paper, curve);
   drawing.path(line_through(curve, paper), style);
   if (curve.kind != CurveKind::measured) return;
   for (const ChartPoint& point : curve.points) {
@@ -169,6 +210,12 @@ std::string style_of(const Chart& chart, std::size_t curve) {
 
 }  // namespace
 
+std::string title_of(const ChartAxis& axis) {
+  return axis.words.empty() ? axis.label : axis.words + ", " + axis.label;
+}
+
+std::string level_text(double ratio) { return fmt::format("{:g} %", 100 * ratio); }
+
 std::size_t colour_of(const Chart& chart, std::size_t curve) {
   const auto others = std::ranges::count_if(
       chart.curves.begin(), chart.curves.begin() + static_cast<std::ptrdiff_t>(curve) + 1,
@@ -181,6 +228,7 @@ std::string chart_as_svg(const Chart& chart) {
   SvgDrawing drawing(width, height, chart.title, chart.description);
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
+  draw_level(drawing, chart, paper);
   double legend = legend_top;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];

@@ -1,6 +1,7 @@
 #pragma once
 // A chart of curves with their intervals, of what was measured and of what theory says: one for
 // paper, for a terminal and for a report.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class CurveKind {
   measured,    // points with their intervals
   theory,      // dashed, without marks
   continuous,  // a line through many points, without marks
+  bars,        // one a point, up from 0
 };
 
 struct ChartCurve {
@@ -28,6 +30,10 @@ struct ChartCurve {
 struct ChartAxis {
   std::string label;  // with its unit
   bool logarithmic = false;
+  std::string words{};            // what the label is: "distance along the floor"; may be empty
+  bool is_count{};                // whole numbers, between which nothing is
+  bool from_zero{};               // of the upright axis: 0 is seen, whatever the least value
+  std::optional<double> level{};  // of the upright axis: a ratio to be seen as a line across
 };
 
 struct Chart {
@@ -36,12 +42,18 @@ struct Chart {
   std::vector<ChartCurve> curves;
 };
 
+/// The words and the label: "distance along the floor, receiver.range_m [m]".
+std::string title_of(const ChartAxis& axis);
+
+/// What stands at the line across: "1 %".
+std::string level_text(double ratio);
+
 /// Which of the colours a curve has: a theory that of the curve before it.
 std::size_t colour_of(const Chart& chart, std::size_t curve);
 
 /// Lines of characters, each ended by a newline: what the marks are, 15 lines of paper, the lower
-/// axis.
-/// Intervals are not shown. A logarithmic axis leaves out what is not positive.
+/// axis. Neither intervals nor the level are shown. A logarithmic axis leaves out what is not
+/// positive.
 std::string chart_as_text(const Chart& chart);
 
 /// As SVG. On a logarithmic axis what is not positive has no place, but limits, which are drawn as

@@ -79,7 +79,7 @@ std::string wrapped(const std::string& head, const std::vector<std::string>& nam
   std::string text, line = head;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string next = names[i] + (i + 1 < names.size() ? "," : "");
-    if (line.size() + next.size() > columns) {
+    if (line.size() + 1 + next.size() > columns) {
       text += fmt::format("{:>{}}  {}\n", "", label_width, line);
       line = next;
     } else {

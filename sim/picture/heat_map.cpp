@@ -17,13 +17,13 @@ constexpr double width = 720, left = 120, top = 50, right = 560, legend_left = 5
 constexpr double row_height = 26, legend_step = 22, patch = 14;
 
 struct Shade {
-  double below;  // the first that is not of it
+  double greatest;
   const char* style;
   const char* name;
 };
 
 /// From dark to light, as viridis has them: told apart by everybody, and in grey.
-constexpr std::array shades{Shade{1e-300, "heat0", "none"}, Shade{1e-3, "heat1", "to 0.1 %"},
+constexpr std::array shades{Shade{0, "heat0", "none"},      Shade{1e-3, "heat1", "to 0.1 %"},
                             Shade{1e-2, "heat2", "to 1 %"}, Shade{3e-2, "heat3", "to 3 %"},
                             Shade{0.1, "heat4", "to 10 %"}, Shade{0.3, "heat5", "to 30 %"},
                             Shade{0.9, "heat6", "to 90 %"}, Shade{2, "heat7", "more"}};
@@ -31,7 +31,7 @@ constexpr double contour = 1e-2;
 
 const Shade& shade_of(double ratio) {
   const auto shade =
-      std::ranges::find_if(shades, [&](const Shade& each) { return ratio < each.below; });
+      std::ranges::find_if(shades, [&](const Shade& each) { return ratio <= each.greatest; });
   return shade == shades.end() ? shades.back() : *shade;
 }
 
@@ -49,7 +49,7 @@ class Cells {
   double cell_width() const { return cell_width_; }
 
   bool passes(std::size_t row, std::size_t column) const {
-    return map_.values[row][column] >= contour;  // not where nothing is known
+    return map_.values[row][column] > contour;  // not where nothing is known
   }
   bool known(std::size_t row, std::size_t column) const {
     return !std::isnan(map_.values[row][column]);
@@ -102,13 +102,14 @@ void draw_labels(SvgDrawing& drawing, const HeatMap& map, const Cells& cells) {
   drawing.text({20, 20}, map.title, "heading");
 }
 
-void draw_legend(SvgDrawing& drawing) {
+void draw_legend(SvgDrawing& drawing, bool has_contour) {
   double y = top;
   for (const Shade& shade : shades) {
     drawing.rectangle({legend_left, y}, patch, patch, shade.style);
     drawing.text({legend_left + patch + 8, y + patch - 3}, shade.name, "");
     y += legend_step;
   }
+  if (!has_contour) return;
   drawing.path(fmt::format("M{} {}h{}", legend_left, y + patch / 2, patch), "contour");
   drawing.text({legend_left + patch + 8, y + patch - 3}, "passes 1 %", "");
 }
@@ -121,9 +122,9 @@ std::string heat_map_as_svg(const HeatMap& map) {
   SvgDrawing drawing(width, std::max(cells.bottom() + 60, legend_bottom + 20), map.title,
                      map.description);
   draw_cells(drawing, map, cells);
-  draw_contour(drawing, map, cells);
+  if (map.has_contour) draw_contour(drawing, map, cells);
   draw_labels(drawing, map, cells);
-  draw_legend(drawing);
+  draw_legend(drawing, map.has_contour);
   return drawing.finished();
 }
 

@@ -47,6 +47,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .theory { stroke-dasharray: 6 4; }
 .theory2 { stroke-dasharray: 14 4; }
 .theory3 { stroke-dasharray: 6 3 1 3 1 3; }
+.level { stroke-dasharray: 1 3; }
 .dotted { stroke-dasharray: 2 3; }
 .dashed { stroke-dasharray: 10 3 2 3; }
 .dot { stroke-width: 2; }

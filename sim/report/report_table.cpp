@@ -30,12 +30,6 @@ std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
   return columns;
 }
 
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
-
-std::string decibel(double value) {
-  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
-}
-
 constexpr const char* alarm_sign = "!!";
 
 template <class Flag>
@@ -60,8 +54,8 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
                       bool theory) {
   const bool known = measured(point);
   std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
-  texts.push_back(known ? number(point.operating.irradiance_mw_per_m2) : "-");
-  texts.push_back(known ? decibel(point.operating.snr_db) : "-");
+  texts.push_back(known ? irradiance_text(point.operating.irradiance_mw_per_m2) : "-");
+  texts.push_back(known ? decibel_text(point.operating.snr_db) : "-");
   texts.push_back(std::to_string(point.tally.n_frames));
   texts.push_back(std::to_string(point.tally.n_bit_errors));
   texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
@@ -70,6 +64,14 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
   texts.push_back(real_time_factor(point));
   texts.push_back(known ? closing_text(point) : "-");
   return table_line(columns_of(axes, theory), texts);
+}
+
+std::string irradiance_text(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
+}
+
+std::string decibel_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
 }
 
 std::string theory_text(double ber) {

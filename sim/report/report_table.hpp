@@ -16,6 +16,10 @@ std::string table_header(const std::vector<Axis>& axes, bool theory = false);
 std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
                       bool theory = false);
 
+/// As the table has them; "-" where they are not known, or there is no noise.
+std::string irradiance_text(double value);
+std::string decibel_text(double value);
+
 /// What theory says of bit errors; "-" where it says nothing.
 std::string theory_text(double ber);
 

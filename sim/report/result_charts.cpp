@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/counting/statistics.hpp"
@@ -16,7 +17,7 @@ namespace {
 std::string curve_name(const std::vector<Axis>& axes, std::size_t over, const PointResult& point,
                        bool is_theory) {
   const std::string others = other_values(axes, {over}, point.coordinates);
-  if (others.empty()) return is_theory ? "theory" : "measured";
+  if (others.empty()) return is_theory ? "theory" : "simulated";
   return is_theory ? others + ", theory" : others;
 }
 
@@ -31,20 +32,21 @@ ChartPoint chart_point(double x, const Estimate& estimate) {
 struct Ratio {
   const char* title;
   const char* label;
+  std::optional<double> level;
   Estimate (*estimate)(const Tally&, double level);
   double OperatingPoint::*theory;  // null where there is none
 };
 
 constexpr Ratio ratios[] = {
-    {"Bit errors", "bit error ratio (BER)", bit_error_ratio, &OperatingPoint::ber_theory},
-    {"Frame loss", "frame loss ratio (FLR)", frame_loss_ratio, nullptr}};
+    {"Bit errors", "bit error ratio (BER)", {}, bit_error_ratio, &OperatingPoint::ber_theory},
+    {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_ratio, nullptr}};
 
 Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ratio) {
   Chart chart{.title = ratio.title,
               .description = fmt::format("{} over {}, {:g} % intervals", ratio.label,
                                          result.axes[over].key, 100 * result.ci_level),
               .x = chart_axis(result.axes[over]),
-              .y = {ratio.label, true},
+              .y = {.label = ratio.label, .logarithmic = true, .level = ratio.level},
               .curves = {}};
   for (const PointResult& point : result.points) {
     if (!measured(point)) continue;

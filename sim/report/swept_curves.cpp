@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "sim/scenario/keys.hpp"
+
 namespace sim {
 namespace {
 
@@ -31,7 +33,13 @@ std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes) {
   return widest;
 }
 
-ChartAxis chart_axis(const Axis& axis) { return {axis_name(axis), spans_decades(axis.values)}; }
+ChartAxis chart_axis(const Axis& axis) {
+  const Key* key = find_key(axis.key);
+  return {.label = axis_name(axis),
+          .logarithmic = spans_decades(axis.values),
+          .words = axis.long_name,
+          .is_count = key != nullptr && key->facts.type == KeyType::whole_number};
+}
 
 std::string other_values(const std::vector<Axis>& axes, const std::vector<std::size_t>& over,
                          const std::vector<double>& coordinates) {

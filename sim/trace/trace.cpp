@@ -50,6 +50,7 @@ TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   traced.sample_rate = link.chain.sample_rate;
   traced.carrier = carrier_of(link);
   traced.baud = link.device_baud;
+  traced.delay = link.delay;
   traced.rx =
       link.decisions ? decided_pin(link, trial, sent) : pin_of(link, trial, sent, traced.taps);
   traced.tx = std::move(sent.line);

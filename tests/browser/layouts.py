@@ -1,4 +1,7 @@
 """A report on paper, in the dark, in a narrow window, and for who does not see it."""
+import pathlib
+import re
+
 from browser import expect
 
 NARROW = 400    # pixels
@@ -94,11 +97,20 @@ def look_narrowly(driver):
         """return [...document.querySelectorAll(arguments[0])].filter((box) => box.scrollWidth > box.clientWidth)
              .map((box) => box.tabIndex);""", SCROLLING)
     expect(boxes and all(index == 0 for index in boxes), f"no keyboard reaches what scrolls: {boxes}")
-    sizes = driver.execute_script(
-        f"""const isShown = {IS_SHOWN};
-            return [...document.querySelectorAll('.still text')].filter(isShown).map((text) =>
-              parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a);""")
-    expect(min(sizes, default=LEAST_TEXT) >= LEAST_TEXT, f"text of a picture is {min(sizes, default=0)} pixels high")
+
+
+def look_without_scripts(driver, report):
+    """The still pictures alone, in a narrow window."""
+    still = pathlib.Path(report).with_name("still.html")
+    still.write_text(re.sub("<script.*?</script>", "", pathlib.Path(report).read_text(), flags=re.DOTALL))
+    driver.get(still.resolve().as_uri())
+    expect_nothing_wide(driver, NARROW, SCROLLING)
+    stills = shown(driver, ".still")
+    expect(stills[0] == stills[1] > 0, f"of {stills[1]} still pictures {stills[0]} are seen")
+    least = driver.execute_script(
+        """return Math.min(...[...document.querySelectorAll('.still text')].map((text) =>
+             parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a));""")
+    expect(least >= LEAST_TEXT, f"text of a picture is {least} pixels high")
 
 
 def expect_names(driver):

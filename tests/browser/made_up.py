@@ -24,11 +24,18 @@ def curve(name, colour, points, kind="measured"):
 
 # The limit lies at the foot of the axis that would be enough for all else.
 CHART = {
-    "x": {"label": "x", "logarithmic": False}, "y": {"label": "y", "logarithmic": True},
+    "x": {"label": "x", "title": "words, x", "logarithmic": False, "is_count": True},
+    "y": {"label": "y", "title": "y", "logarithmic": True, "is_count": False,
+          "level": {"at": 0.02, "text": "2 %"}},
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
                curve("dotted", 7, [point(1, 1)]), curve("dashed", 13, [point(1, 1)]),
                *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (1, 7, 13))]}
+
+
+# Two decades of room for marks between powers of ten.
+LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
+               "curves": [curve("c", 0, [point(0.2, 0.5), point(20, 1)])]}
 
 
 def with_first(html, kind, change):
@@ -84,7 +91,7 @@ def look_at_legend(driver, chart):
 
 
 def look_at_whole_marks(driver, chart):
-    """Abscissae are whole: there are none between them, however near one looks."""
+    """Abscissae are counts: there are no marks between them, however near one looks."""
     send(driver, "+", "+")
     labels = lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))
     expect(labels == ["3", "4", "5"], f"about 4, marks of whole numbers are {labels}")
@@ -111,13 +118,37 @@ def look_at_narrow_marks(driver):
             expect(not touching(line), f"in a narrow window marks overlap: {touching(line)}")
 
 
-def look_at_made_up(driver, report):
-    html = with_first(pathlib.Path(report).read_text(), "chart", lambda _: CHART)
+def look_at_words(driver, chart):
+    written = [one["text"] for one in texts(driver, chart.find_element(By.TAG_NAME, "canvas"))]
+    for words in ("words, x", "2 %"):
+        expect(words in written, f"a chart says nowhere {words}, but {written}")
+
+
+def look_at_logarithmic_marks(driver, report):
+    chart = open_changed(driver, report, LOGARITHMIC)
+    labels = lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))
+    expect(labels == ["0.2", "0.5", "1", "2", "5", "10", "20"], f"two decades are marked {labels}")
+    enter(driver, chart)
+    send(driver, *"++++++")
+    labels = [float(label) for label in lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))]
+    steps = [after - before for before, after in zip(labels, labels[1:])]
+    expect(len(steps) >= 2 and max(steps) < 1.01 * min(steps), f"a part of a decade is marked {labels}")
+
+
+def open_changed(driver, report, first):
+    """The report with that in the place of its first chart, which is given back."""
+    html = with_first(pathlib.Path(report).read_text(), "chart", lambda _: first)
     changed = pathlib.Path(report).with_name("made_up.html")
     changed.write_text(with_first(html, "trial", misread))
-    set_width(driver, 1100)
     driver.get(changed.resolve().as_uri())
-    chart = driver.find_element(By.CLASS_NAME, "chart")
+    return driver.find_element(By.CLASS_NAME, "chart")
+
+
+def look_at_made_up(driver, report):
+    set_width(driver, 1100)
+    look_at_logarithmic_marks(driver, report)
+    chart = open_changed(driver, report, CHART)
+    look_at_words(driver, chart)
     enter(driver, chart)
     look_at_line(driver, chart)
     look_at_legend(driver, chart)

@@ -1,6 +1,7 @@
 """Tables of a report: sorted by their heads, copied as CSV in whatever way the browser allows."""
 import csv
 import io
+import re
 
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -67,8 +68,26 @@ def press_copy(driver, table):
            look();""", told)
 
 
+def as_columns(rows):
+    """Rows of a table with three columns for each of estimates, as they are copied."""
+    def parts(cell):
+        interval = re.fullmatch(r"(\S+) \[(\S+), (\S+)\]", cell)
+        if interval:
+            return list(interval.groups())
+        return ["0", "0", cell[2:]] if re.fullmatch(r"< [0-9.e+-]+", cell) else None
+
+    columns = []
+    for head, *cells_below in zip(*rows):
+        if any(map(parts, cells_below)):
+            columns += zip(*([head, head + " low", head + " high"],
+                             *(parts(cell) or [cell, "", ""] for cell in cells_below)))
+        else:
+            columns.append((head, *cells_below))
+    return [list(row) for row in zip(*columns)]
+
+
 def expect_copied(driver, table, how):
-    expected = cells(driver, table)
+    expected = as_columns(cells(driver, table))
     text = clipboard(driver)
     expect(list(csv.reader(io.StringIO(text, newline=""))) == expected, f"{how}, CSV is not the table: {text!r}")
     expect(text.count("\r\n") == len(expected), f"{how}, lines of CSV do not end in CR LF: {text!r}")
@@ -87,7 +106,7 @@ def copy_by_hand(driver, table):
     driver.execute_script("delete document.execCommand")
     send_with_control(driver, "c")
     rows = list(csv.reader(io.StringIO(clipboard(driver), newline="")))
-    expect(rows == cells(driver, table), f"what is selected to be copied is not the table: {rows}")
+    expect(rows == as_columns(cells(driver, table)), f"what is selected to be copied is not the table: {rows}")
 
 
 def copy_in_all_ways(driver, table):

@@ -169,7 +169,7 @@ TEST(FrameStatistics, LookAtNoMoreThanWillDo) {
 
 TEST(FrameStatistics, AffordFewerLongTrials) {
   const Link link = make_link(failing_link("").base);
-  const double samples = transmit(link, 0).messages.back().end.value * link.chain.sample_rate.value;
+  const double samples = mean_length(link).value * link.chain.sample_rate.value;
   EXPECT_EQ(affordable_trials(link, 30.5 * samples), 30);
   EXPECT_EQ(affordable_trials(link, samples), 20) << "at least";
 }

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "occurrences.hpp"
@@ -119,11 +121,11 @@ TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
                                                  point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
                                        {});
   EXPECT_EQ(words.find("4000 frames were simulated at 4 points; 1200 of them were lost.\n"), 0U);
-  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m (a jump)\n"),
+  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m (a jump).\n"),
             std::string::npos)
       << words;
   EXPECT_NE(
-      words.find("\nAt receiver.range_m = 4 m 100 % [99.6 %, 100 %] of frames are lost; noise is "
+      words.find("\nAt receiver.range_m = 4 m, 100 % [99.6 %, 100 %] of frames are lost; noise is "
                  "26 dB below the signal behind the band-pass.\n"),
       std::string::npos)
       << words;
@@ -134,6 +136,43 @@ TEST(Verdict, OfNoLossNamesNone) {
   EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
             std::string::npos);
   EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
+}
+
+TEST(Verdict, SaysOnWhichSideOfTheSignalNoiseIs) {
+  ExperimentResult result = sweep_of({point_of(1, 1000, 1000)});
+  result.points[0].operating.snr_db = -32;
+  EXPECT_NE(verdict_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
+}
+
+/// Modules A, B and so on, each with the loss at 1, 2 and 3 m.
+ExperimentResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
+  ExperimentResult result = sweep_of({});
+  Axis modules{"receiver.module", "", "", {}};
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    modules.values.push_back(static_cast<double>(i));
+    modules.labels.emplace_back(1, static_cast<char>('A' + i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = static_cast<double>(k) + 1;
+      result.points.push_back(point_of(x, 1000, losses[i][k]));
+      result.points.back().coordinates = {static_cast<double>(i), x};
+    }
+  }
+  result.axes[0].values = {1, 2, 3};
+  result.axes.insert(result.axes.begin(), modules);
+  return result;
+}
+
+TEST(Verdict, NamesTheLinksThatComeFirst) {
+  const std::string one =
+      verdict_of(modules_of({{0, 1000, 1000}, {0, 0, 1000}, {1000, 1000, 1000}}), {});
+  EXPECT_NE(one.find("\nOf 3 links B comes first; how far each reaches is listed below.\nOne "
+                     "point is looked at closer: at receiver.module = "),
+            std::string::npos)
+      << one;
+  const std::string two = verdict_of(modules_of({{0, 0, 1000}, {0, 0, 1000}, {0, 1000, 1000}}), {});
+  EXPECT_NE(two.find("\nOf 3 links A, B come first;"), std::string::npos) << two;
+  const std::string all = verdict_of(modules_of({{0, 0, 1000}, {0, 0, 1000}}), {});
+  EXPECT_NE(all.find("\nHow far 2 links reach is listed below.\n"), std::string::npos) << all;
 }
 
 Omission omission(const std::string& without, std::uint64_t lost) {
@@ -153,7 +192,8 @@ TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
   EXPECT_NE(
       verdict_of(result, none)
           .find("\nWhat limits it there: none of these alone. Leaving out noise, or gain does "
-                "not clearly lower the loss.\n"),
+                "not clearly lower the loss: it is several together, or light too weak for what "
+                "the receiver needs.\n"),
       std::string::npos);
 }
 
@@ -208,8 +248,9 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
   result.points[0].operating.ber_theory = 0.25;
   result.points[1].alarms = 1;
   const ReportPart part = link_part({"file", result, {}});
-  EXPECT_NE(part.verdict.find("\nOf 2 points 1 outside of what a model is valid for and 1 with an "
-                              "alarm: they are marked in the table of all numbers.\n"),
+  EXPECT_NE(part.verdict.find(
+                "\nMarked in the table of all numbers: of 2 points 1 outside of what a model is "
+                "valid for and 1 with an alarm.\n"),
             std::string::npos)
       << part.verdict;
   const PageSection& numbers = part.sections[part.sections.size() - 2];
@@ -222,9 +263,16 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
   EXPECT_NE(numbers.table->rows[1].back().find(" !! "), std::string::npos);
 }
 
+TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
+  ExperimentResult result = sweep_of({point_of(1, 10, 0)});
+  result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
+  const ReportPart part = link_part({"file", result, {}});
+  EXPECT_EQ(part.sections[part.sections.size() - 2].table->rows[0][2], "-");
+}
+
 TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
   const ReportPart part = link_part({"file", sweep_of({point_of(1, 10, 0)}), {}});
-  EXPECT_EQ(part.verdict.find("marked"), std::string::npos) << part.verdict;
+  EXPECT_EQ(part.verdict.find("Marked"), std::string::npos) << part.verdict;
   const PageSection& numbers = part.sections[part.sections.size() - 2];
   EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
 }
@@ -249,6 +297,14 @@ TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
   EXPECT_EQ(section->table->rows[39],
             (std::vector<std::string>{"39", "80.0", "0.0", "0.0", "20.0"}))
       << "both points weigh the same";
+}
+
+TEST(ChartSection, HasCountsAsTheyAreInItsTable) {
+  Chart chart = chart_named("edges");
+  chart.curves[0].points = {{1, 1561, 1561, 1561}, {2, 0.12345, 0.12345, 0.12345}};
+  const PageSection section = chart_section(chart);
+  EXPECT_EQ(section.table->rows[0][2], "1561");
+  EXPECT_EQ(section.table->rows[1][2], "0.123");
 }
 
 // ---- bars of shares ----
@@ -297,6 +353,21 @@ TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
   EXPECT_NE(svg.find("<path class=\"contour\" d=\"M340.00 76.00v26\"/>"), std::string::npos)
       << "between 0 and 0.5 alone\n"
       << svg;
+}
+
+TEST(HeatMap, PassesOnePercentBehindIt) {
+  HeatMap map{.title = "t",
+              .description = "d",
+              .x_label = "x",
+              .y_label = "y",
+              .columns = {"1", "2"},
+              .rows = {"low"},
+              .values = {{0.01, 0.02}}};
+  const std::string svg = heat_map_as_svg(map);
+  EXPECT_EQ(occurrences(svg, "class=\"heat2\""), 2U) << "to 1 %: cell and legend";
+  EXPECT_EQ(occurrences(svg, "class=\"contour\""), 2U) << "between them, and in the legend";
+  map.has_contour = false;
+  EXPECT_EQ(occurrences(heat_map_as_svg(map), "class=\"contour\""), 0U);
 }
 
 TEST(HeatMap, HasATableFromAboveAsThePicture) {

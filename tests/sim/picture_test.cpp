@@ -124,14 +124,78 @@ TEST(Chart, ReachesSoFarBelowALimitThatItsArrowHasRoom) {
   EXPECT_EQ(occurrences(linear, "v16.5m"), 1U);
 }
 
-TEST(Chart, MarksCountsAtWholeNumbers) {
-  const auto marked = [](const char* fraction, double greatest) {
-    const ChartPoint last{3, greatest, greatest, greatest};
-    return occurrences(chart_as_svg(chart_of({{1, 0, 0, 0}, last}, false)), fraction);
+TEST(Chart, DrawsItsLevelAcrossWhereThePaperReachesIt) {
+  const auto with_level = [](double level, double least) {
+    Chart chart = chart_of({{1, least, least, least}, {2, 1, 1, 1}}, true);
+    chart.y.level = level;
+    return chart_as_svg(chart);
   };
-  EXPECT_EQ(marked(">0.5<", 2), 0U);
-  EXPECT_EQ(marked(">1<", 2), 2U) << "of both axes";
-  EXPECT_EQ(marked(">0.5<", 2.5), 1U);
+  const std::string drawn = with_level(0.01, 1e-4);
+  EXPECT_EQ(occurrences(drawn,
+                        "<line class=\"level\" x1=\"80.00\" y1=\"215.00\" x2=\"700.00\" "
+                        "y2=\"215.00\"/>"),
+            1U)
+      << "in the middle of four decades";
+  EXPECT_EQ(occurrences(drawn, ">1 %</text>"), 1U);
+  EXPECT_EQ(occurrences(with_level(0.01, 0.2), "class=\"level\""), 0U);
+}
+
+TEST(Chart, DrawsBarsUpFromZero) {
+  Chart chart = chart_of({{0, 0, 0, 0}, {1, 4, 4, 4}, {2, 2, 2, 2}, {3, 0, 0, 0}}, false);
+  chart.curves[0].kind = CurveKind::bars;
+  chart.y.from_zero = true;
+  const std::string svg = chart_as_svg(chart);
+  EXPECT_EQ(occurrences(svg,
+                        "<rect class=\"fill1\" x=\"224.67\" y=\"50.00\" width=\"124.00\" "
+                        "height=\"330.00\"/>"),
+            1U)
+      << svg;
+  EXPECT_EQ(occurrences(svg, "y=\"215.00\" width=\"124.00\" height=\"165.00\"/>"), 1U);
+}
+
+TEST(Chart, ReachesDownToZeroWhereToldTo) {
+  Chart chart = chart_of({{1, 4, 4, 4}, {2, 5, 5, 5}}, false);
+  EXPECT_EQ(occurrences(chart_as_svg(chart), ">0</text>"), 0U);
+  chart.y.from_zero = true;
+  EXPECT_EQ(occurrences(chart_as_svg(chart), ">0</text>"), 1U);
+}
+
+TEST(Chart, MarksTwoDecadesOfItsLowerAxisAtOneTwoAndFive) {
+  Chart chart = chart_of({{0.2, 1, 1, 1}, {20, 2, 2, 2}}, false);
+  chart.x.logarithmic = true;
+  const std::string svg = chart_as_svg(chart);
+  for (const char* label : {"0.2", "0.5", "1", "2", "5", "10", "20"})
+    EXPECT_GE(occurrences(svg, fmt::format("class=\"middle small\">{}</text>", label)) +
+                  occurrences(svg, fmt::format("\">{}</text>", label)),
+              1U)
+        << label;
+  EXPECT_EQ(svg.find(">100</text>"), std::string::npos);
+}
+
+TEST(Chart, EndsNoIntervalThatGoesBelowThePaper) {
+  const auto ends = [](double low) {
+    return occurrences(chart_as_svg(chart_of({{1, 0.5, low, 0.9}, {2, 0.5, 0.5, 0.5}}, true)),
+                       "m-4 0h8");
+  };
+  EXPECT_EQ(ends(0.4), 1U);
+  EXPECT_EQ(ends(1e-7), 0U);
+}
+
+TEST(Chart, NamesItsLowerAxisInWordsToo) {
+  Chart chart = chart_of({{1, 1, 1, 1}}, false);
+  EXPECT_EQ(occurrences(chart_as_svg(chart), ">x</text>"), 1U);
+  chart.x.words = "distance";
+  EXPECT_EQ(occurrences(chart_as_svg(chart), ">distance, x</text>"), 1U);
+}
+
+TEST(Chart, MarksCountsAtWholeNumbersAndDistancesBetweenToo) {
+  const auto halves = [](bool is_count) {
+    Chart chart = chart_of({{1, 0, 0, 0}, {3, 2, 2, 2}}, false);
+    chart.y.is_count = is_count;
+    return occurrences(chart_as_svg(chart), ">0.5<");
+  };
+  EXPECT_EQ(halves(true), 0U);
+  EXPECT_EQ(halves(false), 1U);
 }
 
 TEST(Chart, IsNotMadeFlatByAnIntervalThatGoesFarDown) {
@@ -224,6 +288,17 @@ TEST(ChartText, MarksLimitsAndLetsWhatWasMeasuredCoverTheory) {
   EXPECT_NE(plot.find("|" + std::string(63, ' ') + "o\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|v\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|.\n"), std::string::npos) << plot;
+}
+
+TEST(ChartText, HasALegendNoWiderThanThePaper) {
+  Chart chart = chart_of({{1, 1, 1, 1}}, false);
+  for (int i = 0; i < 9; ++i) {
+    chart.curves.front().name += "longer";
+    chart.curves.push_back(chart.curves.front());
+    std::istringstream lines(chart_as_text(chart));
+    for (std::string line; std::getline(lines, line) && line.find('|') == std::string::npos;)
+      EXPECT_LE(line.size(), 76U) << line;
+  }
 }
 
 TEST(ChartText, TellsManyCurvesApartInALegendNoWiderThanThePaper) {

@@ -69,11 +69,35 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
   const std::string page = report({"one.h5", "two.h5"});
   EXPECT_EQ(occurrences(page, "<h2>Frame loss</h2>"), 1U);
-  EXPECT_NE(page.find(">one, measured</text>"), std::string::npos);
-  EXPECT_NE(page.find(">two, measured</text>"), std::string::npos);
+  EXPECT_NE(
+      page.find("<h2>In what they differ</h2>\n<details open><summary>Table, rows: 2</summary>"),
+      std::string::npos);
+  EXPECT_NE(page.find("<td>receiver.range_m</td><td>1, 11 m</td><td>1, 12 m</td>"),
+            std::string::npos);
+  EXPECT_NE(page.find("<td>led.current_ma</td><td>100 mA</td><td>50 mA</td>"), std::string::npos);
+  EXPECT_NE(page.find(">one, simulated</text>"), std::string::npos);
+  EXPECT_NE(page.find(">two, simulated</text>"), std::string::npos);
   for (const char* heading : {"All numbers", "The scenario", "What became of the frames"})
     for (const char* name : {"one", "two"})
       EXPECT_EQ(occurrences(page, fmt::format("<h2>{}: {}</h2>", name, heading)), 1U);
+}
+
+TEST_F(ReportCommand, SaysWhoseAPictureIsThatOneResultAloneHas) {
+  run("one", "receiver.range_m = [1, 11]");
+  run("two", "led.current_ma = [50, 100]");
+  const std::string page = report({"one.h5", "two.h5"});
+  for (const char* heading : {"one: Frame loss", "two: Frame loss", "two: Bit errors"})
+    EXPECT_EQ(occurrences(page, fmt::format("<h2>{}</h2>", heading)), 1U) << heading;
+}
+
+TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
+  run("many", "receiver.module = [\"TSOP4856\", \"TSSP4056\"]\nreceiver.range_m = [1, 5, 40]");
+  EXPECT_NE(report({"many.h5"})
+                .find("<p>Of 2 links TSSP4056 comes first; how far each reaches is listed "
+                      "below.</p>\n<p>One "
+                      "point is looked at closer: at receiver.module = TSSP4056, receiver.range_m "
+                      "= 40 m, "),
+            std::string::npos);
 }
 
 TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
@@ -81,8 +105,11 @@ TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
   std::filesystem::create_directory(path("old"));
   std::filesystem::copy_file(path("one.h5"), path("old/one.h5"));
   const std::string page = report({"one.h5", "old/one.h5"});
-  EXPECT_NE(page.find(">one.h5, measured</text>"), std::string::npos);
-  EXPECT_NE(page.find(">old/one.h5, measured</text>"), std::string::npos);
+  EXPECT_NE(
+      page.find("<h2>In what they differ</h2>\n<p>All keys of their scenarios are set alike."),
+      std::string::npos);
+  EXPECT_NE(page.find(">one.h5, simulated</text>"), std::string::npos);
+  EXPECT_NE(page.find(">old/one.h5, simulated</text>"), std::string::npos);
 }
 
 TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
@@ -146,10 +173,12 @@ TEST_F(ReportCommand, RunDrawsItsCurvesAsText) {
   write_scenario("near.toml", "receiver.range_m = [1, 2, 11]");
   const Outcome o = program({"run", "near.toml", "-q", "--plot"});
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_NE(o.out.find("bit error ratio (BER), logarithmic; o measured"), std::string::npos)
+  EXPECT_NE(o.out.find("bit error ratio (BER), logarithmic; o simulated"), std::string::npos)
       << o.out;
-  EXPECT_NE(o.out.find("frame loss ratio (FLR), logarithmic; o measured, v less than that\n"),
-            std::string::npos);
+  EXPECT_NE(
+      o.out.find(
+          "frame loss ratio (FLR), logarithmic; o simulated,\n            v less than that\n"),
+      std::string::npos);
   EXPECT_NE(o.out.find(" receiver.range_m [m] "), std::string::npos);
   write("still.toml", "[stop]\nmax_frames = 2\n");
   EXPECT_NE(program({"run", "still.toml", "-q", "--plot"})

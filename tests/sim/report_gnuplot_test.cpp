@@ -136,7 +136,7 @@ TEST_F(ReportGnuplot, ShowsTextsOfUsersAsTheyAre) {
             std::string::npos)
       << trial;
   const std::string loss = tool("pdftotext", {"-layout", "frame-loss.pdf", "-"});
-  EXPECT_NE(loss.find("\"'`touch stolen` {:Bold @a}, measured"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("\"'`touch stolen` {:Bold @a}, simulated"), std::string::npos) << loss;
 }
 
 // Before any work: a result that is not there is not missed.

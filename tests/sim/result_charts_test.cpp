@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/report/result_charts.hpp"
+#include "sim/report/swept_curves.hpp"
 
 namespace sim {
 namespace {
@@ -20,9 +21,14 @@ PointResult point_of(std::vector<double> coordinates, std::uint64_t frames, std:
   return point;
 }
 
+TEST(ChartAxis, OfAKeyKnowsWhetherItCounts) {
+  EXPECT_TRUE(chart_axis({"devices.crowd.count", "1", "devices", {1, 2}}).is_count);
+  EXPECT_FALSE(chart_axis({"receiver.range_m", "m", "distance", {1, 2}}).is_count);
+}
+
 TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   ExperimentResult result;
-  result.axes = {{"receiver.ebn0_db", "dB", "", {0, 10, 20}}};
+  result.axes = {{"receiver.ebn0_db", "dB", "energy", {0, 10, 20}}};
   result.points = {point_of({0}, 10, 5), point_of({10}, 10, 0), point_of({20}, 0, 0)};
   result.points[0].operating.ber_theory = 0.04;
   const std::vector<Chart> charts = result_charts(result);
@@ -30,6 +36,9 @@ TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   EXPECT_EQ(charts[0].title, "Bit errors");
   EXPECT_EQ(charts[1].title, "Frame loss");
   EXPECT_EQ(charts[0].x.label, "receiver.ebn0_db [dB]");
+  EXPECT_EQ(title_of(charts[0].x), "energy, receiver.ebn0_db [dB]");
+  EXPECT_FALSE(charts[0].y.level);
+  EXPECT_EQ(charts[1].y.level, 0.01);
   EXPECT_FALSE(charts[0].x.logarithmic);
   ASSERT_EQ(charts[0].curves.size(), 2U);
   EXPECT_EQ(charts[0].curves[1].name, "theory");

@@ -40,6 +40,8 @@ TEST(TrialView, HasTheTapsThatWereRecordedOnTheMessagesTime) {
   ASSERT_EQ(view.taps.size(), 3U)
       << "of a matched receiver the threshold is NaN, the gain not there";
   EXPECT_EQ(view.taps[0].key, "irradiance_mw_per_m2");
+  EXPECT_EQ(view.taps[0].unit, "mW/m2");
+  EXPECT_EQ(view.taps[2].unit, "");
   const auto& values = view.taps[0].values;
   const auto spike = std::ranges::find(values, 7.0F) - values.begin();
   EXPECT_NEAR(view.first_s + static_cast<double>(spike) * view.period_s, 0.01, 1 / rate);
@@ -116,6 +118,19 @@ TEST(TrialView, MarksWhatWasMisread) {
       << "K and J: the last bit of them";
   EXPECT_TRUE(view.wire_begins);
   EXPECT_NEAR(view.wire_flips_s.front(), 0.0002, 1e-9);
+}
+
+TEST(TrialView, ComparesBitsWithThoseOfAPinThatIsLater) {
+  TracedTrial trial = made_up_trial("OK\n", "");
+  trial.rx = dsp::LogicTrace();
+  send_at(trial.rx, "OK\n", 0.1 + 1 / made_up_baud.value);
+  const auto wrong = [&] {
+    return std::ranges::count(view_of(trial).bits, true, &ViewMark::is_wrong);
+  };
+  EXPECT_GT(wrong(), 0);
+  trial.delay = dsp::period(made_up_baud);
+  EXPECT_EQ(wrong(), 0);
+  EXPECT_EQ(view_of(trial).delay_s, trial.delay.value);
 }
 
 TEST(TrialView, IsPackedInSixteenBits) {
