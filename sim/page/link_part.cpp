@@ -8,6 +8,8 @@
 #include "sim/page/frame_charts.hpp"
 #include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
+#include "sim/page/reach_section.hpp"
+#include "sim/page/trial_tables.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
@@ -79,9 +81,7 @@ void add_maps(ReportPart& part, const ExperimentResult& result) {
 
 void add_ranking(ReportPart& part, const ExperimentResult& result) {
   const Ranking ranking = rank(result);
-  if (ranking.rows.size() > 1)
-    part.first.push_back(
-        {.heading = "How far each reaches", .preformatted = ranking_lines(result, ranking)});
+  if (ranking.rows.size() > 1) part.first.push_back(reach_section(result, ranking));
 }
 
 PageSection trial_section(const ExperimentResult& result, const ShownTrial& shown) {
@@ -100,7 +100,8 @@ PageSection trial_section(const ExperimentResult& result, const ShownTrial& show
                                                "pin is a bit later than the light."
                                              : ""),
       .trial = PageTrial{view_of(trial),
-                         {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}}};
+                         {"trial", which + ": every tap of the receiver", taps_as_picture(trial)}},
+      .table = characters_table(trial)};
 }
 
 void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {
@@ -125,7 +126,8 @@ void add_frames(ReportPart& part, const FrameStatistics& frames) {
 void add_trial(ReportPart& part, const ExperimentResult& result, const ShownTrial& shown) {
   part.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
-    part.sections.push_back({.heading = "Eye diagram", .picture = eye_of(shown)});
+    part.sections.push_back(
+        {.heading = "Eye diagram", .picture = eye_of(shown), .table = eye_table(shown.trial)});
   part.sections.push_back(chart_section(spectrum_chart(shown)));
 }
 

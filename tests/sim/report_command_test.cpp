@@ -92,11 +92,16 @@ TEST_F(ReportCommand, SaysWhoseAPictureIsThatOneResultAloneHas) {
 
 TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
   run("many", "receiver.module = [\"TSOP4856\", \"TSSP4056\"]\nreceiver.range_m = [1, 5, 40]");
-  EXPECT_NE(report({"many.h5"})
-                .find("<p>Of 2 links TSSP4056 comes first; how far each reaches is listed "
+  const std::string page = report({"many.h5"});
+  EXPECT_NE(page.find("<p>Of 2 links TSSP4056 comes first; how far each reaches is listed "
                       "below.</p>\n<p>One "
                       "point is looked at closer: at receiver.module = TSSP4056, receiver.range_m "
                       "= 40 m, "),
+            std::string::npos);
+  EXPECT_NE(page.find("<tr><td>1</td><td>TSSP4056</td><td>between 5 and 40 m</td></tr>\n"
+                      "<tr><td>2</td><td>TSOP4856</td><td>between 1 and 5 m</td></tr>"),
+            std::string::npos);
+  EXPECT_NE(page.find("<th scope=\"col\">receiver.range_m at which frame loss passes 1 %</th>"),
             std::string::npos);
 }
 

@@ -1,0 +1,44 @@
+#include "sim/page/reach_section.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/link/validity.hpp"
+#include "sim/report/swept_curves.hpp"
+#include "sim/scenario/flags.hpp"
+
+namespace sim {
+namespace {
+
+std::vector<std::string> head_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<std::string> head;
+  if (ranking.best_first) head.emplace_back("place");
+  for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
+  head.push_back(fmt::format("{} at which frame loss passes {:g} %",
+                             result.axes[ranking.abscissa].key, 100 * ranking.flr));
+  return head;
+}
+
+std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
+                       const RowCrossing& row) {
+  std::string words =
+      crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+  if (row.outside == 0) return words;
+  return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
+}
+
+}  // namespace
+
+PageSection reach_section(const ExperimentResult& result, const Ranking& ranking) {
+  PageTable table{.head = head_of(result, ranking), .rows = {}};
+  for (const RowCrossing& row : ranking.rows) {
+    std::vector<std::string> cells;
+    if (ranking.best_first) cells.push_back(std::to_string(row.place));
+    for (std::size_t i = 0; i < ranking.others.size(); ++i)
+      cells.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
+    cells.push_back(reach_text(result, ranking, row));
+    table.rows.push_back(std::move(cells));
+  }
+  return {.heading = "How far each reaches", .table = std::move(table)};
+}
+
+}  // namespace sim
