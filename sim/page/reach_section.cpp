@@ -20,8 +20,7 @@ std::vector<std::string> head_of(const ExperimentResult& result, const Ranking& 
 
 std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
                        const RowCrossing& row) {
-  std::string words =
-      crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+  std::string words = crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
   if (row.outside == 0) return words;
   return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
 }

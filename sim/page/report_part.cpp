@@ -58,13 +58,19 @@ std::string title_of(const std::vector<ReportPart>& parts) {
   return names;
 }
 
+std::vector<NamedSettings> named_settings(const std::vector<ReportPart>& parts) {
+  std::vector<NamedSettings> all;
+  for (const ReportPart& part : parts) all.push_back({part.name, part.settings});
+  return all;
+}
+
 }  // namespace
 
 Page page_of(std::vector<ReportPart> parts) {
   Page page{.title = title_of(parts), .verdict = {}, .sections = {}};
   std::vector<Chart> charts;
   if (parts.size() > 1) {
-    page.sections.push_back(differences_section(parts));
+    page.sections.push_back(differences_section(named_settings(parts)));
     name_lone_charts(parts);
     std::ranges::for_each(parts, say_whose);
   }
