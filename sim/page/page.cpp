@@ -60,13 +60,23 @@ std::string picture_html(const PagePicture& picture, const std::string& kind) {
                      kind.empty() ? still : live, xml_escaped(picture.caption));
 }
 
-std::string section_html(const PageSection& section) {
-  std::string html = "<section>\n" + element("h2", section.heading) + paragraphs(section.text);
+/// `number`: in the order of the page, by which its contents lead here.
+std::string section_html(const PageSection& section, std::size_t number) {
+  std::string html = fmt::format("<section id=\"section-{}\">\n", number) +
+                     element("h2", section.heading) + paragraphs(section.text);
   if (!section.preformatted.empty()) html += element("pre", section.preformatted);
   if (section.picture) html += picture_html(*section.picture, section.picture->live ? "chart" : "");
   if (section.trial) html += picture_html(section.trial->still, "trial");
   if (section.table) html += table_html(*section.table);
   return html + "</section>\n";
+}
+
+/// Links to all sections.
+std::string contents_html(const std::vector<PageSection>& sections) {
+  std::string html = "<nav aria-label=\"Contents\">\n";
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    html += fmt::format("<a href=\"#section-{}\">{}</a>\n", i, xml_escaped(sections[i].heading));
+  return html + "</nav>\n";
 }
 
 Json axis_json(const ChartAxis& axis) {
@@ -157,8 +167,8 @@ std::string page_as_html(const Page& page) {
       "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       page_head, xml_escaped(page.title), uplot_style, report_style);
   html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.verdict) +
-          "</div>\n";
-  for (const PageSection& section : page.sections) html += section_html(section);
+          "</div>\n" + contents_html(page.sections);
+  for (std::size_t i = 0; i < page.sections.size(); ++i) html += section_html(page.sections[i], i);
   html += "</main>\n" + data_of(page);
   if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
   return html +

@@ -67,7 +67,7 @@ def look_at_paper(driver):
     open_tables(driver, False)
     set_media(driver, "print", "dark")
     set_width(driver, A4)
-    for selector in ("canvas", ".copy", ".views", ".hint"):
+    for selector in ("canvas", ".copy", ".views", ".hint", "nav"):
         expect(shown(driver, selector)[0] == 0, f"{selector} is printed")
     stills = shown(driver, ".still")
     expect(stills[0] == stills[1], f"of {stills[1]} still pictures {stills[0]} are printed")
@@ -131,6 +131,15 @@ def expect_names(driver):
     expect(not nameless, f"a screen reader has no name for {nameless[:2]}")
 
 
+def expect_contents(driver):
+    """Links that lead to all sections, each by its heading."""
+    links, headings = driver.execute_script(
+        """const headingOf = (link) => document.querySelector(link.getAttribute('href') + ' > h2').textContent;
+           return [[...document.querySelectorAll('nav a')].map((link) => [link.textContent, headingOf(link)]),
+                   [...document.querySelectorAll('h2')].map((heading) => heading.textContent)];""")
+    expect(links == [[heading, heading] for heading in headings], f"the contents are {links}, the headings {headings}")
+
+
 def expect_focus_is_seen(driver):
     unseen = driver.execute_script(
         """return [...document.querySelectorAll('.live, button, summary')].filter((element) => {
@@ -144,6 +153,7 @@ def expect_focus_is_seen(driver):
 
 def look_at_layouts(driver):
     expect_names(driver)
+    expect_contents(driver)
     expect_focus_is_seen(driver)
     look_at_paper(driver)
     look_in_the_dark(driver)

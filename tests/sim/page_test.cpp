@@ -15,8 +15,6 @@
 #include "sim/page/page.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/page/verdict.hpp"
-#include "sim/picture/heat_map.hpp"
-#include "sim/picture/share_bars.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/result/unfinished.hpp"
 
@@ -83,6 +81,14 @@ TEST(Page, HasEachLiveChartAsAStillPictureToo) {
   EXPECT_EQ(charts[0]["curves"][0]["points"][1]["is_limit"], true);
   EXPECT_EQ(charts[0]["curves"][0]["colour"], 0);
   EXPECT_TRUE(charts[0]["curves"][0]["points"][2]["y"].is_null());
+}
+
+TEST(Page, LeadsToItsSections) {
+  const std::string html = page_as_html(
+      {.title = "t", .verdict = {}, .sections = {{.heading = "one"}, {.heading = hostile}}});
+  EXPECT_NE(html.find("<a href=\"#section-0\">one</a>\n<a href=\"#section-1\">&lt;/script&gt;"),
+            std::string::npos);
+  EXPECT_NE(html.find("<section id=\"section-0\">\n<h2>one</h2>"), std::string::npos);
 }
 
 TEST(Page, IsKnownByItsBeginning) {
@@ -305,93 +311,6 @@ TEST(ChartSection, HasCountsAsTheyAreInItsTable) {
   const PageSection section = chart_section(chart);
   EXPECT_EQ(section.table->rows[0][2], "1561");
   EXPECT_EQ(section.table->rows[1][2], "0.123");
-}
-
-// ---- bars of shares ----
-
-TEST(ShareBars, OfShareAloneHaveATableInPercent) {
-  const PageSection section = shares_section("bars", {.title = "t",
-                                                      .description = "d",
-                                                      .rows_label = "x",
-                                                      .are_shares = true,
-                                                      .kinds = {"a", "b"},
-                                                      .rows = {{"one", {2, 1}}, {"none", {0, 0}}}});
-  EXPECT_EQ(section.table->head, (std::vector<std::string>{"x", "a [%]", "b [%]"}));
-  EXPECT_EQ(section.table->rows,
-            (std::vector<std::vector<std::string>>{{"one", "66.7", "33.3"}, {"none", "-", "-"}}));
-}
-
-TEST(ShareBars, AreAsWideAsTheirShares) {
-  const std::string svg = share_bars_as_svg({.title = "t",
-                                             .description = "d",
-                                             .rows_label = "x",
-                                             .kinds = {"a", "b", "c"},
-                                             .rows = {{"one", {3, 0, 1}}, {"none", {0, 0, 0}}}});
-  EXPECT_EQ(occurrences(svg, "class=\"frame\""), 2U);
-  EXPECT_EQ(occurrences(svg, "<rect class=\"fill0\" x=\"170.00\" y=\"60.00\" width=\"397.50\""),
-            1U);
-  EXPECT_EQ(occurrences(svg, "<rect class=\"fill2\" x=\"567.50\" y=\"60.00\" width=\"132.50\""),
-            1U);
-  EXPECT_EQ(occurrences(svg, "class=\"fill1\""), 1U) << "in the legend";
-}
-
-// ---- maps ----
-
-TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
-  const double unknown = std::nan("");
-  const std::string svg = heat_map_as_svg({.title = "t",
-                                           .description = "d",
-                                           .x_label = "x",
-                                           .y_label = "y",
-                                           .columns = {"1", "2"},
-                                           .rows = {"low", "high"},
-                                           .values = {{0, 0.5}, {0.005, unknown}}});
-  for (const char* style : {"heat0", "heat2", "heat6"})
-    EXPECT_EQ(occurrences(svg, "class=\"" + std::string(style) + "\""), 2U) << "cell and legend";
-  EXPECT_EQ(occurrences(svg, "class=\"heat5\""), 1U);
-  EXPECT_EQ(occurrences(svg, "class=\"frame\""), 1U) << "nothing is known";
-  EXPECT_NE(svg.find("<path class=\"contour\" d=\"M340.00 76.00v26\"/>"), std::string::npos)
-      << "between 0 and 0.5 alone\n"
-      << svg;
-}
-
-TEST(HeatMap, PassesOnePercentBehindIt) {
-  HeatMap map{.title = "t",
-              .description = "d",
-              .x_label = "x",
-              .y_label = "y",
-              .columns = {"1", "2"},
-              .rows = {"low"},
-              .values = {{0.01, 0.02}}};
-  const std::string svg = heat_map_as_svg(map);
-  EXPECT_EQ(occurrences(svg, "class=\"heat2\""), 2U) << "to 1 %: cell and legend";
-  EXPECT_EQ(occurrences(svg, "class=\"contour\""), 2U) << "between them, and in the legend";
-  map.has_contour = false;
-  EXPECT_EQ(occurrences(heat_map_as_svg(map), "class=\"contour\""), 0U);
-}
-
-TEST(HeatMap, HasATableFromAboveAsThePicture) {
-  const PageSection section = map_section("map", {.title = "t",
-                                                  .description = "d",
-                                                  .x_label = "x",
-                                                  .y_label = "y",
-                                                  .columns = {"1", "2"},
-                                                  .rows = {"low", "high"},
-                                                  .values = {{0, 0.5}, {0.005, std::nan("")}}});
-  EXPECT_EQ(section.table->head, (std::vector<std::string>{"y \\ x", "1", "2"}));
-  EXPECT_EQ(section.table->rows,
-            (std::vector<std::vector<std::string>>{{"high", "0.005", "-"}, {"low", "0", "0.5"}}));
-}
-
-TEST(HeatMap, ColoursWhatIsNoRatioAsMuch) {
-  const std::string svg = heat_map_as_svg({.title = "t",
-                                           .description = "d",
-                                           .x_label = "x",
-                                           .y_label = "y",
-                                           .columns = {"1", "2"},
-                                           .rows = {"all"},
-                                           .values = {{2, 1e300}}});
-  EXPECT_EQ(occurrences(svg, "class=\"heat7\""), 3U) << "cells and legend";
 }
 
 }  // namespace
