@@ -65,6 +65,14 @@ TEST_F(ReportCommand, SaysWhyThereIsNoTrial) {
   EXPECT_EQ(traced.code, 0) << traced.err;
 }
 
+TEST_F(ReportCommand, SaysWhyNoTrialIsShownOfImportanceSampling) {
+  run("rare", "receiver.ebn0_db = [9]",
+      {"--set", "receiver.module=ideal-coherent", "--set", "simulation.warmup_messages=0", "--set",
+       "simulation.method=importance"});
+  EXPECT_NE(report({"rare.h5"}).find("<p>No trial is shown: importance sampling does not draw"),
+            std::string::npos);
+}
+
 TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   run("one", "receiver.range_m = [1, 11]");
   run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
