@@ -151,6 +151,13 @@ TEST_F(MessageTables, OfAGuardCompareNoDeviceWithItself) {
     EXPECT_EQ(page.find(words), std::string::npos) << words;
 }
 
+TEST_F(MessageTables, OfAGuardNameNoDeviceOfSeveralThatAreAlike) {
+  run("g", guard + "[devices.far]\nx_m = 60\ny_m = 0\nmessages = \"FAR 1\"\n");
+  const std::string page = report({"g.h5"});
+  EXPECT_EQ(page.find("most often of"), std::string::npos) << "away as little as far";
+  expect_has(page, "is oldest of");
+}
+
 TEST_F(MessageTables, OfASweptGuardSayWhereItsKnowledgeIsOldest) {
   run("g", guard + "[sweep]\nguard.transmit_every_ms = [200, 1000]\n");
   const std::string page = report({"g.h5"});

@@ -232,6 +232,18 @@ TEST(Omissions, NameADisturbanceAsTheScenarioDoes) {
   EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
 }
 
+TEST(Omissions, AreTriedWithFewerLongFrames) {
+  const LoadedScenario scenario = parse_scenario(
+      "receiver.range_m = 40\nstop.max_frames = 4\ndevice.baud = 10\n"
+      "simulation.warmup_messages = 0\nsimulation.fidelity = \"envelope\"\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const Omissions found = leave_out(
+      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  ASSERT_FALSE(found.omissions.empty());
+  EXPECT_EQ(found.omissions.front().tally.n_frames, 20) << "of ten million samples each";
+}
+
 TEST(Report, HasThePicturesAndTablesOfAResult) {
   const Page page =
       page_of({link_part({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
@@ -249,14 +261,15 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
 }
 
 TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
-  ExperimentResult result = sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)});
+  ExperimentResult result =
+      sweep_of({point_of(1, 10, 0), point_of(2, 10, 10), point_of(3, 10, 10)});
   result.points[0].outside = 1;
   result.points[0].operating.ber_theory = 0.25;
-  result.points[1].alarms = 1;
+  result.points[1].alarms = result.points[2].alarms = 1;
   const ReportPart part = link_part({"file", result, {}});
   EXPECT_NE(part.verdict.find(
-                "\nMarked in the table of all numbers: of 2 points 1 outside of what a model is "
-                "valid for and 1 with an alarm.\n"),
+                "\nMarked in the table of all numbers: of 3 points 1 outside of what a model is "
+                "valid for and 2 with an alarm.\n"),
             std::string::npos)
       << part.verdict;
   const PageSection& numbers = part.sections[part.sections.size() - 2];
