@@ -247,16 +247,17 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
     case Kind::jump:
-      return crosses + "between " + range + " (a jump" +
-             (doubt(c, level).empty() ? "" : doubt(c, level) + " before it") + ")";
+      return crosses + "between " + range + " (no point lies between" +
+             (doubt(c, level).empty() ? "" : doubt(c, level) + " before them") + ")";
     case Kind::unfitted:
       return crosses + "between " + range + " (no logit curve fits the points)";
     case Kind::not_monotone:
       return fmt::format("frame loss rises and falls along {}: no single crossing of {:g} %",
                          axis.key, level * 100);
     case Kind::all_below:
-      return fmt::format("frame loss stays at most {:g} % over ", level * 100) + range +
-             doubt(c, level);
+      return fmt::format("frame loss {} at most {:g} % over ",
+                         doubt(c, level).empty() ? "stays" : "is seen to stay", level * 100) +
+             range + doubt(c, level);
     case Kind::all_above:
       return fmt::format("frame loss is above {:g} % over ", level * 100) + range + doubt(c, level);
     case Kind::unclear:

@@ -167,11 +167,10 @@ TEST(CrossingSentence, SaysEachOutcome) {
   EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
             "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (a jump)");
-  EXPECT_EQ(
-      say({Kind::jump, 7.5, 7, 8, 0.018}),
-      "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (a jump, though 1.8 % cannot "
-      "be ruled out before it)");
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies between)");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies "
+            "between, though 1.8 % cannot be ruled out before them)");
   EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m "
             "(no logit curve fits the points)");
