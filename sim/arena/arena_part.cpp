@@ -82,8 +82,9 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                      .label = "throughput S (dashed: of pure ALOHA at that load)",
                                      .theory = "pure_aloha_throughput"}));
   const DatasetCells loss(data, "total_frame_loss");
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < count_points(data.axes); ++i) ratios.push_back(loss[i]);
+  std::vector<MapValue> ratios;
+  for (std::size_t i = 0; i < count_points(data.axes); ++i)
+    ratios.push_back({loss[i], loss.text(i)});
   for (const HeatMap& map : swept_maps(data.axes, ratios, "Map of frame loss", "frame loss ratio"))
     part.sections.push_back(map_section("frame-loss-map", map));
 }

@@ -39,8 +39,11 @@ PageTable table_of(const HeatMap& map) {
   table.head.insert(table.head.end(), map.columns.begin(), map.columns.end());
   for (std::size_t r = map.rows.size(); r-- > 0;) {
     table.rows.push_back({map.rows[r]});
-    for (const double value : map.values[r])
-      table.rows.back().push_back(std::isnan(value) ? "-" : fmt::format("{:.2g}", value));
+    if (!map.texts.empty())
+      table.rows.back().insert(table.rows.back().end(), map.texts[r].begin(), map.texts[r].end());
+    else
+      for (const double value : map.values[r])
+        table.rows.back().push_back(std::isnan(value) ? "-" : fmt::format("{:.2g}", value));
   }
   return table;
 }

@@ -11,7 +11,9 @@ struct HeatMap {
   std::string x_label, y_label;             // with their units
   std::vector<std::string> columns, rows;   // at least one each; the first row is the lowest
   std::vector<std::vector<double>> values;  // of rows; a ratio each, NaN where nothing is known
-  bool has_contour = true;                  // where it passes 1 %
+  /// What its table says of each, with intervals; empty: the values.
+  std::vector<std::vector<std::string>> texts{};
+  bool has_contour = true;  // where it passes 1 %
 };
 
 /// As SVG.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/report/estimate_text.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_maps.hpp"
 
@@ -78,9 +79,11 @@ std::vector<Chart> result_charts(const ExperimentResult& result) {
 }
 
 std::vector<HeatMap> result_maps(const ExperimentResult& result) {
-  std::vector<double> losses;
-  for (const PointResult& point : result.points)
-    losses.push_back(frame_loss_ratio(point.tally, result.ci_level).value);
+  std::vector<MapValue> losses;
+  for (const PointResult& point : result.points) {
+    const Estimate loss = frame_loss_ratio(point.tally, result.ci_level);
+    losses.push_back({loss.value, estimate_text(loss)});
+  }
   return swept_maps(result.axes, losses, "Map of frame loss", "frame loss ratio");
 }
 

@@ -30,7 +30,8 @@ HeatMap empty_map(const Axis& across, const Axis& up) {
           .y_label = axis_name(up),
           .columns = value_texts(across),
           .rows = value_texts(up),
-          .values = {up.values.size(), std::vector<double>(across.values.size(), std::nan(""))}};
+          .values = {up.values.size(), std::vector<double>(across.values.size(), std::nan(""))},
+          .texts = {up.values.size(), std::vector<std::string>(across.values.size(), "-")}};
 }
 
 /// The two numbers with the most values, or the one and the text with the most.
@@ -49,13 +50,13 @@ std::vector<std::size_t> axes_of_maps(const std::vector<Axis>& axes) {
 
 }  // namespace
 
-std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<double>& ratios,
+std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<MapValue>& values,
                                 const std::string& title, const std::string& what) {
   const std::vector<std::size_t> over = axes_of_maps(axes);
   if (over.size() < 2) return {};
   const Axis &across = axes[over[0]], &up = axes[over[1]];
   std::map<std::string, HeatMap> maps;
-  for (std::size_t i = 0; i < ratios.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const std::vector<double> at = point_coordinates(axes, i);
     const std::string others = other_values(axes, {over[0], over[1]}, at);
     const auto [map, is_new] = maps.try_emplace(others, empty_map(across, up));
@@ -63,7 +64,9 @@ std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector
       map->second.title = others.empty() ? title : fmt::format("{}, {}", title, others);
       map->second.description = fmt::format("{} over {} and {}", what, across.key, up.key);
     }
-    map->second.values[index_of(up, at[over[1]])][index_of(across, at[over[0]])] = ratios[i];
+    const std::size_t row = index_of(up, at[over[1]]), column = index_of(across, at[over[0]]);
+    map->second.values[row][column] = values[i].ratio;
+    map->second.texts[row][column] = values[i].text;
   }
   std::vector<HeatMap> all;
   for (auto& [others, map] : maps) all.push_back(std::move(map));

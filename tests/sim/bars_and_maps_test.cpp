@@ -81,6 +81,18 @@ TEST(HeatMap, HasATableFromAboveAsThePicture) {
             (std::vector<std::vector<std::string>>{{"high", "0.005", "-"}, {"low", "0", "0.5"}}));
 }
 
+TEST(HeatMap, HasItsTextsInItsTable) {
+  const PageSection section = map_section("map", {.title = "t",
+                                                  .description = "d",
+                                                  .x_label = "x",
+                                                  .y_label = "y",
+                                                  .columns = {"1", "2"},
+                                                  .rows = {"low"},
+                                                  .values = {{0, 0.5}},
+                                                  .texts = {{"< 0.2", "0.5 [0.3, 0.7]"}}});
+  EXPECT_EQ(section.table->rows[0], (std::vector<std::string>{"low", "< 0.2", "0.5 [0.3, 0.7]"}));
+}
+
 TEST(HeatMap, ColoursWhatIsNoRatioAsMuch) {
   const std::string svg = heat_map_as_svg({.title = "t",
                                            .description = "d",

@@ -133,8 +133,8 @@ TEST(SweptRows, WeighThePointsOfARowAlike) {
 TEST(SweptMaps, AMapForEachOtherValue) {
   const std::vector<Axis> axes{
       {"a", "", "", {1, 2}}, {"b", "m", "", {1, 2, 3}}, {"c", "", "", {0, 1}, {"x", "y"}}};
-  Reals ratios(12);
-  for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] = static_cast<double>(i) / 100;
+  std::vector<MapValue> ratios;
+  for (int i = 0; i < 12; ++i) ratios.push_back({i / 100.0, std::to_string(i) + " %"});
   const auto maps = swept_maps(axes, ratios, "Map", "loss");
   ASSERT_EQ(maps.size(), 2U);
   EXPECT_EQ(maps[1].title, "Map, c = y");
@@ -142,16 +142,18 @@ TEST(SweptMaps, AMapForEachOtherValue) {
   EXPECT_EQ(maps[1].columns, (std::vector<std::string>{"1", "2", "3"}));
   EXPECT_EQ(maps[1].values[1][2], 0.11) << "a = 2, b = 3, c = y";
   EXPECT_EQ(maps[0].values[0][1], 0.02) << "a = 1, b = 2, c = x";
+  EXPECT_EQ(maps[1].texts[1][2], "11 %");
 }
 
 TEST(SweptMaps, OfOneNumberAndATextWhereThereAreNoTwoNumbers) {
   const std::vector<Axis> axes{{"module", "", "", {0, 1}, {"A", "B"}},
                                {"range", "m", "", {1, 2, 3}}};
-  const auto maps = swept_maps(axes, {0, 0.1, 0.2, 0.3, 0.4, 0.5}, "Map", "loss");
+  const auto maps = swept_maps(
+      axes, {{0, ""}, {0.1, ""}, {0.2, ""}, {0.3, ""}, {0.4, ""}, {0.5, ""}}, "Map", "loss");
   ASSERT_EQ(maps.size(), 1U);
   EXPECT_EQ(maps[0].rows, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(maps[0].values[1][2], 0.5);
-  EXPECT_TRUE(swept_maps({axes[1]}, {0, 0, 0}, "Map", "loss").empty());
+  EXPECT_TRUE(swept_maps({axes[1]}, {{0, ""}, {0, ""}, {0, ""}}, "Map", "loss").empty());
 }
 
 TEST(DatasetTable, ARowForEachPointAndElement) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sim/counting/statistics.hpp"
+#include "sim/report/estimate_text.hpp"
 #include "sim/report/result_charts.hpp"
 #include "sim/report/swept_curves.hpp"
 
@@ -92,6 +94,8 @@ TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
   EXPECT_EQ(maps[1].rows, (std::vector<std::string>{"0", "100"}));
   EXPECT_EQ(maps[1].values[1][2], 0.4);
   EXPECT_EQ(maps[1].values[0][2], 0);
+  EXPECT_EQ(maps[1].texts[0][2], estimate_text(frame_loss_ratio(result.points[10].tally, 0.95)));
+  EXPECT_TRUE(maps[1].texts[0][2].starts_with("< ")) << "none of ten is not none at all";
   EXPECT_TRUE(std::isnan(maps[0].values[1][0]));
 }
 
