@@ -63,6 +63,7 @@ ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   const Workers workers{threads_for(request.threads), &heed_stop_signals()};
   LinkReport link;
   link.name = name_of(path, request.results);
+  link.settings = settings_of(stored.scenario);
   link.omissions = leave_out(stored.scenario, stored.result, workers);
   if (is_weighted(stored.result))
     link.why_no_trial =
@@ -70,9 +71,7 @@ ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
   else if (!workers.interrupted())
     look_closer(link, stored, workers);
   link.result = std::move(stored.result);
-  ReportPart part = link_part(link);
-  part.settings = settings_of(stored.scenario);
-  return part;
+  return link_part(link);
 }
 
 ReportPart part_of(const fs::path& path, const ReportRequest& request) {

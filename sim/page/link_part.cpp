@@ -9,12 +9,14 @@
 #include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/page/reach_section.hpp"
+#include "sim/page/setup_words.hpp"
 #include "sim/page/trial_tables.hpp"
 #include "sim/page/verdict.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
+#include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_rows.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/result/curve_fit.hpp"
@@ -60,10 +62,13 @@ PageSection fates_section(const ExperimentResult& result) {
 
 PageTable table_of(const Omissions& omissions) {
   PageTable table{.head = {"without", "frames", "lost", "FLR"}, .rows = {}};
-  for (const Omission& o : omissions.omissions)
+  if (omissions.along) table.head.push_back("half lost at " + axis_name(*omissions.along));
+  for (const Omission& o : omissions.omissions) {
     table.rows.push_back({o.without.empty() ? "nothing: the link as it is" : o.without,
                           std::to_string(o.tally.n_frames), std::to_string(o.tally.n_frames_lost),
                           estimate_text(frame_loss_ratio(o.tally, 0.95))});
+    if (o.half) table.rows.back().push_back(half_loss_text(*o.half));
+  }
   return table;
 }
 
@@ -81,6 +86,7 @@ void add_maps(ReportPart& part, const ExperimentResult& result) {
 
 void add_ranking(ReportPart& part, const ExperimentResult& result) {
   const Ranking ranking = rank(result);
+  part.reaches = reaches_of(result, ranking);
   if (ranking.rows.size() > 1) part.first.push_back(reach_section(result, ranking));
 }
 
@@ -135,8 +141,10 @@ void add_trial(ReportPart& part, const ExperimentResult& result, const ShownTria
 
 ReportPart link_part(const LinkReport& link) {
   const ExperimentResult& result = link.result;
-  ReportPart part{link.name, result.title,
-                  verdict_of(result, link.omissions) + marked_points(result)};
+  ReportPart part{
+      link.name, result.title,
+      setup_words(link.settings) + verdict_of(result, link.omissions) + marked_points(result)};
+  part.settings = link.settings;
   add_ranking(part, result);
   part.charts = result_charts(result);
   add_maps(part, result);

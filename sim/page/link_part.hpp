@@ -15,6 +15,7 @@ namespace sim {
 struct LinkReport {
   std::string name;  // of its file
   ExperimentResult result;
+  std::vector<Setting> settings;  // of its scenario
   Omissions omissions;
   FrameStatistics frames{};  // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};

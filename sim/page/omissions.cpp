@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
 
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/experiment.hpp"
+#include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/frame_statistics.hpp"
@@ -18,7 +22,8 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t most_frames = 100;
-constexpr double most_samples = 2e8;  // without one trouble
+constexpr std::uint64_t frames_a_value = 20;  // in looking for half the loss
+constexpr double most_samples = 2e8;          // without one trouble
 
 struct Trouble {
   std::string name;
@@ -42,6 +47,8 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
   add(s.noise.scale > 0, "noise", {"noise.scale=0"});
   add(s.module.agc_attack_db_per_ms > 0, "the module's automatic gain control",
       {"module.agc_attack_db_per_ms=0"});
+  add(s.module.emin_mw_per_m2 > 0, "half of the module's threshold",
+      {fmt::format("module.emin_mw_per_m2={}", s.module.emin_mw_per_m2 / 2)});
   add(is_on(s.ambient), "ambient light",
       {"ambient.irradiance_w_per_m2=0", "ambient.daylight_lux=0", "ambient.tungsten_lux=0"});
   add(has_wrong_clock(s), "errors of the clocks",
@@ -54,20 +61,41 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
   return troubles;
 }
 
-/// Overrides that make one point of a sweep.
-std::vector<std::string> pinned(const ExperimentResult& result, const PointResult& point,
-                                std::uint64_t frames) {
-  std::vector<std::string> overrides{fmt::format("stop.max_frames={}", frames),
-                                     "stop.max_frame_errors=0", "stop.rel_ci=0",
-                                     "stop.target_flr=0"};
-  for (std::size_t i = 0; i < result.axes.size(); ++i) {
-    const Axis& axis = result.axes[i];
-    overrides.push_back(
-        axis.is_text() ? fmt::format("{}={}", axis.key, coordinate_text(axis, point.coordinates[i]))
-                       : fmt::format("{}={}", axis.key, point.coordinates[i]));
+/// One point of a sweep, run again with changes.
+class Rerun {
+ public:
+  Rerun(const LoadedScenario& scenario, const ExperimentResult& result, const PointResult& point,
+        const Workers& workers)
+      : scenario_(scenario), workers_(workers) {
+    for (std::size_t i = 0; i < result.axes.size(); ++i) {
+      const Axis& axis = result.axes[i];
+      point_.push_back(fmt::format("{}={}", axis.key,
+                                   axis.is_text() ? coordinate_text(axis, point.coordinates[i])
+                                                  : fmt::format("{}", point.coordinates[i])));
+    }
   }
-  return overrides;
-}
+
+  LoadedScenario load(std::vector<std::string> changes = {}) const {
+    changes.insert(changes.begin(), point_.begin(), point_.end());
+    return parse_scenario(scenario_.text, scenario_.path, changes, {});
+  }
+
+  Tally tally(std::uint64_t frames, std::vector<std::string> changes) const {
+    changes.insert(changes.end(),
+                   {fmt::format("stop.max_frames={}", frames), "stop.max_frame_errors=0",
+                    "stop.rel_ci=0", "stop.target_flr=0"});
+    const LoadedScenario changed = load(std::move(changes));
+    return run_experiment(changed, unfinished(changed, ""),
+                          {.threads = workers_.threads, .interrupt = workers_.interrupt})
+        .points.front()
+        .tally;
+  }
+
+ private:
+  const LoadedScenario& scenario_;
+  const Workers& workers_;
+  std::vector<std::string> point_;  // the overrides that make it
+};
 
 /// Whether a point is of the link that comes first; all are where there is no ranking.
 bool is_of_first(const PointResult& point, const Ranking& ranking) {
@@ -89,6 +117,39 @@ const PointResult* nearest_to_half(const ExperimentResult& result, const Ranking
   return found;
 }
 
+/// Whether it is known that the loss only rises or only falls along the ranking's axis, whose
+/// values have logarithms and may lie between those of the sweep.
+bool goes_one_way(const Ranking& ranking, const ExperimentResult& result,
+                  const PointResult& point) {
+  using Kind = Crossing::Kind;
+  if (ranking.rows.empty() || point.coordinates[ranking.abscissa] <= 0) return false;
+  const Axis& axis = result.axes[ranking.abscissa];
+  if (find_key(axis.key)->facts.type != KeyType::number) return false;
+  const auto count = [&](std::initializer_list<Kind> kinds) {
+    return std::ranges::count_if(ranking.rows, [&](const RowCrossing& row) {
+      return std::ranges::find(kinds, row.crossing.kind) != kinds.end();
+    });
+  };
+  const bool is_known =
+      axis.key == "receiver.range_m" || count({Kind::fitted, Kind::jump, Kind::unfitted}) > 0;
+  return is_known && count({Kind::not_monotone, Kind::unclear}) == 0;
+}
+
+HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Ranking& ranking,
+                      const Axis& along, double begin) {
+  const auto loses_half = [&](double value) -> std::optional<bool> {
+    std::vector<std::string> changes = trouble.overrides;
+    changes.push_back(fmt::format("{}={}", along.key, value));
+    try {
+      return 2 * rerun.tally(frames_a_value, std::move(changes)).n_frames_lost >= frames_a_value;
+    } catch (const Failure&) {
+      return std::nullopt;  // other keys of the scenario do not go with that value
+    }
+  };
+  return find_half_loss(loses_half, begin, find_key(along.key)->facts.range,
+                        ranking.more_is_better);
+}
+
 }  // namespace
 
 const PointResult* failing_point(const ExperimentResult& result) {
@@ -102,37 +163,43 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
                     const Workers& workers) {
   const PointResult* point = failing_point(result);
   if (point == nullptr || has_theory(scenario) || is_weighted(result)) return {};
-  const Link link = make_link(point_scenario(scenario, point->coordinates));
-  const std::vector<std::string> pins =
-      pinned(result, *point, std::min(most_frames, affordable_trials(link, most_samples)));
-  const auto load = [&](const std::vector<std::string>& without) {
-    std::vector<std::string> overrides = pins;
-    overrides.insert(overrides.end(), without.begin(), without.end());
-    return parse_scenario(scenario.text, scenario.path, overrides, {});
-  };
-  const auto tally_of = [&](const LoadedScenario& changed) {
-    return run_experiment(changed, unfinished(changed, ""),
-                          {.threads = workers.threads, .interrupt = workers.interrupt})
-        .points.front()
-        .tally;
-  };
-  const LoadedScenario whole = load({});
-  Omissions found{place_text(result.axes, point->coordinates), {{"", tally_of(whole)}}};
-  for (const Trouble& trouble : troubles_of(whole.base)) {
+  const Rerun rerun(scenario, result, *point, workers);
+  const LoadedScenario whole = rerun.load();
+  const std::uint64_t affordable = affordable_trials(make_link(whole.base), most_samples);
+  std::vector<Trouble> troubles = troubles_of(whole.base);
+  troubles.insert(troubles.begin(), Trouble{});
+  const Ranking ranking = rank(result);
+  const bool seek_half = affordable >= most_frames && goes_one_way(ranking, result, *point);
+  Omissions found{place_text(result.axes, point->coordinates), {}};
+  if (seek_half) found.along = result.axes[ranking.abscissa];
+  for (const Trouble& trouble : troubles) {
     if (workers.interrupted()) break;
-    found.omissions.push_back({trouble.name, tally_of(load(trouble.overrides))});
+    found.omissions.push_back(
+        {trouble.name, rerun.tally(std::min(most_frames, affordable), trouble.overrides)});
+    if (seek_half)
+      found.omissions.back().half =
+          half_loss_of(rerun, trouble, ranking, *found.along, point->coordinates[ranking.abscissa]);
   }
   return found;
 }
 
-std::vector<std::string> limits_of(const Omissions& omissions) {
+std::vector<Omission> limits_of(const Omissions& omissions) {
   constexpr double level = 0.95;
-  std::vector<std::string> limits;
+  std::vector<Omission> limits;
   for (const Omission& o : omissions.omissions)
     if (!o.without.empty() && frame_loss_ratio(o.tally, level).high <
                                   frame_loss_ratio(omissions.omissions.front().tally, level).low)
-      limits.push_back(o.without);
+      limits.push_back(o);
+  const auto gain = [&](const Omission& o) {
+    return o.half ? std::abs(std::log(o.half->at / omissions.omissions.front().half->at)) : 0;
+  };
+  std::ranges::stable_sort(limits, std::greater<>(), gain);
   return limits;
+}
+
+std::string half_loss_text(const HalfLoss& half) {
+  const char* const sides[] = {"", "beyond ", "short of "};
+  return fmt::format("{}{:.3g}", sides[static_cast<std::size_t>(half.kind)], half.at);
 }
 
 }  // namespace sim

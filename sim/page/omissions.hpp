@@ -1,10 +1,12 @@
 #pragma once
 // What limits a link, asked of the link itself: the point where it fails is run again, each
 // time without one of the things that trouble it.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/counting/tally.hpp"
+#include "sim/page/half_loss.hpp"
 #include "sim/result/result.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/run_sharing.hpp"
@@ -14,11 +16,13 @@ namespace sim {
 struct Omission {
   std::string without;  // "noise"; empty: nothing is left out
   Tally tally;
+  std::optional<HalfLoss> half{};  // along Omissions::along
 };
 
 struct Omissions {
   std::string place;                // "receiver.range_m = 2.2 m"; empty of a single point
   std::vector<Omission> omissions;  // first the link as it is
+  std::optional<Axis> along{};      // of the ranking, where the loss goes one way and has a half
 };
 
 /// Where the link fails, of several that are compared the one that comes first: the point that
@@ -27,12 +31,17 @@ struct Omissions {
 const PointResult* failing_point(const ExperimentResult& result);
 
 /// At the failing point, with 100 frames each, or fewer where a trial has more than 2e6 samples, 20
-/// at least. Empty where there is none, of ideal receivers, which noise alone troubles, and of
-/// weighted trials. Worth nothing after an interrupt.
+/// at least; and, where it has not, how far each goes before half of 20 frames are lost. Empty
+/// where there is none, of ideal receivers, which noise alone troubles, and of weighted trials.
+/// Worth nothing after an interrupt.
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers);
 
-/// What the loss is clearly less without, at 95 %: "the gain control".
-std::vector<std::string> limits_of(const Omissions& omissions);
+/// What the loss is clearly less without, at 95 %: "the gain control". What carries farthest comes
+/// first, as far as that is known.
+std::vector<Omission> limits_of(const Omissions& omissions);
+
+/// "21", "beyond 64", "short of 0.1"
+std::string half_loss_text(const HalfLoss& half);
 
 }  // namespace sim

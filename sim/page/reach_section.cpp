@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "sim/link/validity.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/scenario/flags.hpp"
@@ -25,7 +27,22 @@ std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
   return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
 }
 
+std::string link_of(const ExperimentResult& result, const Ranking& ranking,
+                    const RowCrossing& row) {
+  std::vector<Axis> axes;
+  for (const std::size_t axis : ranking.others) axes.push_back(result.axes[axis]);
+  return place_text(axes, row.others);
+}
+
 }  // namespace
+
+std::vector<Reach> reaches_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<Reach> reaches;
+  for (const RowCrossing& row : ranking.rows)
+    reaches.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
+                       reach_text(result, ranking, row), row.merit});
+  return reaches;
+}
 
 PageSection reach_section(const ExperimentResult& result, const Ranking& ranking) {
   PageTable table{.head = head_of(result, ranking), .rows = {}};
@@ -37,7 +54,7 @@ PageSection reach_section(const ExperimentResult& result, const Ranking& ranking
     cells.push_back(reach_text(result, ranking, row));
     table.rows.push_back(std::move(cells));
   }
-  return {.heading = "How far each reaches", .table = std::move(table)};
+  return {.heading = reach_heading(result.axes[ranking.abscissa].key), .table = std::move(table)};
 }
 
 }  // namespace sim

@@ -1,11 +1,16 @@
 #pragma once
-// How far each of several links reaches, as a table.
-#include "sim/page/page.hpp"
+// How far each link of a result reaches.
+#include <vector>
+
+#include "sim/page/reach.hpp"
 #include "sim/result/ranking.hpp"
 
 namespace sim {
 
-/// A row for each of the ranking's, which are at least one, in its order.
+/// One for each of the ranking's rows, in its order.
+std::vector<Reach> reaches_of(const ExperimentResult& result, const Ranking& ranking);
+
+/// As a table with a column for each swept key; at least one row.
 PageSection reach_section(const ExperimentResult& result, const Ranking& ranking);
 
 }  // namespace sim

@@ -64,13 +64,34 @@ std::vector<NamedSettings> named_settings(const std::vector<ReportPart>& parts) 
   return all;
 }
 
+/// All links of all results, named by their results too; none where they have not one abscissa, as
+/// there is nothing to compare.
+std::vector<Reach> compared_reaches(const std::vector<ReportPart>& parts) {
+  std::vector<Reach> all;
+  for (const ReportPart& part : parts)
+    for (Reach reach : part.reaches) {
+      reach.link = part.name + (reach.link.empty() ? "" : ", " + reach.link);
+      if (!all.empty() && all.front().along != reach.along) return {};
+      all.push_back(std::move(reach));
+    }
+  return all.size() > 1 ? all : std::vector<Reach>();
+}
+
+void compare(Page& page, const std::vector<ReportPart>& parts) {
+  if (std::vector<Reach> reaches = compared_reaches(parts); !reaches.empty()) {
+    page.verdict += reach_line(reaches, {});
+    page.sections.push_back(reach_section(std::move(reaches)));
+  }
+  page.sections.push_back(differences_section(named_settings(parts)));
+}
+
 }  // namespace
 
 Page page_of(std::vector<ReportPart> parts) {
   Page page{.title = title_of(parts), .verdict = {}, .sections = {}};
   std::vector<Chart> charts;
   if (parts.size() > 1) {
-    page.sections.push_back(differences_section(named_settings(parts)));
+    compare(page, parts);
     name_lone_charts(parts);
     std::ranges::for_each(parts, say_whose);
   }

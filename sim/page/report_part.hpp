@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "sim/page/page.hpp"
+#include "sim/page/reach.hpp"
 #include "sim/picture/chart.hpp"
 #include "sim/scenario/settings.hpp"
 
 namespace sim {
 
 struct ReportPart {
-  std::string name;     // of its file
-  std::string title;    // of its scenario; may be empty
-  std::string verdict;  // a paragraph a line
+  std::string name;              // of its file
+  std::string title;             // of its scenario; may be empty
+  std::string verdict;           // a paragraph a line
+  std::vector<Reach> reaches{};  // of links
   std::vector<PageSection> first{};
   /// Those of several results that have one title and one lower axis are drawn into one picture.
   std::vector<Chart> charts{};
@@ -22,7 +24,7 @@ struct ReportPart {
 };
 
 /// At least one part. Where there are several, headings and curves say whose they are, and the
-/// first section in what their scenarios differ.
+/// first sections how far links reach, and in what the scenarios differ.
 Page page_of(std::vector<ReportPart> parts);
 
 }  // namespace sim

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/page/reach_section.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/result/curve_fit.hpp"
 #include "sim/result/ranking.hpp"
@@ -58,11 +59,9 @@ std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& 
 std::string reach_of(const ExperimentResult& result) {
   const Ranking ranking = rank(result);
   if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
-  const std::vector<std::string> best = best_of(result, ranking);
-  if (best.empty() || best.size() == ranking.rows.size())
-    return fmt::format("How far {} links reach is listed below.\n", ranking.rows.size());
-  return fmt::format("Of {} links {} come{} first; how far each reaches is listed below.\n",
-                     ranking.rows.size(), fmt::join(best, ", "), best.size() == 1 ? "s" : "");
+  std::vector<std::string> best = best_of(result, ranking);
+  if (best.size() == ranking.rows.size()) best.clear();
+  return reach_line(reaches_of(result, ranking), best);
 }
 
 std::string loss_in_percent(const Estimate& loss) {
@@ -91,21 +90,34 @@ std::string where_it_fails(const ExperimentResult& result) {
 }
 
 /// ", 3 without noise".
-std::string counts_without(const Omissions& omissions, const std::vector<std::string>& limits) {
+std::string counts_without(const std::vector<Omission>& limits) {
   std::string text;
-  for (const Omission& o : omissions.omissions)
-    if (std::ranges::find(limits, o.without) != limits.end())
-      text += fmt::format(", {} without {}", o.tally.n_frames_lost, o.without);
+  for (const Omission& o : limits)
+    text += fmt::format(", {} without {}", o.tally.n_frames_lost, o.without);
   return text;
+}
+
+/// How much farther the link would go.
+std::string halves_without(const Omissions& omissions, const std::vector<Omission>& limits) {
+  if (!omissions.along) return "";
+  const std::string& unit = omissions.along->unit;
+  const auto text = [&](const Omission& o) {
+    return half_loss_text(*o.half) + (unit.empty() || unit == "1" ? "" : " " + unit);
+  };
+  std::string words = fmt::format("Half of the frames are lost at about {} = {} as it is",
+                                  omissions.along->key, text(omissions.omissions.front()));
+  for (const Omission& o : limits) words += fmt::format(", {} without {}", text(o), o.without);
+  return words + ".\n";
 }
 
 std::string what_limits(const Omissions& omissions) {
   if (omissions.omissions.size() < 2) return "";
   const Tally& whole = omissions.omissions.front().tally;
-  const std::vector<std::string> limits = limits_of(omissions);
+  const std::vector<Omission> limits = limits_of(omissions);
   if (!limits.empty())
     return fmt::format("What limits it there: of {} frames sent again {} are lost{}.\n",
-                       whole.n_frames, whole.n_frames_lost, counts_without(omissions, limits));
+                       whole.n_frames, whole.n_frames_lost, counts_without(limits)) +
+           halves_without(omissions, limits);
   std::vector<std::string> all;
   for (const Omission& o : omissions.omissions)
     if (!o.without.empty()) all.push_back(o.without);

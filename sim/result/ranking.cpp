@@ -83,13 +83,11 @@ double loss_at(const ExperimentResult& result, std::size_t axis, double coordina
   return frames > 0 ? lost / frames : 0;
 }
 
-/// Whether more of the abscissa means less loss, all rows together.
 bool more_is_better(const ExperimentResult& result, std::size_t abscissa) {
   const auto [low, high] = std::ranges::minmax(result.axes[abscissa].values);
   return loss_at(result, abscissa, low) > loss_at(result, abscissa, high);
 }
 
-/// What a row is sorted by: larger is better.
 double merit(const Crossing& c, bool more_better) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double almost = std::numeric_limits<double>::max();
@@ -122,9 +120,9 @@ struct Standing {
   bool equals(const Standing& o) const { return group == o.group && merit == o.merit; }
 };
 
-Standing standing_of(const ExperimentResult& result, const Ranking& ranking, const RowCrossing& row,
-                     bool more_better) {
-  Standing standing{{}, merit(row.crossing, more_better), row.outside != 0};
+Standing standing_of(const ExperimentResult& result, const Ranking& ranking,
+                     const RowCrossing& row) {
+  Standing standing{{}, row.merit, row.outside != 0};
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& axis = result.axes[ranking.others[i]];
     if (axis.is_text()) continue;
@@ -135,10 +133,7 @@ Standing standing_of(const ExperimentResult& result, const Ranking& ranking, con
 }
 
 void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
-  const bool more_better = more_is_better(result, ranking.abscissa);
-  const auto standing = [&](const RowCrossing& row) {
-    return standing_of(result, ranking, row, more_better);
-  };
+  const auto standing = [&](const RowCrossing& row) { return standing_of(result, ranking, row); };
   std::ranges::stable_sort(ranking.rows, std::less<>(), standing);
   std::size_t begin = 0;  // of the group
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
@@ -213,10 +208,12 @@ std::string list(const ExperimentResult& result, const Ranking& ranking) {
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   Ranking ranking = axes_of(result.axes, question);
   if (ranking.abscissa == Ranking::none) return ranking;
+  ranking.more_is_better = more_is_better(result, ranking.abscissa);
   for (Row& row : rows_of(result, ranking)) {
     if (is_weighted(row.line)) continue;  // fits are to counts
-    ranking.rows.push_back(
-        {std::move(row.others), frame_loss_crossing(row.line, question.flr), outside_of(row.line)});
+    const Crossing crossing = frame_loss_crossing(row.line, question.flr);
+    ranking.rows.push_back({std::move(row.others), crossing, outside_of(row.line),
+                            merit(crossing, ranking.more_is_better)});
   }
   if (ranking.best_first) sort_best_first(result, ranking);
   return ranking;

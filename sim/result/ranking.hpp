@@ -16,6 +16,7 @@ struct RowCrossing {
   std::vector<double> others;  // their coordinates, in the order of Ranking::others
   Crossing crossing;
   std::uint64_t outside;  // limits of validity that any of its points leaves
+  double merit = 0;       // larger is better, also between rankings along one key
   std::size_t place = 0;  // from 1, the same for equals; 0: not sorted
 };
 
@@ -31,6 +32,7 @@ struct Ranking {
   std::vector<std::size_t> others;  // indices of the other axes
   double flr = 0.01;                // the level
   bool best_first = false;          // in the order of the grid otherwise
+  bool more_is_better = false;      // more of the abscissa means less loss, all rows together
   std::vector<RowCrossing> rows;
 };
 

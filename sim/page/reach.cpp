@@ -1,0 +1,39 @@
+#include "sim/page/reach.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace sim {
+
+std::string reach_heading(const std::string& along) {
+  return along == "receiver.range_m" ? "How far each reaches" : "Where each fails";
+}
+
+std::string reach_line(const std::vector<Reach>& reaches, const std::vector<std::string>& first) {
+  constexpr std::size_t few = 4;
+  const std::string along = reaches.front().along;
+  if (reaches.size() <= few) {
+    std::vector<std::string> each;
+    for (const Reach& reach : reaches) each.push_back(reach.link + ": " + reach.words);
+    return fmt::format("Frame loss passes 1 % along {} at: {}.\n", along, fmt::join(each, "; "));
+  }
+  const std::string listed = reach_heading(along) + " is listed below.\n";
+  if (first.empty()) return fmt::format("{} links. {}", reaches.size(), listed);
+  return fmt::format("Of {} links {} come{} first. {}", reaches.size(), fmt::join(first, ", "),
+                     first.size() == 1 ? "s" : "", listed);
+}
+
+PageSection reach_section(std::vector<Reach> reaches) {
+  std::ranges::stable_sort(reaches, std::greater<>(), &Reach::merit);
+  const std::string along = reaches.front().along;
+  PageTable table{.head = {"link", "frame loss passes 1 % at " + along}, .rows = {}};
+  for (Reach& reach : reaches)
+    table.rows.push_back({std::move(reach.link), std::move(reach.words)});
+  return {.heading = reach_heading(along), .table = std::move(table)};
+}
+
+}  // namespace sim

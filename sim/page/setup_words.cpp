@@ -1,0 +1,66 @@
+#include "sim/page/setup_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "sim/text/escaped_text.hpp"
+
+namespace sim {
+namespace {
+
+/// Empty of a key that is not set.
+std::string value_of(const std::vector<Setting>& settings, const std::string& key) {
+  const auto found = std::ranges::find(settings, key, &Setting::key);
+  return found == settings.end() ? "" : found->value;
+}
+
+std::string message_text(const std::string& message) {
+  constexpr std::size_t most = 60;
+  const std::string text = escaped(message);
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
+bool is_zero(const std::string& value) { return value.starts_with("0 ") || value == "0"; }
+
+std::string ambient_words(const std::vector<Setting>& settings) {
+  std::vector<std::string> lights;
+  const auto add = [&](const std::string& key, const std::string& of) {
+    const std::string value = value_of(settings, key);
+    if (!is_zero(value)) lights.push_back(value + of);
+  };
+  add("ambient.irradiance_w_per_m2", " of ambient light");
+  add("ambient.daylight_lux", " of daylight");
+  add("ambient.tungsten_lux", " of tungsten light");
+  return lights.empty() ? "in the dark" : fmt::format("in {}", fmt::join(lights, " and "));
+}
+
+/// ", beside another light (rc5)"
+std::string disturbance_words(const std::vector<Setting>& settings) {
+  std::string words;
+  for (const Setting& setting : settings)
+    if (setting.key.starts_with("disturbance.") && setting.key.ends_with(".kind"))
+      words += fmt::format(", beside another light ({})", setting.value);
+  return words;
+}
+
+std::string place_words(const std::vector<Setting>& settings) {
+  const auto value = [&](const char* key) { return value_of(settings, key); };
+  if (const std::string ebn0 = value("receiver.ebn0_db"); !ebn0.empty())
+    return fmt::format("at Eb/N0 of {}", ebn0);
+  return fmt::format("from a {} at {}, {} away, {}{}", value("led.part"), value("led.current_ma"),
+                     value("receiver.range_m"), ambient_words(settings),
+                     disturbance_words(settings));
+}
+
+}  // namespace
+
+std::string setup_words(const std::vector<Setting>& settings) {
+  const auto value = [&](const char* key) { return value_of(settings, key); };
+  return fmt::format("{} hears \"{}\" at {} on a carrier of {} {}.\n", value("receiver.module"),
+                     message_text(value("device.message")), value("device.baud"),
+                     value("device.carrier_hz"), place_words(settings));
+}
+
+}  // namespace sim

@@ -1,0 +1,79 @@
+// What limits a link, found by running it again without one thing at a time.
+#include "sim/page/omissions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "sim/engine/experiment.hpp"
+#include "sim/loading/load_scenario.hpp"
+#include "sim/result/unfinished.hpp"
+
+namespace sim {
+namespace {
+
+TEST(Omissions, FindTheGainControlOfTheQuickstart) {
+  const LoadedScenario scenario = load_scenario(COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
+                                                {"stop.max_frames=8", "receiver.range_m=2,2.3,3"},
+                                                {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const ExperimentResult result =
+      run_experiment(scenario, unfinished(scenario, ""), {.threads = 2});
+  const Omissions found = leave_out(scenario, result, {2, &never});
+  EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
+  std::vector<std::string> names;
+  for (const Omission& o : found.omissions) names.push_back(o.without);
+  EXPECT_EQ(names, (std::vector<std::string>{"", "noise", "the module's automatic gain control",
+                                             "half of the module's threshold", "ambient light"}));
+  std::vector<std::string> limits;
+  for (const Omission& o : limits_of(found)) limits.push_back(o.without);
+  EXPECT_EQ(limits, (std::vector<std::string>{"the module's automatic gain control",
+                                              "ambient light", "half of the module's threshold"}))
+      << "what carries farthest comes first";
+  ASSERT_TRUE(found.along);
+  EXPECT_EQ(found.along->key, "receiver.range_m");
+  EXPECT_NEAR(found.omissions[0].half->at, 2.18, 0.06) << "quickstart loses none at 2.15 m";
+  EXPECT_GT(found.omissions[2].half->at, 10) << "without gain control";
+}
+
+TEST(Omissions, LookForHalfTheLossOnlyWhereItsDirectionIsKnown) {
+  const std::atomic<bool> never = false;
+  const auto along_of = [&](const std::vector<std::string>& changes) {
+    const LoadedScenario scenario = load_scenario(COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
+                                                  changes, {COSYS_SOURCE_DIR "/scenarios"});
+    return leave_out(scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}),
+                     {2, &never})
+        .along;
+  };
+  const std::string few = "stop.max_frames=8", far = "receiver.range_m=20";
+  EXPECT_TRUE(along_of({few, "receiver.range_m=20,21"})) << "all are lost";
+  EXPECT_FALSE(along_of({few, far, "led.current_ma=1,2"})) << "all are lost";
+  EXPECT_TRUE(along_of({few, "receiver.range_m=2.3", "led.current_ma=20,400"}));
+  EXPECT_FALSE(along_of({few, far, "simulation.warmup_messages=1,2"})) << "whole numbers";
+}
+
+TEST(Omissions, NameADisturbanceAsTheScenarioDoes) {
+  const LoadedScenario scenario = parse_scenario(
+      "receiver.range_m = 40\nstop.max_frames = 4\n[disturbance.lamp]\nkind = \"fluorescent\"\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const Omissions found = leave_out(
+      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  ASSERT_FALSE(found.omissions.empty());
+  EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
+}
+
+TEST(Omissions, AreTriedWithFewerLongFrames) {
+  const LoadedScenario scenario = parse_scenario(
+      "receiver.range_m = 40\nstop.max_frames = 4\ndevice.baud = 10\n"
+      "simulation.warmup_messages = 0\nsimulation.fidelity = \"envelope\"\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const Omissions found = leave_out(
+      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  ASSERT_FALSE(found.omissions.empty());
+  EXPECT_EQ(found.omissions.front().tally.n_frames, 20) << "of ten million samples each";
+}
+
+}  // namespace
+}  // namespace sim
