@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/picture/waveform.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/trace/trace_lanes.hpp"
 #include "sim/trace/traced_message.hpp"
 
@@ -23,6 +25,8 @@ constexpr const char* title = "Light and decoded line of one trial by cosys-sim"
 // Pixels.
 constexpr double width = 1200, left = 180, right = 1180, first_panel = 40;
 constexpr double marks_end = left - 6, names_end = left - 50;
+constexpr double letter_width = 8, letter_gap = 2;  // of a character's 13 pixels of monospace
+constexpr std::size_t most_letters = 125;           // of a line across, even of capitals
 constexpr double first_lane = 50, lane_height = 70, lane_pitch = 95, wire_height = 35;
 
 constexpr double cycles_before_edge = 5,
@@ -107,19 +111,56 @@ bool is_within(const Panel& panel, double time_s) {
   return panel.x.from <= time_s && time_s < panel.x.to;
 }
 
+/// A character at its middle.
+struct Label {
+  double x;
+  std::string text;
+  bool is_wrong;
+};
+
+std::vector<Label> labels_of(const std::vector<UartByte>& bytes, const Panel& panel,
+                             const TracedMessage& message, bool are_read) {
+  std::vector<Label> labels;
+  for (const UartByte& byte : bytes) {
+    const double middle_s = byte.start.value + message.character_s / 2;
+    if (is_within(panel, middle_s))
+      labels.push_back({panel.x(middle_s), shown(byte), are_read && !message.is_as_sent(byte)});
+  }
+  return labels;
+}
+
+bool stand_clear(const Label& a, const Label& b) {
+  const auto letters = static_cast<double>(letters_in(a.text) + letters_in(b.text));
+  return std::abs(a.x - b.x) >= letter_width * letters / 2 + letter_gap;
+}
+
+/// Those that stand clear of each other; misread ones come first.
+std::vector<Label> with_room(std::vector<Label> labels) {
+  std::ranges::stable_partition(labels, &Label::is_wrong);
+  std::vector<Label> kept;
+  for (const Label& label : labels)
+    if (std::ranges::all_of(kept, [&](const Label& other) { return stand_clear(label, other); }))
+      kept.push_back(label);
+  return kept;
+}
+
 /// What was sent above the light, what is read of the pin under it.
-void draw_characters(SvgDrawing& drawing, const Panel& panel, const Signals& signals) {
-  for (const UartByte& byte : signals.message.sent) {
-    const double middle_s = byte.start.value + signals.message.character_s / 2;
-    if (is_within(panel, middle_s))
-      drawing.text({panel.x(middle_s), panel.lane_top(0) - 8}, shown(byte), "character");
-  }
-  for (const UartByte& byte : signals.message.received) {
-    const double middle_s = byte.start.value + signals.message.character_s / 2;
-    if (is_within(panel, middle_s))
-      drawing.text({panel.x(middle_s), panel.wire_bottom() + 20}, shown(byte),
-                   signals.message.is_as_sent(byte) ? "character" : "wrong");
-  }
+struct CharacterLabels {
+  std::vector<Label> sent, read;
+  bool are_all;
+};
+
+CharacterLabels characters_on(const Panel& panel, const TracedMessage& message) {
+  const std::vector<Label> sent = labels_of(message.sent, panel, message, false);
+  const std::vector<Label> read = labels_of(message.received, panel, message, true);
+  CharacterLabels labels{with_room(sent), with_room(read), true};
+  labels.are_all = labels.sent.size() == sent.size() && labels.read.size() == read.size();
+  return labels;
+}
+
+void draw_labels(SvgDrawing& drawing, const std::vector<Label>& labels, double y) {
+  for (const Label& label : labels)
+    drawing.text({label.x, y}, label.text, label.is_wrong ? "wrong" : "character");
 }
 
 /// Each bit as sent, and the level at the middle of each as the pin has it, in the order of
@@ -150,9 +191,12 @@ void draw_message(SvgDrawing& drawing, const Signals& signals) {
   const double to =
       signals.message.start_s(signals.message.sent.size() - 1) + 1.5 * signals.message.character_s;
   const Panel panel = panel_of(signals, 0, from, to);
-  draw_panel(drawing, panel, signals, "The message, as sent and as read at the pin",
+  const CharacterLabels labels = characters_on(panel, signals.message);
+  const std::string note = labels.are_all ? "" : "; characters are left out that have no room";
+  draw_panel(drawing, panel, signals, "The message, as sent and as read at the pin" + note,
              signals.message.start_s(0));
-  draw_characters(drawing, panel, signals);
+  draw_labels(drawing, labels.sent, panel.lane_top(0) - 8);
+  draw_labels(drawing, labels.read, panel.wire_bottom() + 20);
 }
 
 void draw_character(SvgDrawing& drawing, const Signals& signals, std::size_t character) {
@@ -175,21 +219,36 @@ void draw_edge(SvgDrawing& drawing, const Signals& signals, std::size_t characte
              start);
 }
 
-std::string description_of(const Signals& signals) {
+/// What the picture is of.
+struct Caption {
+  std::string sent, read;
+
+  std::string whole() const { return sent + " ; " + read; }
+};
+
+Caption caption_of(const Signals& signals) {
   std::string sent, received;
   for (const UartByte& byte : signals.message.sent) sent += shown(byte);
   for (const UartByte& byte : signals.message.received)
     if (signals.message.place_of(byte)) received += shown(byte);
   const TraceOrigin& origin = signals.trial.origin;
-  return fmt::format("Point {}, trial {}, seed {}. Sent: {} ; read at the receiver's pin: {}",
-                     origin.point, origin.trial, origin.seed, sent,
-                     received.empty() ? "nothing" : received);
+  return {fmt::format("Point {}, trial {}, seed {}. Sent: {}", origin.point, origin.trial,
+                      origin.seed, sent),
+          "read at the receiver's pin: " + (received.empty() ? "nothing" : received)};
+}
+
+/// In one line where it fits, else in two that are cut where they end.
+void draw_caption(SvgDrawing& drawing, const Caption& caption) {
+  if (letters_in(caption.whole()) <= most_letters)
+    return drawing.text({left, 24}, caption.whole(), "small");
+  drawing.text({left, 18}, shortened(caption.sent, most_letters), "small");
+  drawing.text({left, 36}, shortened(caption.read, most_letters), "small");
 }
 
 std::string picture_of(const Signals& signals) {
-  const std::string description = description_of(signals);
-  SvgDrawing drawing(width, first_panel + 3 * panel_height(signals), title, description);
-  drawing.text({left, 24}, description, "small");
+  const Caption caption = caption_of(signals);
+  SvgDrawing drawing(width, first_panel + 3 * panel_height(signals), title, caption.whole());
+  draw_caption(drawing, caption);
   if (signals.message.sent.empty()) return drawing.finished();
   const std::size_t character = signals.message.first_wrong().value_or(0);
   draw_message(drawing, signals);

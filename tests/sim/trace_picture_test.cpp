@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "occurrences.hpp"
@@ -63,6 +64,55 @@ TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {
       static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value), 0.25F);
   trial.taps.irradiance[4800] = 12.5F;
   EXPECT_NE(sim::trace_as_picture(trial).find("to 12.5 mW/m2"), std::string::npos);
+}
+
+/// The places of the characters along a line that stands `at` so far down, from left to right.
+std::vector<double> places_of(const std::string& text, const std::string& at) {
+  std::vector<double> places;
+  const std::string begin = "class=\"character\" x=\"";
+  for (std::size_t i = text.find(begin); i != std::string::npos; i = text.find(begin, i + 1)) {
+    const double x = std::stod(text.substr(i + begin.size()));
+    if (text.find(at, i) < text.find('>', i)) places.push_back(x);
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+/// The last text that begins so.
+std::string last_of(const std::string& text, const std::string& begin) {
+  const std::size_t at = text.rfind(begin);
+  return at == std::string::npos ? "none" : text.substr(at, text.find('<', at) - at);
+}
+
+TEST(TracePicture, LeavesOutCharactersThatHaveNoRoom) {
+  constexpr const char* above_light = "y=\"82.00\"";
+  const std::string little = sim::trace_as_picture(trial_of({"IND 0\n"}, {"IND 0\n"}));
+  EXPECT_EQ(places_of(little, above_light).size(), 6U);
+  EXPECT_EQ(little.find("left out"), std::string::npos);
+  const std::string much(200, 'A');
+  const std::string text = sim::trace_as_picture(trial_of({much}, {much + "\n"}));
+  const std::vector<double> places = places_of(text, above_light);
+  ASSERT_GT(places.size(), 50U);
+  for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GE(places[i] - places[i - 1], 10) << i;
+  EXPECT_NE(text.find("characters are left out that have no room"), std::string::npos);
+}
+
+TEST(TracePicture, LeavesOutNoCharacterThatWasMisreadAmongOthersThatWereNot) {
+  std::string read(200, 'A');
+  for (const std::size_t i : {3U, 50U, 121U}) read[i] = 'Q';
+  const std::string text = sim::trace_as_picture(trial_of({std::string(200, 'A')}, {read}));
+  EXPECT_EQ(sim::occurrences(text, ">Q</text>"), 3U);
+}
+
+TEST(TracePicture, CutsWhatIsTooLongForItsTop) {
+  const std::string text =
+      sim::trace_as_picture(trial_of({std::string(200, 'A')}, {std::string(200, 'B')}));
+  const std::string sent = last_of(text, ">Point 0"), read = last_of(text, ">read at the");
+  EXPECT_TRUE(sent.ends_with("AAA...")) << sent;
+  EXPECT_TRUE(read.ends_with("BBB...")) << read;
+  EXPECT_EQ(sent.size(), 126U);
+  EXPECT_EQ(read.size(), 126U);
+  EXPECT_NE(text.find(std::string(200, 'B') + "</desc>"), std::string::npos) << "whole in words";
 }
 
 TEST(TracePicture, StandsWhereNothingWasSentOrRead) {

@@ -1,0 +1,28 @@
+#include "sim/text/letters.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace sim {
+namespace {
+
+constexpr std::string_view left_out = "...";
+
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }
+
+}  // namespace
+
+std::size_t letters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  assert(most >= left_out.size());
+  if (letters_in(text) <= most) return text;
+  std::size_t letters = 0;
+  const auto end = std::ranges::find_if(
+      text, [&](char c) { return begins_letter(c) && ++letters > most - left_out.size(); });
+  return std::string(text.begin(), end).append(left_out);
+}
+
+}  // namespace sim
