@@ -42,7 +42,7 @@ std::vector<TapLane> lanes_behind_light() {
   return {{{"band-pass", "threshold: thick", "mW/m2"},
            {{&Recording::band_pass, "curve3"}, {&Recording::threshold, "threshold"}}},
           {{"integrator", "samples"}, {{&Recording::integrator, "curve4"}}},
-          {{"slow gain"}, {{&Recording::agc_gain, "curve6"}}}};
+          {{"threshold raised", "by slow AGC", "factor"}, {{&Recording::agc_gain, "curve6"}}}};
 }
 
 }  // namespace

@@ -143,6 +143,14 @@ TEST(TracePicture, HasEveryTapInEachOfItsThreePartsWhereAskedTo) {
   EXPECT_EQ(sim::occurrences(sim::trace_as_picture(trial), "class=\"curve"), 0U);
 }
 
+TEST(TracePicture, SaysThatTheSlowAgcRaisesTheThreshold) {
+  const std::string text = sim::taps_as_picture(trial_with_taps());
+  EXPECT_EQ(sim::occurrences(text, ">threshold raised</text>"), 3U);
+  EXPECT_EQ(sim::occurrences(text, ">by slow AGC</text>"), 3U);
+  EXPECT_EQ(sim::occurrences(text, ">factor</text>"), 3U);
+  EXPECT_EQ(text.find("gain"), std::string::npos) << "more of it would mean that less is needed";
+}
+
 TEST(TracePicture, MarksATapThatNothingMoves) {
   sim::TracedTrial trial = trial_with_taps();
   std::ranges::fill(trial.taps.integrator, 0.0F);
