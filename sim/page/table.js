@@ -105,9 +105,19 @@ function addCopyButton(table, heading) {
   table.parentElement.after(line);
 }
 
-/** Names as receiver.range_m may go on in the next line, on paper. */
+const mostInALine = 22;  // characters of a column's name
+
+/** Names as receiver.range_m may go on in the next line, on paper; longer ones on screens too. */
 function breakable(name) {
-  return name.split(/(?<=[._])(?=[a-z])/).flatMap((part) => [part, document.createElement('wbr')]).slice(0, -1);
+  const pieces = [];
+  let line = 0;
+  for (const part of name.split(/(?<=[._])(?=[a-z])/)) {
+    const place = document.createElement('wbr'), isNeeded = line + part.length > mostInALine;
+    if (isNeeded) place.className = 'needed';
+    line = (isNeeded ? 0 : line) + part.length;
+    pieces.push(place, part);
+  }
+  return pieces.slice(1);
 }
 
 function makeLive(table) {

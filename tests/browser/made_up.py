@@ -1,17 +1,19 @@
 """A chart and a trial of which it is known how they must look, in the place of a report's first ones."""
 import json
 import pathlib
+import re
 
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
 from browser import enter, expect, send
-from layouts import set_width
+from layouts import expect_heads_apart, open_tables, set_width
 from texts import lower_labels, marks, texts, touching
 
 WIDTH = 380        # pixels of a narrow window
 ARROW = 24         # ... of a limit's arrow
 STRANGE = "\\x8a"  # a character as it is written that was not to be read
+LONG = "disturbance.ballast.irradiance_w_per_m2"
 
 
 def point(x, y, is_limit=False):
@@ -36,6 +38,11 @@ CHART = {
 # Two decades of room for marks between powers of ten.
 LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
                "curves": [curve("c", 0, [point(0.2, 0.5), point(20, 1)])]}
+
+
+def with_long_heads(html):
+    """All columns have such a name."""
+    return re.sub('(<th scope="col">)[^<]*', rf"\g<1>{LONG}", html)
 
 
 def with_first(html, kind, change):
@@ -124,6 +131,13 @@ def look_at_words(driver, chart):
         expect(words in written, f"a chart says nowhere {words}, but {written}")
 
 
+def look_at_long_heads(driver):
+    """They go on in the next line, and none in the middle of a word."""
+    open_tables(driver, True)
+    expect_heads_apart(driver)
+    expect(driver.execute_script("return document.querySelector('th wbr.needed') !== null"), "no head goes on")
+
+
 def look_at_logarithmic_marks(driver, report):
     chart = open_changed(driver, report, LOGARITHMIC)
     labels = lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))
@@ -139,7 +153,7 @@ def open_changed(driver, report, first):
     """The report with that in the place of its first chart, which is given back."""
     html = with_first(pathlib.Path(report).read_text(), "chart", lambda _: first)
     changed = pathlib.Path(report).with_name("made_up.html")
-    changed.write_text(with_first(html, "trial", misread))
+    changed.write_text(with_long_heads(with_first(html, "trial", misread)))
     driver.get(changed.resolve().as_uri())
     return driver.find_element(By.CLASS_NAME, "chart")
 
@@ -149,10 +163,12 @@ def look_at_made_up(driver, report):
     look_at_logarithmic_marks(driver, report)
     chart = open_changed(driver, report, CHART)
     look_at_words(driver, chart)
+    look_at_long_heads(driver)
     enter(driver, chart)
     look_at_line(driver, chart)
     look_at_legend(driver, chart)
     look_at_whole_marks(driver, chart)
     set_width(driver, WIDTH)
     look_at_narrow_legends(driver)
+    look_at_long_heads(driver)
     look_at_narrow_marks(driver)
