@@ -49,7 +49,7 @@ PlacedPictures places_of(const Page& page, const fs::path& folder, const char* e
 }
 
 std::optional<std::string> drawn(const PagePicture& picture, const PictureKind& kind) {
-  return kind.drawn_as ? drawn_by_gnuplot(picture.svg, *kind.drawn_as) : picture.svg;
+  return kind.drawn_as ? drawn_by_gnuplot(picture.svg, *kind.drawn_as) : always_light(picture.svg);
 }
 
 }  // namespace

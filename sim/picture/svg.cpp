@@ -60,7 +60,9 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .end { text-anchor: end; }
 .character { text-anchor: middle; font: 13px monospace; }
 .wrong { font: bold 13px monospace; fill: #cc3311; }
-@media (prefers-color-scheme: dark) {
+)";
+
+constexpr std::string_view in_the_dark = R"(@media (prefers-color-scheme: dark) {
   svg { background: #181818; color: #ddd; }
   .light { stroke: #e69f00; }
   .wire { stroke: #56b4e9; }
@@ -68,7 +70,9 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
   .fill8 { fill: #ddd; }
   .wrong { fill: #ff7766; }
 }
-@media print { svg { background: #fff; color: #000; } }
+)";
+
+constexpr const char* on_paper = R"(@media print { svg { background: #fff; color: #000; } }
 </style>
 )";
 
@@ -101,8 +105,9 @@ SvgDrawing::SvgDrawing(double width, double height, std::string_view title,
                        std::string_view description) {
   text_ = fmt::format(
       "{0}<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {1:g} {2:g}\" width=\"{1:g}\" "
-      "height=\"{2:g}\" role=\"img\">\n<title>{3}</title>\n<desc>{4}</desc>\n{5}",
-      head, width, height, xml_escaped(title), xml_escaped(description), style_sheet);
+      "height=\"{2:g}\" role=\"img\">\n<title>{3}</title>\n<desc>{4}</desc>\n{5}{6}{7}",
+      head, width, height, xml_escaped(title), xml_escaped(description), style_sheet, in_the_dark,
+      on_paper);
 }
 
 void SvgDrawing::line(SvgPoint from, SvgPoint to, std::string_view style) {
@@ -124,6 +129,12 @@ void SvgDrawing::rectangle(SvgPoint corner, double width, double height, std::st
 void SvgDrawing::text(SvgPoint at, std::string_view words, std::string_view style) {
   text_ += fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", style, at.x,
                        at.y, xml_escaped(words));
+}
+
+std::string always_light(std::string drawing) {
+  const std::size_t at = drawing.find(in_the_dark);
+  if (at != std::string::npos) drawing.erase(at, in_the_dark.size());
+  return drawing;
 }
 
 bool is_drawing(const std::filesystem::path& path) {

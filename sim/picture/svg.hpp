@@ -33,6 +33,9 @@ class SvgDrawing {
   std::string text_;
 };
 
+/// The same for paper, which is light wherever it is looked at.
+std::string always_light(std::string drawing);
+
 /// Whether a file is such a drawing.
 bool is_drawing(const std::filesystem::path& path);
 

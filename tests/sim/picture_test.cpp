@@ -95,6 +95,17 @@ TEST(SvgDrawing, ShowsTextAsText) {
   EXPECT_NE(text.find("<desc>a &amp; b</desc>"), std::string::npos);
 }
 
+TEST(SvgDrawing, IsLightForPaperAndDarkWhereABrowserIsSetSo) {
+  const std::string drawing = SvgDrawing(10, 20, "t", "d").finished();
+  EXPECT_EQ(occurrences(drawing, "prefers-color-scheme: dark"), 1U);
+  const std::string light = always_light(drawing);
+  EXPECT_EQ(occurrences(light, "@media"), 1U) << "that of print";
+  EXPECT_EQ(occurrences(light, "@media print"), 1U);
+  EXPECT_EQ(occurrences(light, "</style>"), 1U);
+  EXPECT_EQ(occurrences(light, "{"), occurrences(light, "}"));
+  EXPECT_EQ(always_light(light), light);
+}
+
 Chart chart_of(std::vector<ChartPoint> points, bool logarithmic) {
   return {.title = "t",
           .description = "d",

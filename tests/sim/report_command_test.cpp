@@ -136,6 +136,8 @@ TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
     const std::string place = fmt::format("a/b/{}.svg", name);
     names += place + "\n";
     EXPECT_EQ(content(path(place)).find("<!-- by cosys-sim -->\n<svg "), 0U) << name;
+    EXPECT_EQ(content(path(place)).find("color-scheme"), std::string::npos)
+        << "light on any screen";
   }
   EXPECT_EQ(o.out, names) << o.err;
   write("a/b/fates.svg", "mine");
