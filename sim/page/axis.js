@@ -11,6 +11,9 @@ function reachOf(point, axis) {
   return [point.y, point.high, low];
 }
 
+/** So that a level's line is not on the edge. */
+const aboutLevel = ({level}) => (level ? [level.at / 2, level.at * 2] : []);
+
 /** The exponent `from`, or one so far below it that the lowest limit stands `share` of the axis above its foot. */
 function below(from, to, limits, share) {
   const lowest = Math.min(...limits.map(Math.log10));

@@ -132,10 +132,12 @@ function keepUp(figure, plot, height, name) {
 
 function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
-  const points = rows.flat().filter((point) => point), values = points.flatMap((point) => reachOf(point, chart.y));
+  const points = rows.flat().filter((point) => point);
+  const values = [...points.flatMap((point) => reachOf(point, chart.y)), ...aboutLevel(chart.y),
+                  ...(chart.y.from_zero ? [0] : [])];
   const limits = points.filter((point) => point.is_limit && point.high > 0).map((point) => point.high);
   const whole = {x: padded(reach({}, x), chart.x),
-                 y: reach(chart.y, chart.y.from_zero ? [0, ...values] : values, limits, arrow / plotHeight)};
+                 y: reach(chart.y, values, limits, arrow / plotHeight)};
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,

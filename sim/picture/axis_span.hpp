@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "sim/picture/chart.hpp"
 
@@ -27,10 +28,24 @@ class AxisSpan {
     for (const double value : {point.y, point.high}) cover(value);
     cover(logarithmic_ ? std::max(point.low, point.y / most_below) : point.low);
   }
+  /// The level, and a little on both sides, so that its line is not on the edge.
+  void cover_level(const ChartAxis& axis) {
+    if (!axis.level) return;
+    cover(*axis.level / 2);
+    cover(*axis.level * 2);
+  }
   /// Infinite, and the greater first, where nothing was covered.
   double least() const { return least_; }
   double greatest() const { return greatest_; }
   bool is_count() const { return is_count_; }
+  /// Of a logarithmic axis that covers something: the exponents of the powers of ten about it, of
+  /// which there are two at least.
+  double upper_exponent() const { return std::ceil(on_axis(greatest_)); }
+  double lower_exponent() const {
+    return std::min(std::floor(on_axis(least_)), upper_exponent() - 1);
+  }
+  /// What stands at a mark: "1e-3" of a power of ten far from 1.
+  std::string label(double value) const;
   double on_axis(double value) const { return logarithmic_ ? std::log10(value) : value; }
 
  private:

@@ -31,6 +31,7 @@ class Positions {
 
   bool shows(double value) const { return span_.shows(value); }
   void cover(double value) { span_.cover(value); }
+  void cover_level(const ChartAxis& axis) { span_.cover_level(axis); }
   void cover(const ChartPoint& point) {
     span_.cover(point);
     if (point.is_limit && shows(point.high)) lowest_limit_ = std::min(lowest_limit_, point.high);
@@ -40,14 +41,21 @@ class Positions {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
     if (span_.is_logarithmic() && in_decades_) {
-      greatest = std::ceil(greatest);
-      least = with_room_for_arrows(std::min(std::floor(least), greatest - 1), greatest);
+      greatest = span_.upper_exponent();
+      least = with_room_for_arrows(span_.lower_exponent(), greatest);
     }
     const double size = std::max(std::abs(least), std::abs(greatest));
     const double half = std::max(0.5, 1e-6 * size);
     if (greatest - least <= 1e-9 * size) least -= half, greatest += half;  // else no room for marks
     scale_.from = least;
     scale_.to = greatest;
+  }
+  /// A little beyond the first and the last, so that they are seen whole.
+  void pad() {
+    constexpr double share = 0.02;
+    const double margin = share * (scale_.to - scale_.from);
+    scale_.from -= margin;
+    scale_.to += margin;
   }
   double operator()(double value) const { return scale_(span_.on_axis(value)); }
 
@@ -63,12 +71,7 @@ class Positions {
       for (double& value : values) value = std::pow(10, value);
     return values;
   }
-  std::string label(double value) const {
-    const bool is_power = std::log10(value) == std::round(std::log10(value));
-    if (span_.is_logarithmic() && is_power && (value < 1e-2 || value > 1e4))
-      return fmt::format("1e{:.0f}", std::log10(value));
-    return fmt::format("{:g}", value);
-  }
+  std::string label(double value) const { return span_.label(value); }
 
  private:
   /// 1, 2 and 5 of each decade.
@@ -108,7 +111,9 @@ Paper paper_for(const Chart& chart) {
       paper.y.cover(point);
     }
   if (chart.y.from_zero) paper.y.cover(0);
+  paper.y.cover_level(chart.y);
   paper.x.settle();
+  paper.x.pad();
   paper.y.settle();
   return paper;
 }
@@ -129,11 +134,9 @@ void draw_axes(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
   drawing.text({left - 60, 20}, chart.title, "heading");
 }
 
-/// Where the paper reaches so far.
 void draw_level(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
-  if (!chart.y.level || !paper.y.shows(*chart.y.level)) return;
+  if (!chart.y.level) return;
   const double y = paper.y(*chart.y.level);
-  if (y < top || y > bottom) return;
   drawing.line({left, y}, {right, y}, "level");
   drawing.text({right - 4, y - 4}, level_text(*chart.y.level), "end small");
 }

@@ -33,7 +33,7 @@ struct ChartAxis {
   std::string words{};            // what the label is: "distance along the floor"; may be empty
   bool is_count{};                // whole numbers, between which nothing is
   bool from_zero{};               // of the upright axis: 0 is seen, whatever the least value
-  std::optional<double> level{};  // of the upright axis: a ratio to be seen as a line across
+  std::optional<double> level{};  // of the upright axis: a ratio above 0, seen as a line across
 };
 
 struct Chart {
@@ -52,8 +52,8 @@ std::string level_text(double ratio);
 std::size_t colour_of(const Chart& chart, std::size_t curve);
 
 /// Lines of characters, each ended by a newline: what the marks are, 15 lines of paper, the lower
-/// axis. Neither intervals nor the level are shown. A logarithmic axis leaves out what is not
-/// positive.
+/// axis. Intervals are not shown. A logarithmic axis leaves out what is not positive; it is marked
+/// at powers of ten, upright.
 std::string chart_as_text(const Chart& chart);
 
 /// As SVG. On a logarithmic axis what is not positive has no place, but limits, which are drawn as

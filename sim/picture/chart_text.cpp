@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "sim/picture/axis_span.hpp"
@@ -16,17 +17,34 @@ constexpr int label_width = 10;
 
 /// Of the curves that were measured, in turn.
 constexpr std::string_view marks = "ox+#@%ABCDEFGHIJKLMNPQRSTUVWYZ";
-constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*';
+constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*', level_mark = '-';
 
 /// Values along one axis, as the paper has them.
 class CellScale : public AxisSpan {
  public:
   CellScale(const ChartAxis& axis, int cells) : AxisSpan(axis), cells_(cells) {}
 
+  /// To whole decades of a logarithmic axis.
+  void widen() {
+    if (!is_logarithmic() || !(least() <= greatest())) return;
+    const double from = lower_exponent(), to = upper_exponent();
+    cover(std::pow(10, from));
+    cover(std::pow(10, to));
+  }
   int cell(double value) const {
     const double from = on_axis(least()), span = on_axis(greatest()) - from;
     const double share = span > 0 ? (on_axis(value) - from) / span : 0.5;
     return static_cast<int>(std::lround(share * (cells_ - 1)));
+  }
+  /// What stands beside the cells that have a mark: powers of ten, or the least and the greatest.
+  std::map<int, std::string> labels() const {
+    if (!is_logarithmic() || !(least() <= greatest()))
+      return {{0, fmt::format("{:.4g}", least())}, {cells_ - 1, fmt::format("{:.4g}", greatest())}};
+    std::map<int, std::string> labels;
+    const double step = std::ceil((upper_exponent() - lower_exponent()) / (cells_ - 1));
+    for (double exponent = upper_exponent(); exponent >= lower_exponent(); exponent -= step)
+      labels[cell(std::pow(10, exponent))] = label(std::pow(10, exponent));
+    return labels;
   }
 
  private:
@@ -42,10 +60,16 @@ class Paper {
     if (!x_.shows(x) || !y_.shows(y)) return;
     char& at = lines_[static_cast<std::size_t>(rows - 1 - y_.cell(y))]
                      [static_cast<std::size_t>(x_.cell(x))];
-    if (at == ' ' || at == with || at == theory_mark)
+    if (at == ' ' || at == level_mark || at == with || at == theory_mark)
       at = with;
     else if (with != theory_mark)
       at = several_mark;
+  }
+  /// A line across, which all else covers, and what stands at its end.
+  void draw_level(double level) {
+    std::string& line = lines_[static_cast<std::size_t>(rows - 1 - y_.cell(level))];
+    for (std::size_t at = 0; at < line.size(); at += 2) line[at] = level_mark;
+    line += " " + level_text(level);
   }
   const std::vector<std::string>& lines() const { return lines_; }
 
@@ -108,12 +132,10 @@ double height_of(const ChartPoint& point) { return point.is_limit ? point.high :
 std::string framed(const Paper& paper, const CellScale& x, const CellScale& y,
                    const ChartAxis& axis) {
   std::string text;
-  for (std::size_t i = 0; i < paper.lines().size(); ++i) {
-    const bool top = i == 0, bottom = i + 1 == paper.lines().size();
-    const std::string edge = top      ? fmt::format("{:.4g}", y.greatest())
-                             : bottom ? fmt::format("{:.4g}", y.least())
-                                      : "";
-    std::string line = fmt::format("{:>{}} |{}", edge, label_width, paper.lines()[i]);
+  std::map<int, std::string> labels = y.labels();
+  for (int row = 0; row < rows; ++row) {
+    std::string line = fmt::format("{:>{}} |{}", labels[rows - 1 - row], label_width,
+                                   paper.lines()[static_cast<std::size_t>(row)]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
@@ -132,7 +154,10 @@ std::string chart_as_text(const Chart& chart) {
       across.cover(point.x);
       up.cover(height_of(point));
     }
+  up.cover_level(chart.y);
+  up.widen();
   Paper paper(across, up);
+  if (chart.y.level) paper.draw_level(*chart.y.level);
   const std::vector<char> found = marks_of(chart.curves);
   for (std::size_t i = 0; i < found.size(); ++i)
     for (const ChartPoint& point : chart.curves[i].points)

@@ -28,15 +28,16 @@ def curve(name, colour, points, kind="measured"):
 CHART = {
     "x": {"label": "x", "title": "words, x", "logarithmic": False, "is_count": True},
     "y": {"label": "y", "title": "y", "logarithmic": True, "is_count": False,
-          "level": {"at": 0.02, "text": "2 %"}},
+          "level": {"at": 0.3, "text": "30 %"}},
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
                curve("dotted", 7, [point(1, 1)]), curve("dashed", 13, [point(1, 1)]),
                *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (1, 7, 13))]}
 
 
-# Two decades of room for marks between powers of ten.
+# Two decades of room for marks between powers of ten; the level is far below all points.
 LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
+               "y": {**CHART["y"], "level": {"at": 0.01, "text": "1 %"}},
                "curves": [curve("c", 0, [point(0.2, 0.5), point(20, 1)])]}
 
 
@@ -127,7 +128,7 @@ def look_at_narrow_marks(driver):
 
 def look_at_words(driver, chart):
     written = [one["text"] for one in texts(driver, chart.find_element(By.TAG_NAME, "canvas"))]
-    for words in ("words, x", "2 %"):
+    for words in ("words, x", "30 %"):
         expect(words in written, f"a chart says nowhere {words}, but {written}")
 
 
@@ -140,7 +141,9 @@ def look_at_long_heads(driver):
 
 def look_at_logarithmic_marks(driver, report):
     chart = open_changed(driver, report, LOGARITHMIC)
-    labels = lower_labels(texts(driver, chart.find_element(By.TAG_NAME, "canvas")))
+    written = texts(driver, chart.find_element(By.TAG_NAME, "canvas"))
+    expect("1 %" in [one["text"] for one in written], "a level below all points is not seen")
+    labels = lower_labels(written)
     expect(labels == ["0.2", "0.5", "1", "2", "5", "10", "20"], f"two decades are marked {labels}")
     enter(driver, chart)
     send(driver, *"++++++")

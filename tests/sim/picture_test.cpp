@@ -135,7 +135,7 @@ TEST(Chart, ReachesSoFarBelowALimitThatItsArrowHasRoom) {
   EXPECT_EQ(occurrences(linear, "v16.5m"), 1U);
 }
 
-TEST(Chart, DrawsItsLevelAcrossWhereThePaperReachesIt) {
+TEST(Chart, DrawsItsLevelAcrossClearOfItsEdges) {
   const auto with_level = [](double level, double least) {
     Chart chart = chart_of({{1, least, least, least}, {2, 1, 1, 1}}, true);
     chart.y.level = level;
@@ -148,7 +148,26 @@ TEST(Chart, DrawsItsLevelAcrossWhereThePaperReachesIt) {
             1U)
       << "in the middle of four decades";
   EXPECT_EQ(occurrences(drawn, ">1 %</text>"), 1U);
-  EXPECT_EQ(occurrences(with_level(0.01, 0.2), "class=\"level\""), 0U);
+  for (const double least : {0.01, 0.2, 0.9}) {
+    const std::string low = with_level(0.01, least);
+    EXPECT_EQ(occurrences(low, "class=\"level\" x1=\"80.00\" y1=\"270.00\""), 1U)
+        << "a decade above its foot, of three, where the least is " << least;
+    EXPECT_EQ(occurrences(low, ">1e-3</text>"), 1U);
+  }
+  Chart below = chart_of({{1, 1e-4, 1e-4, 1e-4}, {2, 1e-3, 1e-3, 1e-3}}, true);
+  below.y.level = 0.01;
+  EXPECT_EQ(occurrences(chart_as_svg(below), "class=\"level\" x1=\"80.00\" y1=\"160.00\""), 1U);
+}
+
+TEST(Chart, HasItsFirstAndLastPointOffItsEdges) {
+  for (const bool logarithmic : {false, true}) {
+    Chart chart = chart_of({{1, 0, 0, 0.1, true}, {2, 1, 1, 1}, {3, 0.5, 0.4, 0.6}}, true);
+    chart.x.logarithmic = logarithmic;
+    const std::string svg = chart_as_svg(chart);
+    EXPECT_EQ(occurrences(svg, "<path class=\"curve1\" d=\"M87.92"), 1U) << "the arrow's head";
+    EXPECT_EQ(occurrences(svg, "<path class=\"curve1 dot\" d=\"M688.08"), 1U) << svg;
+    EXPECT_EQ(occurrences(svg, "\">1</text>"), 2U) << "marked on both axes";
+  }
 }
 
 TEST(Chart, DrawsBarsUpFromZero) {
@@ -157,11 +176,11 @@ TEST(Chart, DrawsBarsUpFromZero) {
   chart.y.from_zero = true;
   const std::string svg = chart_as_svg(chart);
   EXPECT_EQ(occurrences(svg,
-                        "<rect class=\"fill1\" x=\"224.67\" y=\"50.00\" width=\"124.00\" "
+                        "<rect class=\"fill1\" x=\"231.03\" y=\"50.00\" width=\"119.23\" "
                         "height=\"330.00\"/>"),
             1U)
       << svg;
-  EXPECT_EQ(occurrences(svg, "y=\"215.00\" width=\"124.00\" height=\"165.00\"/>"), 1U);
+  EXPECT_EQ(occurrences(svg, "y=\"215.00\" width=\"119.23\" height=\"165.00\"/>"), 1U);
 }
 
 TEST(Chart, ReachesDownToZeroWhereToldTo) {
@@ -299,6 +318,46 @@ TEST(ChartText, MarksLimitsAndLetsWhatWasMeasuredCoverTheory) {
   EXPECT_NE(plot.find("|" + std::string(63, ' ') + "o\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|v\n"), std::string::npos) << plot;
   EXPECT_NE(plot.find("|.\n"), std::string::npos) << plot;
+}
+
+/// What stands left of the paper, from its top down, lines without a mark left out.
+std::vector<std::string> upright_marks(const std::string& plot) {
+  std::vector<std::string> marks;
+  std::istringstream lines(plot);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t edge = line.find(" |"), first = line.find_first_not_of(' ');
+    if (edge != std::string::npos && first < edge)
+      marks.push_back(line.substr(first, edge - first));
+  }
+  return marks;
+}
+
+TEST(ChartText, MarksPowersOfTen) {
+  using Marks = std::vector<std::string>;
+  const auto marks_from = [](double least, double greatest) {
+    return upright_marks(chart_as_text(
+        chart_of({{1, least, least, least}, {2, greatest, greatest, greatest}}, true)));
+  };
+  EXPECT_EQ(marks_from(0.0059, 0.3996), (Marks{"1", "0.1", "0.01", "1e-3"}));
+  EXPECT_EQ(marks_from(0.5, 0.5), (Marks{"1", "0.1"}));
+  EXPECT_EQ(marks_from(0.001229, 0.001229), (Marks{"0.01", "1e-3"}));
+  const Marks many = marks_from(1e-30, 1);
+  EXPECT_EQ(many.front(), "1");
+  EXPECT_GE(many.size(), 5U);
+  for (const std::string& mark : many) EXPECT_TRUE(mark == "1" || mark.starts_with("1e-")) << mark;
+  EXPECT_EQ(upright_marks(chart_as_text(chart_of({{1, 0.5, 0, 1}, {2, 3.25, 3, 4}}, false))),
+            (Marks{"3.25", "0.5"}));
+}
+
+TEST(ChartText, DrawsItsLevelAcrossUnderAllElse) {
+  Chart chart = chart_of({{1, 0, 0, 1.2e-3, true}, {2, 0.01, 0.01, 0.01}}, true);
+  chart.y.level = 0.01;
+  const std::string plot = chart_as_text(chart);
+  EXPECT_EQ(upright_marks(plot), (std::vector<std::string>{"0.1", "0.01", "1e-3"}));
+  EXPECT_NE(plot.find("      0.01 |- - - "), std::string::npos) << plot;
+  EXPECT_NE(plot.find(" - -o 1 %\n"), std::string::npos) << plot;
+  chart.y.level.reset();
+  EXPECT_EQ(chart_as_text(chart).find("- - -"), std::string::npos);
 }
 
 TEST(ChartText, HasALegendNoWiderThanThePaper) {
