@@ -3,35 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <numeric>
+
+#include "sim/spelling.hpp"
 
 namespace sim {
 namespace {
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
-
-/// Levenshtein distance, case aside.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (const char ca : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(ca)) ==
-                        std::tolower(static_cast<unsigned char>(b[j]));
-      const std::size_t change = diagonal + (same ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-/// Edit distance, except that a name cut short, as by a forgotten unit, is only one slip.
-std::size_t slips(const std::string& name, const std::string& candidate) {
-  return candidate.starts_with(name) ? 1 : edit_distance(name, candidate);
-}
 
 std::size_t unlikeness(const std::string& name, const std::string& candidate) {
   const std::size_t dot = candidate.find('.');

@@ -9,6 +9,8 @@
 
 namespace sim {
 
+constexpr double last_trial = 4294967295;  // trials are numbered in 32 bits
+
 extern const CLI::Validator a_name, an_index, a_shard;
 
 /// A whole number from 1 on, written as any number: 1e6.

@@ -62,7 +62,8 @@ void add_locate(CLI::App& app, LocateRequest& request) {
   locate
       .add_option("--trial", request.trial, "of a scenario: trial, counted from 0; 0 if not given")
       ->type_name("N")
-      ->check(an_index);
+      ->check(an_index)
+      ->check(between(0, last_trial));
   add_scenario_options(locate, request.options);
   locate.add_flag("--json", request.json, "one JSON object on stdout, not text");
   locate.footer(

@@ -55,7 +55,8 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->excludes(plan);
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table")
-      ->excludes(plan);
+      ->excludes(plan)
+      ->excludes("--plot");
   run.footer("Example: cosys-sim run scenarios/quickstart.toml --set led.current_ma=20,50,100");
 }
 
@@ -68,7 +69,8 @@ void add_trace(CLI::App& app, TraceRequest& request) {
       ->check(an_index);
   trace.add_option("--trial", request.trial, "trial, counted from 0; 0 if not given")
       ->type_name("N")
-      ->check(an_index);
+      ->check(an_index)
+      ->check(between(0, last_trial));
   add_place(trace, "-o,--output", request.output, "FILE",
             "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same and "
             "all taps, for sigrok; .ook, the pulses of rx, for rtl_433; .bin, the wires, a byte a "

@@ -14,6 +14,7 @@
 #include "sim/scenario/named_key.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/scenario/text_axis.hpp"
+#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 
@@ -88,8 +89,10 @@ const Key& known_key(const std::string& name, const std::string& place) {
   if (const Key* key = find_key(name)) return *key;
   check_table_name({"disturbance", "disturbance", "lamp"}, name, place);
   check_table_name({"devices", "device", "charger"}, name, place);
-  throw bad_input(name + " " + place, "no such key",
-                  "did you mean " + nearest(name, names_like(name)) + "?");
+  const std::string guess = nearest(name, names_like(name));
+  throw bad_input(
+      name + " " + place, "no such key",
+      is_near(name, guess) ? "did you mean " + guess + "?" : "scenarios/README.md lists all keys");
 }
 
 const Key& sweepable_key(const std::string& name, const std::string& place) {
@@ -108,6 +111,12 @@ bool is_empty_table(const Entry& entry) {
   return other && other->what == "a table";
 }
 
+std::string guessed_table(const std::string& name, const std::vector<std::string>& tables) {
+  const std::string guess = nearest(name, tables);
+  return is_near(name, guess) ? "did you mean [" + guess + "]?"
+                              : "scenarios/README.md lists all tables";
+}
+
 /// A table without keys says nothing, but must still be one that could.
 void check_empty_table(const Entry& entry) {
   const auto tables = table_names();
@@ -119,7 +128,7 @@ void check_empty_table(const Entry& entry) {
                     "add x_m or remove the table");
   if (std::ranges::find(tables, entry.key) == tables.end())
     throw bad_input("[" + entry.key + "] " + entry.place, "no such table",
-                    "did you mean [" + nearest(entry.key, tables) + "]?");
+                    guessed_table(entry.key, tables));
 }
 
 double number_of(const Key& key, const Entry& entry) {
@@ -237,6 +246,9 @@ void take_override(Draft& draft, const std::string& override, const std::string&
   if (equals == std::string::npos)
     throw bad_input("\"" + override + "\" " + place, "no = in it",
                     "write key=value, such as receiver.range_m=3");
+  if (equals == 0)
+    throw bad_input("\"" + override + "\" " + place,
+                    "no key before the =", "write key=value, such as receiver.range_m=3");
   const Key& key = known_key(override.substr(0, equals), place);
   const std::string value = override.substr(equals + 1);
   if (key.is_number()) return override_number(draft, key, value, place);

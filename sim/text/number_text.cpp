@@ -15,7 +15,7 @@ namespace {
 double number_of(std::string_view text, const std::string& problem) {
   const auto value = parse_number(text);
   if (!value) throw bad_input(problem, fmt::format("\"{}\" is not a number", text), how_to_write);
-  if (!std::isfinite(*value)) throw bad_input(problem, "not a finite number", how_to_write);
+  if (!std::isfinite(*value)) throw bad_input(problem, "not a finite number", "write a finite one");
   return *value;
 }
 

@@ -36,6 +36,10 @@ TEST_F(CommandLine, RefusesWhatItCannotRead) {
   expect_refused({"run", "s.toml", "--threads", "0"}, bad_input,
                  "--threads: Value 0 not in range 1 to 1024 (wrong usage) see cosys-sim run "
                  "--help");
+  expect_refused({"run", "s.toml", "--json", "--plot"}, bad_input,
+                 "--plot excludes --json (wrong usage) see cosys-sim run --help");
+  expect_refused({"run", "s.toml", "-n", "nan"}, bad_input,
+                 "stop.max_frames = nan in --max-frames (not a finite number) write a finite one");
   expect_refused({"encode", "IND", "011111", "OK"}, bad_input,
                  "011111 (encode does not take another argument) leave it out or quote what "
                  "belongs together");

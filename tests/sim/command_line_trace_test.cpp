@@ -144,7 +144,7 @@ TEST_F(CommandLine, TraceRefusesPointsAndTrialsOutOfRange) {
   expect_refused(trace("--trial", "1.5"), bad_input,
                  "--trial: 1.5 is not a whole number, counted from 0" + see);
   expect_refused(trace("--trial", "5000000000"), bad_input,
-                 "Could not convert: --trial = 5000000000" + see);
+                 "--trial: 5000000000 is no number from 0 to 4294967295" + see);
   expect_refused({"trace", "s.toml"}, bad_input, "--output is required" + see);
 }
 

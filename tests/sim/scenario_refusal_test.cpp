@@ -154,6 +154,10 @@ INSTANTIATE_TEST_SUITE_P(Files, ScenarioRefuses, testing::ValuesIn(refusals));
 TEST(Scenario, SetIsRefusedUnderItsOwnName) {
   EXPECT_EQ(refusal("", {"led.yaw_deg"}),
             "\"led.yaw_deg\" in --set (no = in it) write key=value, such as receiver.range_m=3");
+  EXPECT_EQ(refusal("", {"=3"}),
+            "\"=3\" in --set (no key before the =) write key=value, such as receiver.range_m=3");
+  EXPECT_EQ(refusal("", {"simulation.seed=nan"}),
+            "simulation.seed = nan in --set (not a finite number) write a finite one");
   EXPECT_EQ(refusal("", {"led.yaw=3"}), "led.yaw in --set (no such key) did you mean led.yaw_deg?");
   EXPECT_EQ(refusal("", {"receiver.range_m=-1"}),
             "receiver.range_m = -1 in --set (distance along the floor must be at least 0.01 m) use "
@@ -167,6 +171,17 @@ TEST(Scenario, SetIsRefusedUnderItsOwnName) {
   EXPECT_NE(refusal("", {"device.message=" + std::string(253, 'x')})
                 .find("(its line would be 257 bytes long, 1 over the limit of 256) use"),
             std::string::npos);
+}
+
+TEST(Scenario, AKeyIsGuessedOnlyWhereItIsNear) {
+  for (const char* far : {"foo.bar", "x", "led.qqqqqq"})
+    EXPECT_EQ(refusal("", {std::string(far) + "=1"}),
+              std::string(far) + " in --set (no such key) scenarios/README.md lists all keys");
+  for (const char* near : {"yaw_dge", "LED.YAW_DGE", "led.yaw", "led.jaw_deg", "led.yaw_degrees"})
+    EXPECT_EQ(refusal("", {std::string(near) + "=1"}),
+              std::string(near) + " in --set (no such key) did you mean led.yaw_deg?");
+  EXPECT_EQ(refusal("[frobnicate]\n"),
+            "[frobnicate] in x.toml:1 (no such table) scenarios/README.md lists all tables");
 }
 
 TEST(Scenario, AnUnknownPartNamesTheNearestAndWhereItWasSought) {

@@ -96,8 +96,8 @@ TEST(Sweep, RefusesInOneLineWithTheReason) {
   EXPECT_EQ(refusal_of("1:2"), "k in t (a range has three numbers)" + how);
   EXPECT_EQ(refusal_of("1:2:3:4"), "k in t (a range has three numbers)" + how);
   EXPECT_EQ(refusal_of("1:0:3"), "k in t (the step is zero)" + how);
-  EXPECT_EQ(refusal_of("1:nan:3"), "k in t (not a finite number)" + how);
-  EXPECT_EQ(refusal_of("1,inf"), "k in t (not a finite number)" + how);
+  EXPECT_EQ(refusal_of("1:nan:3"), "k in t (not a finite number) write a finite one");
+  EXPECT_EQ(refusal_of("1,inf"), "k in t (not a finite number) write a finite one");
   EXPECT_EQ(refusal_of("1:-1:3"),
             "k in t (the step leads away from the end) change the sign of the step");
   EXPECT_EQ(refusal_of("3:1:1"),
