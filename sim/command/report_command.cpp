@@ -82,6 +82,13 @@ ReportPart part_of(const fs::path& path, const ReportRequest& request) {
   return part;
 }
 
+/// "-" means that to other programs; a file of this name nobody wants.
+void refuse_standard_output(const fs::path& output) {
+  if (output == "-")
+    throw bad_input("--output -", "a report goes to a file, not to stdout",
+                    "name a file, such as report.html");
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   NewFile file(path);
   file.write(text);
@@ -92,6 +99,7 @@ void write_file(const fs::path& path, const std::string& text) {
 }  // namespace
 
 ExitCode report_command(const ReportRequest& request) {
+  refuse_standard_output(request.output);
   refuse_to_lose(request.output, is_page, "a report of cosys-sim");
   require_tools(request.pictures);
   std::vector<ReportPart> parts;

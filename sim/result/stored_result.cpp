@@ -15,6 +15,7 @@
 #include "sim/result/store.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/text/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -135,9 +136,7 @@ LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::pa
 }
 
 StoredResult read_result(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    throw bad_input(path.string(), "no such file", "check the path");
+  refuse_no_file(path, "result");
   if (filetype_of(path) == experiment_result_type)
     throw bad_input(path.string(), "a result of another experiment than a link",
                     "give results of links");

@@ -27,6 +27,10 @@ fs::path resolved(const fs::path& place) {
   return error ? place : target;
 }
 
+fs::path folder_of(const fs::path& place) {
+  return place.has_parent_path() ? place.parent_path() : ".";
+}
+
 bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 /// The process in "PLACE.PID.tmp"; 0 for another name.
@@ -42,7 +46,7 @@ pid_t writer_of(std::string_view name, std::string_view place) {
 void remove_left_over(const fs::path& place) {
   const std::string name = place.filename().string();
   std::error_code error;
-  fs::directory_iterator entry(place.has_parent_path() ? place.parent_path() : ".", error);
+  fs::directory_iterator entry(folder_of(place), error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const pid_t writer = writer_of(entry->path().filename().string(), name);
     if (writer != 0 && !is_running(writer)) ::unlink(entry->path().c_str());
@@ -101,7 +105,9 @@ void NewFile::refuse_what_is_no_file() const {
 
 void NewFile::fail() const {
   const int reason = errno;
-  if (reason == ENOENT) fail("its folder does not exist", "create the folder or choose another");
+  std::error_code error;
+  if (reason == ENOENT && !fs::is_directory(folder_of(place_), error))
+    fail("its folder does not exist", "create the folder or choose another");
   const std::string why = std::generic_category().message(reason);
   fail(why.c_str(),
        reason == ENOSPC ? "free some space there or choose another place" : other_place);

@@ -158,12 +158,19 @@ TEST_F(ReportCommand, RefusesWhatIsNoResult) {
     expect_refused({"report", name}, 2,
                    name + " (not a result of cosys-sim, or damaged) give a file that run wrote");
   expect_refused({"report", "none.h5"}, 2, "none.h5 (no such file) check the path");
+  expect_refused({"report", "."}, 2, ". (a folder, not a result file) name a file in it");
   write("mine.html", "mine");
   expect_refused(
       {"report", "near.h5", "-o", "mine.html"}, 2,
       "cannot write mine.html (it exists and is not a report of cosys-sim) choose another "
       "name");
   EXPECT_EQ(content(path("mine.html")), "mine");
+  expect_refused({"report", "near.h5", "-o", "-"}, 2,
+                 "--output - (a report goes to a file, not to stdout) name a file, such as "
+                 "report.html");
+  EXPECT_FALSE(std::filesystem::exists(path("-")));
+  expect_refused({"report", "near.h5", "-o", "/proc/r.html"}, 3,
+                 "cannot write /proc/r.html (No such file or directory) choose another place");
   expect_refused({"report", "near.h5", "-o", "none/r.html"}, 3,
                  "cannot write none/r.html (its folder does not exist) create the folder or choose "
                  "another");
