@@ -5,11 +5,8 @@ const axisWidth = 50, aboutLabels = 25;  // pixels: the narrowest of what stands
 
 const isShown = (axis, value) => Number.isFinite(value) && (!axis.logarithmic || value > 0);
 
-/** All of a point, but of an interval that goes far down no more than two decades below it. */
-function reachOf(point, axis) {
-  const low = axis.logarithmic && point.y !== null ? Math.max(point.low, point.y / 100) : point.low;
-  return [point.y, point.high, low];
-}
+/** The ends of an interval, but of one that goes far down, as where next to nothing was found, not the lower. */
+const endsOf = (point, axis) => [point.high, axis.logarithmic && !(point.low >= point.y / 10) ? NaN : point.low];
 
 /** So that a level's line is not on the edge. */
 const aboutLevel = ({level}) => (level ? [level.at / 2, level.at * 2] : []);
@@ -20,14 +17,28 @@ function below(from, to, limits, share) {
   return lowest - from < share * (to - from) ? below(from - 1, to, limits, share) : from;
 }
 
-/** Whole decades of a logarithmic axis, with room below `limits`. */
-function reach(axis, values, limits = [], share = 0) {
-  const shown = values.filter((value) => isShown(axis, value));
-  if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
-  const least = Math.min(...shown), greatest = Math.max(...shown);
-  if (!axis.logarithmic) return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
-  const to = Math.ceil(Math.log10(greatest) - 1e-9), from = Math.min(Math.floor(Math.log10(least)), to - 1);
+/** The least exponent of 1, 2 or 5 times a power of ten that is no less. */
+function roundAbove(exponent) {
+  const slack = 1e-9, decade = Math.floor(exponent + slack);
+  return decade + ([0, Math.log10(2), Math.log10(5)].find((part) => decade + part >= exponent - slack) ?? 1);
+}
+
+/** The decades of a logarithmic axis that values need, as much more as intervals do, and room below `limits`. */
+function decades(values, ends, limits, share) {
+  const least = (all) => Math.log10(Math.min(...all)), greatest = (all) => Math.log10(Math.max(...all));
+  const top = Math.ceil(greatest(values) - 1e-9), foot = Math.min(Math.floor(least(values) + 1e-9), top - 1);
+  const to = Math.max(top, roundAbove(greatest([...values, ...ends])));
+  const from = Math.min(foot, -roundAbove(-least([...values, ...ends])));
   return [10 ** below(from, to, limits, share), 10 ** to];
+}
+
+/** What an axis covers: values, the `ends` of their intervals, and below `limits` a share of it. */
+function reach(axis, values, ends = [], limits = [], share = 0) {
+  const [shown, shownEnds] = [values, ends].map((all) => all.filter((value) => isShown(axis, value)));
+  if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
+  if (axis.logarithmic) return decades(shown, shownEnds, limits, share);
+  const all = [...shown, ...shownEnds], least = Math.min(...all), greatest = Math.max(...all);
+  return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
 }
 
 /** A little beyond the first and the last, so that their marks are seen whole. */

@@ -1,13 +1,19 @@
 // Live charts of a report, drawn by uPlot, and how keys move in them.
 
-const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
-// Where there are more curves than colours the next dash of their kind.
-const dashes = [undefined, [2, 3], [10, 3, 2, 3]], theoryDashes = [[6, 4], [14, 4], [6, 3, 1, 3, 1, 3]];
+// Those of the still pictures (svg.cpp): six, and darker tones of them, which are lighter in the dark.
+const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9',
+                 '#003f66', '#7a3600', '#00553e', '#7d3c5f', '#806000', '#2a5f80'];
+const tones = 6;
+const inDark = {'#0072b2': '#4aa3df', '#003f66': '#a8d4f2', '#7a3600': '#ffb48a', '#00553e': '#8fe0c6',
+                '#7d3c5f': '#f2c8de', '#806000': '#ffdf94', '#2a5f80': '#d0ecfb'};
+// Marks from their middles, in pixels; the first is a disc. What differs in its tone alone has another.
+const shapes = [null, [[-3, -3], [3, -3], [3, 3], [-3, 3]], [[0, -4], [4, 3], [-4, 3]],
+                [[0, -4.5], [4.5, 0], [0, 4.5], [-4.5, 0]]];
 const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
-const shadeOf = (colour) => (colour === '#0072b2' && isDark() ? '#4aa3df' : colour);
+const shadeOf = (colour) => (isDark() && inDark[colour]) || colour;
 const colourOf = (curve) => shadeOf(colours[curve.colour % colours.length]);
-const dashOf = (curve) =>
-  (curve.kind === 'theory' ? theoryDashes : dashes)[Math.floor(curve.colour / colours.length) % dashes.length];
+const dashOf = (curve) => (curve.kind === 'theory' ? [6, 4] : undefined);
+const shapeOf = (curve) => shapes[Math.floor(curve.colour / tones) % shapes.length];
 const chartHeight = 420;
 const plotHeight = 320;  // of it, without what stands at the axes
 const whisker = 4;
@@ -39,7 +45,24 @@ function ordinates(row, chart) {
   return y;
 }
 
-/** Bars for intervals, arrows for limits. */
+/** Marks of a curve that are no discs, which uPlot draws itself. */
+function drawMarksOf(plot, chart, curve, row) {
+  const context = plot.ctx, ratio = pixelRatio(), shape = shapeOf(curve);
+  if (!shape || curve.kind !== 'measured') return;
+  context.beginPath();
+  for (const point of row) {
+    if (!point || !isThrough(point, chart)) continue;
+    const x = plot.valToPos(point.x, 'x', true), y = plot.valToPos(point.y, 'y', true);
+    context.moveTo(x + shape[0][0] * ratio, y + shape[0][1] * ratio);
+    shape.forEach(([right, down]) => context.lineTo(x + right * ratio, y + down * ratio));
+    context.closePath();
+  }
+  context.fillStyle = styled('--paper');
+  context.fill();
+  context.stroke();
+}
+
+/** Bars for intervals, arrows for limits, and marks. */
 function drawIntervals(plot, chart, rows) {
   const context = plot.ctx;
   const ratio = pixelRatio();
@@ -49,8 +72,9 @@ function drawIntervals(plot, chart, rows) {
   context.rect(left, top, width, tall);
   context.clip();
   rows.forEach((row, i) => {
-    if (!plot.series[i + 1].show || chart.curves[i].kind !== 'measured') return;
-    context.strokeStyle = colourOf(chart.curves[i]);
+    const curve = chart.curves[i];
+    if (!plot.series[i + 1].show || !['measured', 'bars'].includes(curve.kind)) return;
+    context.strokeStyle = curve.kind === 'bars' ? styled('--ink') : colourOf(curve);
     context.lineWidth = ratio;
     context.setLineDash([]);
     context.beginPath();
@@ -70,6 +94,7 @@ function drawIntervals(plot, chart, rows) {
       context.lineTo(x + side, low - (point.is_limit ? side : 0));
     }
     context.stroke();
+    drawMarksOf(plot, chart, curve, row);
   });
   context.restore();
 }
@@ -100,25 +125,53 @@ function told(point) {
   return point.is_limit ? `< ${text(point.high)}` : text(point.y);
 }
 
+/** Several theories have one line in the legend; their values stand beside those of their curves. */
+const hasSeveralTheories = (chart) => chart.curves.filter((curve) => curve.kind === 'theory').length > 1;
+
+/** Where the theory of a curve is that has no line of its own. */
+const theoryOf = (chart, curve) => (curve.kind === 'theory' || !hasSeveralTheories(chart) ? -1
+  : chart.curves.findIndex((other) => other.kind === 'theory' && other.colour === curve.colour));
+
 function seriesOf(chart, rows) {
   return chart.curves.map((curve, k) => ({
     label: curve.name,
+    class: curve.kind === 'theory' && hasSeveralTheories(chart) ? 'folded' : null,
     stroke: () => colourOf(curve),
     dash: dashOf(curve),
-    points: {show: curve.kind === 'measured'},
+    points: {show: curve.kind === 'measured' && !shapeOf(curve)},
     ...(curve.kind === 'bars' && {paths: uPlot.paths.bars({size: [0.6, 60]}), fill: () => colourOf(curve)}),
-    value: (plot, value, series, i) => told(rows[k][i]),
+    value: (plot, value, series, i) => {
+      const theory = rows[theoryOf(chart, curve)];
+      return told(rows[k][i]) + (theory && theory[i] ? `, theory ${told(theory[i])}` : '');
+    },
   }));
 }
 
-/** Lines of the curves' colours and dashes in the legend. */
+/** A curve that is hidden takes its theory along. */
+function hideTheory(plot, chart, i, {show}) {
+  const theory = i > 0 && show !== undefined ? theoryOf(chart, chart.curves[i - 1]) : -1;
+  if (theory >= 0 && plot.series[theory + 1].show !== show) plot.setSeries(theory + 1, {show});
+}
+
+function swatchOf(curve) {
+  const style = `stroke: ${colourOf(curve)}; stroke-dasharray: ${(dashOf(curve) || ['none']).join(' ')}`;
+  const shape = curve.kind === 'measured' && shapeOf(curve);
+  const places = shape && shape.map(([x, y]) => [x + 18, y + 6]).join(' ');
+  const mark = shape ? `<polygon points="${places}" style="fill: ${colourOf(curve)}"/>` : '';
+  return `<svg viewBox="0 0 36 12" aria-hidden="true"><line x2="36" y1="6" y2="6" style="${style}"/>${mark}</svg>`;
+}
+
+/** Lines of the curves' colours, dashes and marks in the legend. */
 function drawSwatches(plot, chart) {
   const markers = [...plot.root.querySelectorAll('.u-marker')].slice(1);  // the first is that of x
-  chart.curves.forEach((curve, i) => {
-    const style = `stroke: ${colourOf(curve)}; stroke-dasharray: ${(dashOf(curve) || ['none']).join(' ')}`;
-    markers[i].innerHTML =
-      `<svg viewBox="0 0 36 12" aria-hidden="true"><line x2="36" y1="6" y2="6" style="${style}"/></svg>`;
-  });
+  chart.curves.forEach((curve, i) => { markers[i].innerHTML = swatchOf(curve); });
+}
+
+function sayWhatIsDashed(figure) {
+  const line = document.createElement('p');
+  line.className = 'hint dashed';
+  line.textContent = 'dashed: theory';
+  figure.append(line);
 }
 
 /** Plots as wide as their figure, in the colours of the day or night; the drawing has a name. */
@@ -130,20 +183,28 @@ function keepUp(figure, plot, height, name) {
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => plot.redraw());
 }
 
+/** Bars have room beside the first and the last: half of the way to the next. */
+function besideBars(chart, x) {
+  if (chart.curves.every((curve) => curve.kind !== 'bars')) return [];
+  const half = x.length > 1 ? Math.min(...x.slice(1).map((value, i) => value - x[i])) / 2 : 0.5;
+  return [x[0] - half, x.at(-1) + half];
+}
+
 function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
-  const points = rows.flat().filter((point) => point);
-  const values = [...points.flatMap((point) => reachOf(point, chart.y)), ...aboutLevel(chart.y),
+  const points = rows.flat().filter((point) => point), ends = points.flatMap((point) => endsOf(point, chart.y));
+  const values = [...points.map((point) => (point.is_limit ? point.high : point.y)), ...aboutLevel(chart.y),
                   ...(chart.y.from_zero ? [0] : [])];
   const limits = points.filter((point) => point.is_limit && point.high > 0).map((point) => point.high);
-  const whole = {x: padded(reach({}, x), chart.x),
-                 y: reach(chart.y, values, limits, arrow / plotHeight)};
+  const whole = {x: padded(reach({}, [...x, ...besideBars(chart, x)]), chart.x),
+                 y: reach(chart.y, values, ends, limits, arrow / plotHeight)};
+  const all = x.length === 1 ? uPlot.rangeNum(x[0], x[0], 0.1, true) : [x[0], x.at(-1)];  // what uPlot asks for
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
     height: chartHeight,
     scales: {
-      x: scale(chart.x, (u, from, to) => (from === x[0] && to === x.at(-1) ? whole.x : [from, to])),
+      x: scale(chart.x, (u, from, to) => (from === all[0] && to === all[1] ? whole.x : [from, to])),
       y: scale(chart.y, () => whole.y),
     },
     axes: [{...axisOf(chart.x), ...marksFor(chart.x), ...lowerMarks(chart.x)},
@@ -151,9 +212,11 @@ function drawLive(figure, chart) {
     series: [{label: chart.x.label}, ...seriesOf(chart, rows)],
     cursor: {dataIdx: (u, series, i) => i},
     legend: {markers: {width: 0}},
-    hooks: {draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
+    hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change)],
+            draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
                    (u) => drawSwatches(u, chart)]},
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
+  if (hasSeveralTheories(chart)) sayWhatIsDashed(figure);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   const view = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale('x', {min, max});

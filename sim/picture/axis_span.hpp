@@ -22,12 +22,6 @@ class AxisSpan {
     least_ = std::min(least_, value);
     greatest_ = std::max(greatest_, value);
   }
-  /// Of a point all, but of an interval that goes far down no more than two decades below it.
-  void cover(const ChartPoint& point) {
-    constexpr double most_below = 100;
-    for (const double value : {point.y, point.high}) cover(value);
-    cover(logarithmic_ ? std::max(point.low, point.y / most_below) : point.low);
-  }
   /// The level, and a little on both sides, so that its line is not on the edge.
   void cover_level(const ChartAxis& axis) {
     if (!axis.level) return;

@@ -20,29 +20,36 @@ constexpr double left = 80, right = 700, top = 50, bottom = 380;
 constexpr double arrow_length = 24, whisker = 4;
 constexpr double legend_top = bottom + 66, legend_step = 16;
 
-constexpr std::array styles{"curve1", "curve2", "curve3", "curve4", "curve5", "curve6"};
-
 /// Places of values along an axis.
 class Positions {
  public:
-  /// `in_decades`: a logarithmic axis begins and ends at powers of ten.
+  /// `in_decades`: a logarithmic axis covers the decades of its values, and their intervals.
   Positions(const ChartAxis& axis, double at_from, double at_to, bool in_decades)
-      : span_(axis), scale_{0, 1, at_from, at_to}, in_decades_(in_decades) {}
+      : span_(axis), ends_(axis), scale_{0, 1, at_from, at_to}, in_decades_(in_decades) {}
 
   bool shows(double value) const { return span_.shows(value); }
   void cover(double value) { span_.cover(value); }
   void cover_level(const ChartAxis& axis) { span_.cover_level(axis); }
+  /// Of an interval that goes far down, as where next to nothing was found, not the lower end.
   void cover(const ChartPoint& point) {
-    span_.cover(point);
+    constexpr double most_below = 10;
+    span_.cover(point.is_limit ? point.high : point.y);
+    ends_.cover(point.high);
+    if (!span_.is_logarithmic() || point.low >= point.y / most_below) ends_.cover(point.low);
     if (point.is_limit && shows(point.high)) lowest_limit_ = std::min(lowest_limit_, point.high);
   }
   /// To be called once when all is covered.
   void settle() {
+    if (!span_.is_logarithmic() || !in_decades_) cover_ends();
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
     if (span_.is_logarithmic() && in_decades_) {
-      greatest = span_.upper_exponent();
-      least = with_room_for_arrows(span_.lower_exponent(), greatest);
+      greatest = std::ceil(greatest - slack);
+      least = std::min(std::floor(least + slack), greatest - 1);
+      cover_ends();
+      greatest = std::max(greatest, round_above(span_.on_axis(span_.greatest())));
+      least = with_room_for_arrows(std::min(least, round_below(span_.on_axis(span_.least()))),
+                                   greatest);
     }
     const double size = std::max(std::abs(least), std::abs(greatest));
     const double half = std::max(0.5, 1e-6 * size);
@@ -74,6 +81,20 @@ class Positions {
   std::string label(double value) const { return span_.label(value); }
 
  private:
+  static constexpr double slack = 1e-9;  // of an exponent
+
+  void cover_ends() {
+    span_.cover(ends_.least());
+    span_.cover(ends_.greatest());
+  }
+  /// The nearest exponents of 1, 2 or 5 times a power of ten.
+  static double round_above(double exponent) {
+    const double decade = std::floor(exponent + slack);
+    for (const double digit : {1.0, 2.0, 5.0})
+      if (decade + std::log10(digit) >= exponent - slack) return decade + std::log10(digit);
+    return decade + 1;
+  }
+  static double round_below(double exponent) { return -round_above(-exponent); }
   /// 1, 2 and 5 of each decade.
   std::vector<double> digits() const {
     std::vector<double> values;
@@ -93,11 +114,19 @@ class Positions {
     return from;
   }
 
-  AxisSpan span_;
+  AxisSpan span_, ends_;  // of values, and of their intervals
   Scale scale_;
   bool in_decades_;
   double lowest_limit_ = std::numeric_limits<double>::infinity();
 };
+
+/// How far apart bars stand: as far as the nearest two.
+double bar_step(const ChartCurve& curve) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < curve.points.size(); ++i)
+    step = std::min(step, curve.points[i].x - curve.points[i - 1].x);
+  return std::isfinite(step) && step > 0 ? step : 1;
+}
 
 struct Paper {
   Positions x, y;
@@ -107,7 +136,8 @@ Paper paper_for(const Chart& chart) {
   Paper paper{{chart.x, left, right, false}, {chart.y, bottom, top, true}};
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points) {
-      paper.x.cover(point.x);
+      const double beside = curve.kind == CurveKind::bars ? bar_step(curve) / 2 : 0;
+      for (const double x : {point.x - beside, point.x + beside}) paper.x.cover(x);
       paper.y.cover(point);
     }
   if (chart.y.from_zero) paper.y.cover(0);
@@ -177,38 +207,76 @@ void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& po
                style);
 }
 
-/// As wide as most of the way from one whole number to the next.
+/// As wide as most of the way from one to the next, but no beams.
 void draw_bars(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve) {
-  constexpr double share = 0.6;
-  const double wide = share * (paper.x(1) - paper.x(0));
+  constexpr double share = 0.6, widest = 60;
+  const double wide = std::min(widest, share * (paper.x(bar_step(curve)) - paper.x(0)));
   for (const ChartPoint& point : curve.points) {
     if (!paper.x.shows(point.x) || !paper.y.shows(point.y)) continue;
     const double y = paper.y(point.y);
     drawing.rectangle({paper.x(point.x) - wide / 2, y}, wide, bottom - y, "fill1");
+    draw_interval(drawing, paper, point, "");
   }
 }
 
+/// What differs from another curve in the tone of its colour alone, or not even in that, has
+/// another shape.
+std::string mark_at(double x, double y, std::size_t colour) {
+  constexpr std::size_t tones = 6;
+  constexpr std::array shapes{"m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0", "m-3 -3h6v6h-6Z",
+                              "m0 -4l4 7h-8Z", "m0 -4.5l4.5 4.5l-4.5 4.5l-4.5 -4.5Z"};
+  return fmt::format("M{:.2f} {:.2f}{}", x, y, shapes[colour / tones % shapes.size()]);
+}
+
 void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,
-                const std::string& style) {
+                std::size_t colour) {
+  const std::string style =
+      curve_style(colour) + (curve.kind == CurveKind::theory ? " theory" : "");
   if (curve.kind == CurveKind::bars) return draw_bars(drawing, paper, curve);
   drawing.path(line_through(curve, paper), style);
   if (curve.kind != CurveKind::measured) return;
   for (const ChartPoint& point : curve.points) {
     draw_interval(drawing, paper, point, style);
     if (!point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y))
-      drawing.path(fmt::format("M{:.2f} {:.2f}m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0",
-                               paper.x(point.x), paper.y(point.y)),
-                   style + " dot");
+      drawing.path(mark_at(paper.x(point.x), paper.y(point.y), colour), style + " dot");
   }
 }
 
-/// Where there are more curves than colours they are dotted, then dashed.
-std::string style_of(const Chart& chart, std::size_t curve) {
-  constexpr std::array again{"", " dotted", " dashed"};
-  constexpr std::array theory{" theory", " theory2", " theory3"};
-  const std::size_t colour = colour_of(chart, curve), round = colour / styles.size() % again.size();
-  return std::string(styles[colour % styles.size()]) +
-         (chart.curves[curve].kind == CurveKind::theory ? theory[round] : again[round]);
+/// One line of the legend is for several, as each has the colour of what it is the theory of.
+bool has_several_theories(const Chart& chart) {
+  return std::ranges::count(chart.curves, CurveKind::theory, &ChartCurve::kind) > 1;
+}
+
+struct LegendLine {
+  std::string words, style;
+  std::optional<std::size_t> marked_as{};  // a colour
+};
+
+std::vector<LegendLine> legend_of(const Chart& chart) {
+  std::vector<LegendLine> lines;
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const ChartCurve& curve = chart.curves[i];
+    const std::size_t colour = colour_of(chart, i);
+    if (curve.kind != CurveKind::theory) {
+      lines.push_back({curve.name, curve_style(colour)});
+      if (curve.kind == CurveKind::measured) lines.back().marked_as = colour;
+    } else if (!has_several_theories(chart)) {
+      lines.push_back({curve.name, curve_style(colour) + " theory"});
+    }
+  }
+  if (has_several_theories(chart)) lines.push_back({"dashed: theory", "theory"});
+  return lines;
+}
+
+void draw_legend(SvgDrawing& drawing, const std::vector<LegendLine>& lines) {
+  double y = legend_top;
+  for (const LegendLine& line : lines) {
+    drawing.line({left, y - 4}, {left + 25, y - 4}, line.style);
+    if (line.marked_as)
+      drawing.path(mark_at(left + 12.5, y - 4, *line.marked_as), line.style + " dot");
+    drawing.text({left + 32, y}, line.words, "");
+    y += legend_step;
+  }
 }
 
 }  // namespace
@@ -227,20 +295,15 @@ std::size_t colour_of(const Chart& chart, std::size_t curve) {
 }
 
 std::string chart_as_svg(const Chart& chart) {
-  const double height = legend_top + legend_step * static_cast<double>(chart.curves.size());
+  const std::vector<LegendLine> legend = legend_of(chart);
+  const double height = legend_top + legend_step * static_cast<double>(legend.size());
   SvgDrawing drawing(width, height, chart.title, chart.description);
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
   draw_level(drawing, chart, paper);
-  double legend = legend_top;
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    const ChartCurve& curve = chart.curves[i];
-    const std::string style = style_of(chart, i);
-    draw_curve(drawing, paper, curve, style);
-    drawing.line({left, legend - 4}, {left + 25, legend - 4}, style);
-    drawing.text({left + 32, legend}, curve.name, "");
-    legend += legend_step;
-  }
+  for (std::size_t i = 0; i < chart.curves.size(); ++i)
+    draw_curve(drawing, paper, chart.curves[i], colour_of(chart, i));
+  draw_legend(drawing, legend);
   return drawing.finished();
 }
 

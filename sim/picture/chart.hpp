@@ -18,7 +18,7 @@ enum class CurveKind {
   measured,    // points with their intervals
   theory,      // dashed, without marks
   continuous,  // a line through many points, without marks
-  bars,        // one a point, up from 0
+  bars,        // one a point, up from 0, with its interval
 };
 
 struct ChartCurve {

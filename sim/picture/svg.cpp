@@ -23,6 +23,12 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .curve4 { stroke: #cc79a7; }
 .curve5 { stroke: #e69f00; }
 .curve6 { stroke: #56b4e9; }
+.curve7 { stroke: #003f66; }
+.curve8 { stroke: #7a3600; }
+.curve9 { stroke: #00553e; }
+.curve10 { stroke: #7d3c5f; }
+.curve11 { stroke: #806000; }
+.curve12 { stroke: #2a5f80; }
 .frame { fill: none; stroke: currentColor; stroke-opacity: .3; }
 .fill0 { fill: #999; fill-opacity: .35; }
 .fill1 { fill: #0072b2; }
@@ -44,12 +50,9 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .contour { stroke-width: 3; stroke: #d55e00; }
 .threshold { stroke: #e69f00; stroke-width: 2; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
+.misread { stroke: #cc3311; stroke-width: 2; }
 .theory { stroke-dasharray: 6 4; }
-.theory2 { stroke-dasharray: 14 4; }
-.theory3 { stroke-dasharray: 6 3 1 3 1 3; }
 .level { stroke-dasharray: 1 3; }
-.dotted { stroke-dasharray: 2 3; }
-.dashed { stroke-dasharray: 10 3 2 3; }
 .dot { stroke-width: 2; }
 .disc { stroke-width: 6; }
 .floor { fill: #999; fill-opacity: .12; }
@@ -67,7 +70,14 @@ constexpr std::string_view in_the_dark = R"(@media (prefers-color-scheme: dark) 
   .light { stroke: #e69f00; }
   .wire { stroke: #56b4e9; }
   .curve1 { stroke: #4aa3df; }
+  .curve7 { stroke: #a8d4f2; }
+  .curve8 { stroke: #ffb48a; }
+  .curve9 { stroke: #8fe0c6; }
+  .curve10 { stroke: #f2c8de; }
+  .curve11 { stroke: #ffdf94; }
+  .curve12 { stroke: #d0ecfb; }
   .fill8 { fill: #ddd; }
+  .misread { stroke: #ff7766; }
   .wrong { fill: #ff7766; }
 }
 )";
@@ -77,6 +87,11 @@ constexpr const char* on_paper = R"(@media print { svg { background: #fff; color
 )";
 
 }  // namespace
+
+std::string curve_style(std::size_t colour) {
+  constexpr std::size_t colours = 12;
+  return fmt::format("curve{}", colour % colours + 1);
+}
 
 std::string xml_escaped(std::string_view text) {
   std::string escaped;

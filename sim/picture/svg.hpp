@@ -1,7 +1,9 @@
 #pragma once
 // A drawing as SVG 1.1 (W3C Recommendation of 2011), for browsers and for paper. Lengths are pixels
 // from the upper left corner. How things look is said by the style sheet alone (svg.cpp), in
-// colours that the colour-blind tell apart (Okabe and Ito 2008), in light and in dark.
+// colours that the colour-blind tell apart (Okabe and Ito 2008), in light and in dark; where six
+// are not enough there are darker tones of them, lighter ones in the dark.
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,6 +13,9 @@ namespace sim {
 struct SvgPoint {
   double x = 0, y = 0;
 };
+
+/// The style of a curve: twelve colours, which then come again.
+std::string curve_style(std::size_t colour);
 
 /// Text for XML: the characters that mean something there are named.
 std::string xml_escaped(std::string_view text);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "sim/scenario/keys.hpp"
@@ -11,10 +12,35 @@
 namespace sim {
 namespace {
 
-bool spans_decades(const std::vector<double>& values) {
-  constexpr double decades = 100;
-  const auto [least, greatest] = std::ranges::minmax(values);
-  return least > 0 && greatest / least >= decades;
+/// How much the greatest of the steps between neighbours is of the least.
+double unevenness(const std::vector<double>& values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
+  const auto [least, greatest] = std::ranges::minmax(steps);
+  return greatest / least;
+}
+
+/// Different values in order, as curves have them.
+std::vector<double> in_order(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto again = std::ranges::unique(values);
+  values.erase(again.begin(), again.end());
+  return values;
+}
+
+/// Whether they would crowd at one end of a linear axis: where they span two decades; or are three
+/// at least, go up by factors rather than by steps, and span a decade or have much the same factor.
+bool grow_by_factors(const std::vector<double>& all) {
+  constexpr double two_decades = 100, decade = 10, twice_double = 4, much_the_same = 1.5;
+  const std::vector<double> values = in_order(all);
+  if (values.size() < 2 || values.front() <= 0) return false;
+  const double span = values.back() / values.front();
+  if (span >= two_decades || values.size() < 3) return span >= two_decades;
+  std::vector<double> logarithms;
+  for (const double value : values) logarithms.push_back(std::log(value));
+  const double of_factors = unevenness(logarithms);
+  return of_factors < unevenness(values) &&
+         (span >= decade || (span >= twice_double && of_factors <= much_the_same));
 }
 
 }  // namespace
@@ -36,7 +62,7 @@ std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes) {
 ChartAxis chart_axis(const Axis& axis) {
   const Key* key = find_key(axis.key);
   return {.label = axis_name(axis),
-          .logarithmic = spans_decades(axis.values),
+          .logarithmic = grow_by_factors(axis.values),
           .words = axis.long_name,
           .is_count = key != nullptr && key->facts.type == KeyType::whole_number};
 }

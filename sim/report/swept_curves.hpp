@@ -14,7 +14,7 @@ std::string axis_name(const Axis& axis);
 /// Axes of more than one number, those with the most values first.
 std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes);
 
-/// Logarithmic where the values span two decades, as they would crowd at one end.
+/// Logarithmic where the values grow by factors, as they would crowd at one end.
 ChartAxis chart_axis(const Axis& axis);
 
 /// What the coordinates on the axes other than `over` are: "receiver.module = TSOP4856".

@@ -31,7 +31,7 @@ CHART = {
           "level": {"at": 0.3, "text": "30 %"}},
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
-               curve("dotted", 7, [point(1, 1)]), curve("dashed", 13, [point(1, 1)]),
+               curve("square", 7, [point(1, 1)]), curve("triangle", 13, [point(1, 1)]),
                *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (1, 7, 13))]}
 
 
@@ -89,13 +89,18 @@ def look_at_line(driver, chart):
 
 
 def look_at_legend(driver, chart):
-    expect(len(set(driver.execute_script(
-        """return [...arguments[0].querySelectorAll('.u-marker line')].map((line) =>
-             getComputedStyle(line).stroke + getComputedStyle(line).strokeDasharray)""", chart))) ==
-           len(CHART["curves"]), "curves look the same in the legend")
+    """Curves look different, and none is dashed; of several theories one line tells."""
+    looks = driver.execute_script(
+        """return [...arguments[0].querySelectorAll('.u-series:not(.folded) .u-marker svg')].map((svg) => [
+             getComputedStyle(svg.querySelector('line')).stroke + (svg.querySelector('polygon')?.outerHTML ?? ''),
+             getComputedStyle(svg.querySelector('line')).strokeDasharray])""", chart)
+    measured = [one for one in CHART["curves"] if one["kind"] == "measured"]
+    expect(len({look for look, _ in looks}) == len(measured), f"curves look the same in the legend: {looks}")
+    expect({dashes for _, dashes in looks} == {"none"}, f"what was measured is dashed: {looks}")
+    expect(chart.find_element(By.CLASS_NAME, "dashed").text == "dashed: theory", "it is not said what is dashed")
     ActionChains(driver).move_to_element(chart.find_element(By.CLASS_NAME, "u-over")).perform()
     values = [value.text for value in chart.find_elements(By.CLASS_NAME, "u-value")]
-    expect(values == ["4", "< 0.1", "-", "-", "-", "-", "-", "-"], f"at a limit the legend says {values}")
+    expect(values == ["4", "< 0.1", "-", "-", "-", "", "", ""], f"at a limit the legend says {values}")
 
 
 def look_at_whole_marks(driver, chart):
@@ -111,7 +116,7 @@ def look_at_narrow_legends(driver):
              const a = part.getBoundingClientRect(), b = whole.getBoundingClientRect(), y = (a.top + a.bottom) / 2;
              return y > b.top && y < b.bottom;
            };
-           return [...document.querySelectorAll('.u-series')].filter((row) => {
+           return [...document.querySelectorAll('.u-series:not(.folded)')].filter((row) => {
              const label = row.querySelector('.u-label');
              return ![...row.querySelectorAll('.u-marker:has(line), .u-value')].every((part) => within(part, label));
            }).map((row) => row.textContent);""")

@@ -193,7 +193,7 @@ TEST_F(ReportCommand, RefusesNewerFormats) {
 }
 
 TEST_F(ReportCommand, RunDrawsItsCurvesAsText) {
-  write_scenario("near.toml", "receiver.range_m = [1, 2, 11]");
+  write_scenario("near.toml", "receiver.range_m = [1, 6, 11]");
   const Outcome o = program({"run", "near.toml", "-q", "--plot"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_NE(o.out.find("bit error ratio (BER), logarithmic; o simulated"), std::string::npos)

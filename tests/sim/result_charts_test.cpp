@@ -28,6 +28,24 @@ TEST(ChartAxis, OfAKeyKnowsWhetherItCounts) {
   EXPECT_FALSE(chart_axis({"receiver.range_m", "m", "distance", {1, 2}}).is_count);
 }
 
+TEST(ChartAxis, IsLogarithmicWhereValuesGrowByFactors) {
+  const auto is_logarithmic = [](const std::vector<double>& values) {
+    return chart_axis({"location.relative_sigma", "1", "", values}).logarithmic;
+  };
+  EXPECT_TRUE(is_logarithmic({0.01, 0.03, 0.1}));
+  EXPECT_TRUE(is_logarithmic({0.1, 0.03, 0.01})) << "in whatever order";
+  EXPECT_TRUE(is_logarithmic({1, 2, 5, 10, 20}));
+  EXPECT_TRUE(is_logarithmic({1, 2, 4}));
+  EXPECT_TRUE(is_logarithmic({0.001, 1})) << "two decades";
+  EXPECT_FALSE(is_logarithmic({1, 20})) << "nothing is known of how two grow";
+  EXPECT_FALSE(is_logarithmic({1, 2, 3}));
+  EXPECT_FALSE(is_logarithmic({40, 60, 80, 100, 120, 160, 200}));
+  EXPECT_FALSE(is_logarithmic({1, 5, 9, 13, 17, 21})) << "even steps over a decade";
+  EXPECT_FALSE(is_logarithmic({0, 1, 10, 100}));
+  EXPECT_FALSE(is_logarithmic({10, 11, 12.1})) << "too near to each other to crowd";
+  EXPECT_FALSE(is_logarithmic({1, 1}));
+}
+
 TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   ExperimentResult result;
   result.axes = {{"receiver.ebn0_db", "dB", "energy", {0, 10, 20}}};
