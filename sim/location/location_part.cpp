@@ -87,11 +87,52 @@ class Receivers {
   std::vector<PlanMark> all_;
 };
 
-/// Adds where the first trials of a point located the device: those that were counted.
-void add_located(PlanDots& dots, const LocationTrialsSettings& settings, std::uint32_t trials) {
-  for (const Location& location : locate_first_trials(settings, std::min(trials, settings.trials)))
+/// Where the first trials of a point located the device: those that were counted.
+std::vector<PlanDots::Dot> located_by(const LocationTrialsSettings& settings,
+                                      std::uint32_t trials) {
+  std::vector<PlanDots::Dot> dots;
+  if (trials == 0) return dots;
+  for (const Location& location : locate_first_trials(settings, trials))
     if (location.outcome == LocateOutcome::located)
-      dots.dots.push_back({{location.places.front().at.at.x, location.places.front().at.at.y}});
+      dots.push_back({{location.places.front().at.at.x, location.places.front().at.at.y}});
+  return dots;
+}
+
+/// A point of the sweep on the map.
+struct MapPoint {
+  std::string place;  // "location.relative_sigma = 0.01"
+  std::uint32_t trials = 0;
+  std::vector<PlanDots::Dot> located;  // by these trials
+};
+
+/// "location.relative_sigma = 0.01: 22 of the first 22 trials located it".
+std::string located_text(const std::string& place, std::size_t located, std::size_t trials) {
+  const std::string count =
+      trials > 0 ? fmt::format("{} of the first {} trials located it", located, trials) : "";
+  return place + (place.empty() || count.empty() ? "" : ": ") + count;
+}
+
+/// More points than colours look alike.
+constexpr std::size_t most_colours = 12;
+
+/// A line of the legend for each point, or where they look alike one for all.
+void add_dots(FloorPlan& plan, const std::vector<MapPoint>& points) {
+  if (points.size() <= most_colours) {
+    for (const MapPoint& point : points)
+      plan.dots.push_back({.label = located_text(point.place, point.located.size(), point.trials),
+                           .dots = point.located,
+                           .colour = plan.dots.size(),
+                           .is_in_place = true});
+    return;
+  }
+  PlanDots all{.label = {}, .dots = {}, .is_in_place = true};
+  std::size_t trials = 0;
+  for (const MapPoint& point : points) {
+    trials += point.trials;
+    all.dots.insert(all.dots.end(), point.located.begin(), point.located.end());
+  }
+  all.label = located_text(fmt::format("{} points", points.size()), all.dots.size(), trials);
+  plan.dots.push_back(std::move(all));
 }
 
 /// Nothing is drawn of an ellipse that is not known, where the readings bound nothing.
@@ -105,26 +146,27 @@ FloorPlan plan_of(const StoredDataset& stored) {
   const DatasetCells major(data, "ellipse_major_m"), minor(data, "ellipse_minor_m"),
       direction(data, "ellipse_direction_deg");
   Receivers receivers;
-  PlanDots located{.label = {}, .dots = {}, .colour = 2};
+  std::vector<MapPoint> drawn;
   const std::vector<std::size_t> points = measured_points(data);
-  const std::uint32_t trials = dots_at_each(points.size());
   for (const std::size_t point : points) {
     const LocationTrialsSettings settings =
         location_settings(point_scenario(stored.scenario, point_coordinates(data.axes, point)),
                           stored.scenario.places);
     for (const Reading& reading : settings.readings) receivers.add(reading);
-    if (trials > 0) add_located(located, settings, trials);
+    const std::uint32_t trials = std::min(dots_at_each(points.size()), settings.trials);
+    const std::size_t colour = points.size() <= most_colours ? drawn.size() : 0;
+    drawn.push_back({place_text(data, point), trials, located_by(settings, trials)});
     const PlanPoint truth{settings.truth.x, settings.truth.y};
-    plan.devices.push_back({.at = truth, .colour = 1, .is_solid = false});
+    plan.devices.push_back({.at = truth, .colour = {}, .is_solid = false});
     if (std::isfinite(major[point]))
       plan.ellipses.push_back(
-          {truth, major[point], minor[point], dsp::degrees(direction[point]).value, 0});
+          {truth, major[point], minor[point], dsp::degrees(direction[point]).value, colour});
   }
   plan.receivers = receivers.all();
-  if (located.dots.empty()) return plan;
-  located.label = fmt::format("where {} trials located it", located.dots.size());
-  plan.description += "; dots are where the first trials located it";
-  plan.dots.push_back(std::move(located));
+  if (dots_at_each(points.size()) > 0)
+    plan.description += fmt::format("; dots are where the first trials{} located it",
+                                    points.size() == 1 ? "" : " of each point");
+  add_dots(plan, drawn);
   return plan;
 }
 

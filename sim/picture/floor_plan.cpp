@@ -20,7 +20,10 @@ constexpr double margin = 26;  // around what is shown, for its labels
 constexpr double legend_step = 16;
 constexpr double disc = 3, tip = 17, corner = 8, dot = 1.2, track = 5;
 
-std::string colour_of(std::size_t colour) { return fmt::format("curve{}", colour % 6 + 1); }
+/// The class of a mark, with another behind it.
+std::string style_of(const PlanMark& mark, const std::string& other) {
+  return mark.colour ? curve_style(*mark.colour) + " " + other : other;
+}
 
 bool is_somewhere(PlanPoint p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
@@ -153,11 +156,10 @@ void draw_label(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground)
 void draw_device(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground) {
   if (!is_somewhere(mark.at)) return;
   const SvgPoint at = ground(mark.at);
-  const std::string colour = colour_of(mark.colour);
   if (mark.heading)
-    drawing.path(move_to(at) + line_to(beside(at, *mark.heading, tip)), colour + " dot");
+    drawing.path(move_to(at) + line_to(beside(at, *mark.heading, tip)), style_of(mark, "dot"));
   drawing.path(circle(at, mark.is_solid ? disc : 2 * disc - 1),
-               colour + (mark.is_solid ? " disc" : " dot"));
+               style_of(mark, mark.is_solid ? "disc" : "dot"));
   draw_label(drawing, mark, ground);
 }
 
@@ -172,11 +174,12 @@ void draw_receiver(SvgDrawing& drawing, const PlanMark& mark, const Ground& grou
   draw_label(drawing, mark, ground);
 }
 
-/// Each kind on a track of its own beside the way; places that look the same are drawn once.
+/// Places that look the same are drawn once.
 void draw_dots(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground) {
   for (std::size_t kind = 0; kind < plan.dots.size(); ++kind) {
-    const double side =
-        track * (static_cast<double>(plan.dots.size() - 1) / 2 - static_cast<double>(kind));
+    const double from_middle =
+        static_cast<double>(plan.dots.size() - 1) / 2 - static_cast<double>(kind);
+    const double side = plan.dots[kind].is_in_place ? 0 : track * from_middle;
     std::set<std::pair<long, long>> drawn;
     std::string path;
     for (const PlanDots::Dot& each : plan.dots[kind].dots) {
@@ -184,7 +187,7 @@ void draw_dots(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground)
       const SvgPoint at = beside(ground(each.at), each.heading + M_PI / 2, side);
       if (drawn.emplace(std::lround(at.x), std::lround(at.y)).second) path += circle(at, dot);
     }
-    drawing.path(path, colour_of(plan.dots[kind].colour) + " dot");
+    drawing.path(path, curve_style(plan.dots[kind].colour) + " dot");
   }
 }
 
@@ -194,12 +197,14 @@ void draw_ellipse(SvgDrawing& drawing, const PlanEllipse& ellipse, const Ground&
     const SvgPoint at = ground(on_ellipse(ellipse, ellipse_angle(step)));
     path += step == 0 ? move_to(at) : line_to(at);
   }
-  drawing.path(path + "Z", colour_of(ellipse.colour));
+  drawing.path(path + "Z", curve_style(ellipse.colour));
 }
 
 void draw_legend(SvgDrawing& drawing, const FloorPlan& plan, double y) {
   for (const PlanDots& kind : plan.dots) {
-    drawing.path(circle({left + 6, y - 4}, dot), colour_of(kind.colour) + " dot");
+    const std::string colour = curve_style(kind.colour);
+    drawing.path(circle({left + 6, y - 4}, dot), colour + " dot");
+    if (kind.is_in_place) drawing.path(circle({left + 6, y - 4}, 2 * disc), colour);
     drawing.text({left + 20, y}, kind.label, "");
     y += legend_step;
   }

@@ -16,11 +16,12 @@ struct PlanMark {
   PlanPoint at;
   std::string label{};  // empty: none is written
   std::optional<double> heading{};
-  std::size_t colour = 0;  // of six, which then come again
+  std::optional<std::size_t> colour = 0;  // of those of curves; nothing: that of texts
   bool is_solid = true;
 };
 
-/// Dots beside their places, so that those of several kinds are told apart.
+/// Dots of a kind, on a track of its own beside the way, or, together with an ellipse of that
+/// colour, where they are.
 struct PlanDots {
   struct Dot {
     PlanPoint at;
@@ -29,6 +30,7 @@ struct PlanDots {
   std::string label;
   std::vector<Dot> dots;
   std::size_t colour = 0;
+  bool is_in_place = false;
 };
 
 struct PlanEllipse {

@@ -158,11 +158,17 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
   const std::string map = content(path("p/map.svg"));
-  EXPECT_EQ(occurrences(map, "<path class=\"curve1\""), 2U) << "an ellipse a point";
-  expect_has(map, fmt::format(">where {} trials located it</text>",
-                              counted["variables"]["n_outcomes"]["values"][0].get<int>() +
-                                  counted["variables"]["n_outcomes"]["values"][5].get<int>()));
-  EXPECT_EQ(occurrences(map, "<path class=\"dot\""), 4U) << "each of the receivers once";
+  for (const int point : {0, 1}) {
+    EXPECT_EQ(occurrences(map, fmt::format("<path class=\"curve{}\"", point + 1)), 2U)
+        << "an ellipse in the colour of its point, and the legend's";
+    expect_has(map,
+               fmt::format(">location.relative_sigma = {}: {} of the first 8 trials located it"
+                           "</text>",
+                           point == 0 ? 0.01 : 0.03,
+                           counted["variables"]["n_outcomes"]["values"][5 * point].get<int>()));
+  }
+  EXPECT_EQ(occurrences(map, "<path class=\"dot\""), 4U + 2U)
+      << "each of the receivers once, and the device of each point";
   expect_has(content(path("p/outcomes.svg")), ">located</text>");
 }
 

@@ -91,6 +91,21 @@ TEST(FloorPlan, PutsKindsOfDotsOnTracksBesideTheWay) {
   EXPECT_NE(svg.find(">left</text>"), std::string::npos);
 }
 
+TEST(FloorPlan, LeavesDotsThatHaveAnEllipseInTheirPlace) {
+  const std::string svg = floor_plan_as_svg(
+      {.title = "t",
+       .description = "d",
+       .devices = {{.at = {0.5, 0}, .colour = {}}},
+       .dots = {{"one", {{{0.5, 0}}}, 0, true}, {"seven", {{{0.5, 0}}}, 6, true}}});
+  const std::vector<At> device_at = begins(svg, "disc");
+  ASSERT_EQ(device_at.size(), 1U) << "in the colour of texts";
+  for (const char* style : {"curve1 dot", "curve7 dot"}) {
+    const std::vector<At> at = begins(svg, style);
+    ASSERT_EQ(at.size(), 2U) << "and that of the legend";
+    EXPECT_EQ(at[0].y, device_at[0].y);
+  }
+}
+
 TEST(FloorPlan, DrawsEllipsesOfTheirSizeAndDirection) {
   const double tilt = std::numbers::pi / 6;
   const std::string svg =
