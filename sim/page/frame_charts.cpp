@@ -6,7 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
+#include <utility>
+
+#include "sim/page/picture_sections.hpp"
 
 namespace sim {
 namespace {
@@ -57,10 +59,34 @@ double step_for(const EdgeDelays& delays) {
   return std::max(1.0, std::ceil((all[all.size() - 1 - far_out] - all[far_out]) / steps));
 }
 
+/// With its 95 % interval; bits of a character fail together. Where none did nothing is known of
+/// that, and trials count, not bits.
+Estimate share_of_bits(const ClusterSums& sums) {
+  constexpr double level = 0.95;
+  if (sums.part > 0) return clustered_ratio(sums, level);
+  const Interval none = clopper_pearson(0, static_cast<double>(sums.n), level);
+  return {0, none.low, none.high};
+}
+
 /// "all 400 trials that were counted", "the first 400 trials".
 std::string trials_text(const FrameStatistics& frames) {
   return frames.are_all ? fmt::format("all {} trials that were counted", frames.trials)
                         : fmt::format("the first {} trials", frames.trials);
+}
+
+Chart burst_chart(const FrameStatistics& frames) {
+  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::bars};
+  const std::vector<int>& bursts = frames.wrong.bursts;
+  for (std::size_t n = 0; n < bursts.size(); ++n) {
+    const double count = bursts[n];
+    curve.points.push_back({static_cast<double>(n + 1), count, count, count});
+  }
+  return {.title = "Bursts of wrong bits",
+          .description = fmt::format("How often so many wrong bits followed each other in {}",
+                                     trials_text(frames)),
+          .x = {.label = "wrong bits in a row", .is_count = true},
+          .y = {.label = "bursts", .is_count = true, .from_zero = true},
+          .curves = {curve}};
 }
 
 }  // namespace
@@ -86,36 +112,27 @@ HeatMap wrong_bits_map(const FrameStatistics& frames) {
 }
 
 Chart settling_chart(const FrameStatistics& frames) {
-  ChartCurve curve{.name = "wrong bits", .points = {}, .kind = CurveKind::continuous};
-  for (std::size_t i = 0; i < frames.wrong.counts.size(); ++i) {
-    const auto& counts = frames.wrong.counts[i];
-    const double share = std::accumulate(counts.begin(), counts.end(), 0.0) /
-                         static_cast<double>(counts.size()) / std::max(1, frames.trials);
-    curve.points.push_back(
-        {(static_cast<double>(i) + 0.5) * frames.character_s * 1e3, share, share, share});
+  ChartCurve curve{.name = "wrong bits", .points = {}, .kind = CurveKind::bars};
+  for (std::size_t i = 0; i < frames.wrong.shares.size(); ++i) {
+    const Estimate share = share_of_bits(frames.wrong.shares[i]);
+    curve.points.push_back({(static_cast<double>(i) + 0.5) * frames.character_s * 1e3, share.value,
+                            share.low, share.high});
   }
   return {.title = "Wrong bits since the message began",
           .description = fmt::format("Share of the bits of a character that are wrong, at its "
-                                     "middle, of {}: what settles in a message shows here",
+                                     "middle, with its 95 % interval, of {}: what settles in a "
+                                     "message shows here",
                                      trials_text(frames)),
           .x = {"time since the message began [ms]", false},
           .y = {.label = "share of wrong bits", .from_zero = true},
           .curves = {curve}};
 }
 
-Chart burst_chart(const FrameStatistics& frames) {
-  ChartCurve curve{.name = "bursts", .points = {}, .kind = CurveKind::bars};
-  const std::vector<int>& bursts = frames.wrong.bursts;
-  for (std::size_t n = 0; n <= bursts.size() + 1; ++n) {  // room beside the first and the last
-    const double count = n == 0 || n > bursts.size() ? 0 : bursts[n - 1];
-    curve.points.push_back({static_cast<double>(n), count, count, count});
-  }
-  return {.title = "Bursts of wrong bits",
-          .description = fmt::format("How often so many wrong bits followed each other in {}",
-                                     trials_text(frames)),
-          .x = {.label = "wrong bits in a row", .is_count = true},
-          .y = {.label = "bursts", .is_count = true, .from_zero = true},
-          .curves = {curve}};
+PageSection bursts_section(const FrameStatistics& frames) {
+  Chart chart = burst_chart(frames);
+  if (frames.wrong.bursts.size() > 1) return chart_section(std::move(chart));
+  return {.heading = chart.title,
+          .text = fmt::format("In {} no wrong bit followed another.", trials_text(frames))};
 }
 
 std::string delays_text(const FrameStatistics& frames) {

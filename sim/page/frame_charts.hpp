@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/page/frame_statistics.hpp"
+#include "sim/page/page.hpp"
 #include "sim/picture/chart.hpp"
 #include "sim/picture/heat_map.hpp"
 
@@ -12,8 +13,9 @@ namespace sim {
 HeatMap wrong_bits_map(const FrameStatistics& frames);
 /// The same by the time since the message began: what the gain control, which settles, costs.
 Chart settling_chart(const FrameStatistics& frames);
-/// How often so many wrong bits followed each other.
-Chart burst_chart(const FrameStatistics& frames);
+/// How often so many wrong bits followed each other; some must have been wrong. Where none
+/// followed another that is said, and nothing is drawn.
+PageSection bursts_section(const FrameStatistics& frames);
 /// What the delays come to: of which pulses are too long at the pin, and their jitter. There are
 /// to be some of both edges.
 std::string delays_text(const FrameStatistics& frames);

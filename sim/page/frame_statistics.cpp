@@ -93,7 +93,10 @@ void add_delays(EdgeDelays& delays, const TracedTrial& trial) {
 void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay) {
   const TracedMessage message = message_of(trial);
   const double bit_s = message.character_s / protocol::bits_per_byte;
-  if (wrong.counts.empty()) wrong.counts.resize(message.sent.size());
+  if (wrong.counts.empty()) {
+    wrong.counts.resize(message.sent.size());
+    wrong.shares.resize(message.sent.size());
+  }
   wrong.characters.clear();
   std::size_t burst = 0;
   const auto end_burst = [&] {
@@ -104,6 +107,7 @@ void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds del
   };
   for (std::size_t i = 0; i < std::min(message.sent.size(), wrong.counts.size()); ++i) {
     wrong.characters.push_back(shown(message.sent[i]));
+    std::uint64_t of_character = 0;
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
       const double middle_s = message.start_s(i) + (slot + 0.5) * bit_s + delay.value;
       if (trial.rx.level_at(dsp::Seconds(middle_s)) ==
@@ -111,9 +115,11 @@ void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds del
         end_burst();
       } else {
         ++burst;
+        ++of_character;
         ++wrong.counts[i][static_cast<std::size_t>(slot)];
       }
     }
+    wrong.shares[i].add(of_character, protocol::bits_per_byte);
   }
   end_burst();
 }

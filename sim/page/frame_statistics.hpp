@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/counting/shard.hpp"
+#include "sim/counting/statistics.hpp"
 #include "sim/link/link.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/run_sharing.hpp"
@@ -25,6 +26,7 @@ struct EdgeDelays {
 struct WrongBits {
   std::vector<std::string> characters;      // as sent
   std::vector<std::array<int, 10>> counts;  // of each, by the slot: start bit, 0 to 7, stop bit
+  std::vector<ClusterSums> shares;          // of each character, of its ten bits
   std::vector<int> bursts;                  // [n]: how often n + 1 followed each other
 };
 

@@ -114,7 +114,7 @@ void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {
   if (frames.wrong.bursts.empty()) return;
   part.sections.push_back(map_section("wrong-bits", wrong_bits_map(frames)));
   part.sections.push_back(chart_section(settling_chart(frames)));
-  part.sections.push_back(chart_section(burst_chart(frames)));
+  part.sections.push_back(bursts_section(frames));
 }
 
 PagePicture eye_of(const ShownTrial& shown) {

@@ -12,7 +12,8 @@ namespace sim {
 namespace {
 
 bool has_interval(const ChartCurve& curve, const ChartPoint& point) {
-  return curve.kind == CurveKind::measured && point.low != point.high;
+  const bool may = curve.kind == CurveKind::measured || curve.kind == CurveKind::bars;
+  return may && point.low != point.high;
 }
 
 /// Counts as they are.

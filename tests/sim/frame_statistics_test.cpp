@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -11,6 +12,8 @@
 #include "sim/link/link.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_charts.hpp"
+#include "sim/page/picture_sections.hpp"
+#include "sim/report/estimate_text.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/trial/trial.hpp"
 
@@ -61,8 +64,19 @@ TEST(FrameStatistics, SaysWhichBitsAreWrongAndHowManyInARow) {
   const HeatMap map = wrong_bits_map(frames);
   EXPECT_EQ(map.rows, (std::vector<std::string>{"4: \\n", "3: K", "2: A", "1: O"}));
   EXPECT_EQ(map.values[2][1], 1);
-  EXPECT_EQ(most_at(burst_chart(frames).curves[0]), 3);
+  const PageSection bursts = bursts_section(frames);
+  ASSERT_TRUE(bursts.picture && bursts.picture->live);
+  const ChartCurve& curve = bursts.picture->live->curves.at(0);
+  EXPECT_EQ(most_at(curve), 3);
+  EXPECT_EQ(curve.points.front().x, 1) << "there is none of 0";
+  EXPECT_EQ(curve.points.back().x, 3) << "nor of 4";
   EXPECT_TRUE(frames_of(made_up_trial("OK\n", "OK\n")).wrong.bursts.empty());
+}
+
+TEST(FrameStatistics, SayInWordsThatNoWrongBitFollowedAnother) {
+  const PageSection bursts = bursts_section(frames_of(made_up_trial("OK\n", "OJ\n")));
+  EXPECT_FALSE(bursts.picture) << "of one bar";
+  EXPECT_EQ(bursts.text, "In the first 1 trials no wrong bit followed another.");
 }
 
 TEST(FrameStatistics, SaysWhenInAMessageBitsAreWrong) {
@@ -71,6 +85,26 @@ TEST(FrameStatistics, SaysWhenInAMessageBitsAreWrong) {
   EXPECT_NEAR(chart.curves[0].points[1].x, 25, 1e-9) << "ms: the middle of the second of 600 Bd";
   EXPECT_NEAR(chart.curves[0].points[1].y, 0.3, 1e-9) << "three of ten";
   EXPECT_EQ(chart.curves[0].points[2].y, 0);
+}
+
+TEST(FrameStatistics, SayHowSurelyBitsAreWrong) {
+  FrameStatistics frames{.trials = 0, .character_s = 10 / made_up_baud.value};
+  for (const char* read : {"OFK\n", "OAK\n", "OAK\n", "OFK\n", "OAK\n", "OAK\n"}) {
+    add_wrong_bits(frames.wrong, made_up_trial("OAK\n", read), dsp::Seconds(200e-6));
+    ++frames.trials;
+  }
+  const Chart chart = settling_chart(frames);
+  EXPECT_EQ(chart.curves[0].kind, CurveKind::bars) << "no slope from one character to the next";
+  const ChartPoint& never = chart.curves[0].points[0];
+  EXPECT_NEAR(never.high, 1 - std::pow(0.025, 1 / 6.0), 1e-9) << "none of six, as Clopper-Pearson";
+  EXPECT_EQ(never.low, 0);
+  const ChartPoint& twice = chart.curves[0].points[1];
+  const Interval of_bits = clopper_pearson(6, 60, 0.95);
+  EXPECT_NEAR(twice.y, 0.1, 1e-12);
+  EXPECT_LT(twice.low, of_bits.low) << "they fail three at a time";
+  EXPECT_GT(twice.high, of_bits.high);
+  EXPECT_EQ(chart_section(chart).table->rows.at(1).at(2),
+            estimate_text({0.1, twice.low, twice.high}));
 }
 
 // ---- of trials ----
