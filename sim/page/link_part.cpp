@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/page/eye_diagram.hpp"
 #include "sim/page/frame_charts.hpp"
 #include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
@@ -117,11 +118,6 @@ void add_wrong_bits(ReportPart& part, const FrameStatistics& frames) {
   part.sections.push_back(bursts_section(frames));
 }
 
-PagePicture eye_of(const ShownTrial& shown) {
-  return {"eye", "The integrator over two bits, all bits of the message over each other",
-          eye_as_svg(shown)};
-}
-
 void add_frames(ReportPart& part, const FrameStatistics& frames) {
   add_wrong_bits(part, frames);
   if (frames.delays.falling_us.empty() || frames.delays.rising_us.empty()) return;
@@ -133,7 +129,7 @@ void add_trial(ReportPart& part, const ExperimentResult& result, const ShownTria
   part.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     part.sections.push_back(
-        {.heading = "Eye diagram", .picture = eye_of(shown), .table = eye_table(shown.trial)});
+        {.heading = "Eye diagram", .picture = eye_picture(shown), .table = eye_table(shown.trial)});
   part.sections.push_back(chart_section(spectrum_chart(shown)));
 }
 

@@ -50,13 +50,6 @@ std::string spectrum_description(bool is_matched) {
       is_matched ? "" : ", and the module's response from the highest point down");
 }
 
-/// Enough of them to show a bit: the integrator is much slower than the samples.
-std::vector<float> thinned(const std::vector<float>& samples, std::size_t step) {
-  std::vector<float> kept;
-  for (std::size_t i = 0; i < samples.size(); i += step) kept.push_back(samples[i]);
-  return kept;
-}
-
 }  // namespace
 
 std::string why_no_trial(const Scenario& scenario) {
@@ -99,39 +92,6 @@ Chart spectrum_chart(const ShownTrial& shown) {
       "behind the band-pass", dsp::welch(trial.taps.band_pass, trial.sample_rate, segment)));
   chart.curves.push_back(response_curve(shown.module, chart.curves.front()));
   return chart;
-}
-
-std::string eye_as_svg(const ShownTrial& shown) {
-  constexpr double width = 720, height = 320, left = 80, right = 700, top = 50, bottom = 260;
-  const TracedTrial& trial = shown.trial;
-  const TracedMessage message = message_of(trial);
-  const double bit_s = message.character_s / protocol::bits_per_byte;
-  constexpr double steps_a_bit = 64;
-  const auto step =
-      static_cast<std::size_t>(std::max(1.0, bit_s * trial.sample_rate.value / steps_a_bit));
-  const std::vector<float> integrator = thinned(trial.taps.integrator, step);
-  const double sample_s = 1 / trial.sample_rate.value;
-  const Scale level{0, std::max(1.0F, std::ranges::max(trial.taps.integrator)), bottom, top};
-  SvgDrawing drawing(width, height, "Eye diagram",
-                     "The integrator over two bits, all bits of the message over each other");
-  drawing.text({20, 20}, "Eye diagram of the integrator", "heading");
-  for (const double bits : {0.0, 0.5, 1.0, 1.5, 2.0}) {
-    const double x = left + (right - left) * bits / 2;
-    drawing.line({x, top}, {x, bottom}, "grid");
-    drawing.text({x, bottom + 18}, fmt::format("{:g}", bits), "middle small");
-  }
-  for (const double samples : {level.from, level.to})
-    drawing.text({left - 8, level(samples) + 4}, fmt::format("{:.3g}", samples), "end small");
-  drawing.text({20, top - 12}, "integrator [samples]", "");
-  drawing.text({(left + right) / 2, bottom + 42}, "bits since the sender's bit began", "middle");
-  for (const protocol::UartByte& byte : message.sent)
-    for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
-      const double from_s = byte.start.value + slot * bit_s;
-      drawing.path(sampled_path({integrator, sample_s, sample_s * static_cast<double>(step)},
-                                {from_s, from_s + 2 * bit_s, left, right}, level),
-                   "eye");
-    }
-  return drawing.finished();
 }
 
 }  // namespace sim

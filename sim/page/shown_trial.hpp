@@ -1,5 +1,5 @@
 #pragma once
-// The trial that a report shows, and what is drawn of it beside its taps.
+// The trial that a report shows, and its spectrum.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,7 +26,5 @@ std::optional<ShownTrial> trial_to_show(const StoredResult& stored, std::uint64_
 /// Power spectral density before and behind the band-pass (Welch), with the module's response; of
 /// matched receivers that of the light alone.
 Chart spectrum_chart(const ShownTrial& shown);
-/// The integrator over two bits, all bits of the message over each other, as SVG.
-std::string eye_as_svg(const ShownTrial& shown);
 
 }  // namespace sim

@@ -228,7 +228,7 @@ function drawTrial(figure, trial, number) {
   plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
   listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, tell: tellMilliseconds});
   const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
-  const edge = [trial.byte_from_s - 5 * trial.cycle_s, trial.byte_from_s + 25 * trial.cycle_s];
+  const edge = [trial.edge_from_s, trial.edge_to_s];
   addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
   if (trial.stretch > 1) sayWhatIsKept(figure, trial);
 }

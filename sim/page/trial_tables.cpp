@@ -19,13 +19,9 @@ std::string read_at(const TracedMessage& message, std::size_t character) {
 }
 
 int wrong_bits(const TracedTrial& trial, const TracedMessage& message, std::size_t character) {
-  const double bit_s = message.character_s / protocol::bits_per_byte;
   int wrong = 0;
-  for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
-    const dsp::Seconds middle(message.start_s(character) + (slot + 0.5) * bit_s);
-    wrong += trial.rx.level_at(middle + trial.delay) !=
-             protocol::line_bit(message.sent[character].value, slot);
-  }
+  for (int slot = 0; slot < protocol::bits_per_byte; ++slot)
+    wrong += is_wrong_at_pin(trial, message, character, slot);
   return wrong;
 }
 
@@ -34,6 +30,12 @@ struct Opening {
   float least_light = std::numeric_limits<float>::infinity();
   float greatest_dark = -std::numeric_limits<float>::infinity();
 };
+
+/// Where dark reaches as high as light, of its bit or of the next, there is none.
+std::string opening_text(const Opening& eye) {
+  const float opening = eye.least_light - eye.greatest_dark;
+  return opening > 0 ? fmt::format("{:.3g}", opening) : "closed";
+}
 
 Opening opening_at(const TracedTrial& trial, const TracedMessage& message, double phase) {
   const double bit_s = message.character_s / protocol::bits_per_byte;
@@ -75,8 +77,7 @@ PageTable eye_table(const TracedTrial& trial) {
     const double phase = static_cast<double>(step) / steps_a_bit;
     const Opening eye = opening_at(trial, message, phase);
     table.rows.push_back({fmt::format("{:g}", phase), fmt::format("{:.3g}", eye.least_light),
-                          fmt::format("{:.3g}", eye.greatest_dark),
-                          fmt::format("{:.3g}", eye.least_light - eye.greatest_dark)});
+                          fmt::format("{:.3g}", eye.greatest_dark), opening_text(eye)});
   }
   return table;
 }

@@ -10,8 +10,8 @@ namespace sim {
 PageTable characters_table(const TracedTrial& trial);
 
 /// A row for each eighth of a bit since the sender's bit began, up to one and a half: what the
-/// integrator has at least of bits of light and at most of dark ones, in samples; of a trial whose
-/// integrator was recorded.
+/// integrator has at least of bits of light and at most of dark ones, in samples, and how far these
+/// are apart, or that they are not; of a trial whose integrator was recorded.
 PageTable eye_table(const TracedTrial& trial);
 
 }  // namespace sim

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "sim/trace/close_up.hpp"
 #include "sim/trace/traced_message.hpp"
 
 namespace sim {
@@ -150,7 +151,9 @@ TrialView view_of(const TracedTrial& trial, std::size_t most) {
   view.message_s = message.end_s() - zero_s;
   view.byte_from_s = message.start_s(shown_first(message)) - zero_s;
   view.byte_s = message.character_s;
-  view.cycle_s = 1 / trial.carrier.value;
+  const CloseUp close = close_up_of(trial, message);
+  view.edge_from_s = close.from_s - zero_s;
+  view.edge_to_s = close.to_s - zero_s;
   view.delay_s = trial.delay.value;
   return view;
 }
@@ -181,7 +184,8 @@ std::string view_json(const TrialView& view) {
                   {"message_s", view.message_s},
                   {"byte_from_s", view.byte_from_s},
                   {"byte_s", view.byte_s},
-                  {"cycle_s", view.cycle_s}};
+                  {"edge_from_s", view.edge_from_s},
+                  {"edge_to_s", view.edge_to_s}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

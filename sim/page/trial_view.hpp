@@ -34,8 +34,8 @@ struct TrialView {
   std::vector<ViewMark> bits;        // at the middle of each that was sent, the pin's level for it
   double delay_s = 0;                // how much later the pin has it
   double message_s = 0;              // how long it is
-  double byte_from_s = 0, byte_s = 0;  // the character that is shown first: one that was misread
-  double cycle_s = 0;                  // of the carrier
+  double byte_from_s = 0, byte_s = 0;     // the character that is shown first: one that was misread
+  double edge_from_s = 0, edge_to_s = 0;  // cycles of the carrier, where it goes wrong
 };
 
 /// Of a trial with taps and a message. At most `most` values a tap, and half as many of its detail.

@@ -12,6 +12,7 @@
 #include "sim/picture/svg.hpp"
 #include "sim/picture/waveform.hpp"
 #include "sim/text/letters.hpp"
+#include "sim/trace/close_up.hpp"
 #include "sim/trace/trace_lanes.hpp"
 #include "sim/trace/traced_message.hpp"
 
@@ -28,9 +29,6 @@ constexpr double marks_end = left - 6, names_end = left - 50;
 constexpr double letter_width = 8, letter_gap = 2;  // of a character's 13 pixels of monospace
 constexpr std::size_t most_letters = 125;           // of a line across, even of capitals
 constexpr double first_lane = 50, lane_height = 70, lane_pitch = 95, wire_height = 35;
-
-constexpr double cycles_before_edge = 5,
-                 cycles_after_edge = 25;  // the module answers after 7 to 15
 
 /// What is drawn: lanes and the pin, what was sent and what is read at the pin.
 struct Signals {
@@ -209,14 +207,12 @@ void draw_character(SvgDrawing& drawing, const Signals& signals, std::size_t cha
   draw_bits(drawing, panel, signals, character);
 }
 
-void draw_edge(SvgDrawing& drawing, const Signals& signals, std::size_t character) {
-  const double start = signals.message.start_s(character), cycle = 1 / signals.trial.carrier.value;
-  const Panel panel =
-      panel_of(signals, 2, start - cycles_before_edge * cycle, start + cycles_after_edge * cycle);
+void draw_edge(SvgDrawing& drawing, const Signals& signals) {
+  const CloseUp close = close_up_of(signals.trial, signals.message);
+  const Panel panel = panel_of(signals, 2, close.from_s, close.to_s);
   draw_panel(drawing, panel, signals,
-             fmt::format("The beginning of its start bit, light of {:.1f} kHz",
-                         signals.trial.carrier.value / 1e3),
-             start);
+             fmt::format("{}, light of {:.1f} kHz", close.edge, signals.trial.carrier.value / 1e3),
+             close.edge_s);
 }
 
 /// What the picture is of.
@@ -253,7 +249,7 @@ std::string picture_of(const Signals& signals) {
   const std::size_t character = signals.message.first_wrong().value_or(0);
   draw_message(drawing, signals);
   draw_character(drawing, signals, character);
-  draw_edge(drawing, signals, character);
+  draw_edge(drawing, signals);
   return drawing.finished();
 }
 

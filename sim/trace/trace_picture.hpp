@@ -1,7 +1,7 @@
 #pragma once
 // The figure of the COSYS protocol's document ("PHYSICAL LAYER": over-the-air waveform above the
-// decoded signal) for any trial: its last message, one character of it, and the cycles of light at
-// an edge.
+// decoded signal) for any trial: its last message, one character of it, and the cycles of light
+// where it goes wrong.
 #include <string>
 
 #include "sim/trace/trace.hpp"

@@ -40,6 +40,14 @@ std::optional<std::size_t> TracedMessage::first_wrong() const {
   return std::nullopt;
 }
 
+bool is_wrong_at_pin(const TracedTrial& trial, const TracedMessage& message, std::size_t character,
+                     int slot) {
+  const double bit_s = message.character_s / protocol::bits_per_byte;
+  const dsp::Seconds middle(message.start_s(character) + (slot + 0.5) * bit_s);
+  return trial.rx.level_at(middle + trial.delay) !=
+         protocol::line_bit(message.sent[character].value, slot);
+}
+
 TracedMessage message_of(const TracedTrial& trial) {
   const double character_s = protocol::bits_per_byte / trial.baud.value;
   return {.sent = last_message(protocol::receive_mid_bit(trial.tx, trial.baud), character_s),

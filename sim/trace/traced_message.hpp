@@ -26,6 +26,10 @@ struct TracedMessage {
   std::optional<std::size_t> first_wrong() const;
 };
 
+/// Whether the pin has not the level of a bit (0: the start bit) of a character in its middle.
+bool is_wrong_at_pin(const TracedTrial& trial, const TracedMessage& message, std::size_t character,
+                     int slot);
+
 TracedMessage message_of(const TracedTrial& trial);
 
 /// A character for people: a space as one that is seen, "!" behind one without its stop bit.

@@ -47,6 +47,7 @@ TEST(TracePicture, ShowsTheLastMessageAsSentAndAsRead) {
   EXPECT_EQ(sim::occurrences(text, ">N</text>"), 2U);
   EXPECT_EQ(sim::occurrences(text, ">A</text>"), 0U) << "of a message before";
   EXPECT_NE(text.find("Its character 1, "), std::string::npos);
+  EXPECT_NE(text.find("The beginning of its start bit, light of 59.0 kHz"), std::string::npos);
 }
 
 TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
@@ -55,6 +56,8 @@ TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
   EXPECT_EQ(sim::occurrences(text, "class=\"wrong\""), 2U)
       << "the character, and the bit of it that is not as sent";
   EXPECT_NE(text.find("read at the receiver's pin: INE"), std::string::npos);
+  EXPECT_NE(text.find("The pin's edge in its bit 0, which is misread, light of 59.0 kHz"),
+            std::string::npos);
 }
 
 TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {

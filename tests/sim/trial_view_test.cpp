@@ -10,6 +10,7 @@
 
 #include "made_up_trial.hpp"
 #include "occurrences.hpp"
+#include "sim/page/eye_diagram.hpp"
 #include "sim/page/shown_trial.hpp"
 #include "sim/page/trial_view.hpp"
 
@@ -120,6 +121,20 @@ TEST(TrialView, MarksWhatWasMisread) {
   EXPECT_NEAR(view.wire_flips_s.front(), 0.0002, 1e-9);
 }
 
+TEST(TrialView, ShowsTheCyclesWhereTheFirstWrongBitGoesWrong) {
+  const double bit_s = 1 / made_up_baud.value, cycle_s = 1 / 59e3;
+  const auto from_s = [&](const std::string& sent, const std::string& read) {
+    const TrialView view = view_of(trial_of(sent, read));
+    EXPECT_NEAR(view.edge_to_s - view.edge_from_s, 30 * cycle_s, 1e-9);
+    return view.edge_from_s;
+  };
+  EXPECT_NEAR(from_s("OJ\n", "OK\n"), 11 * bit_s + 200e-6 - 25 * cycle_s, 1e-9)
+      << "before the pin turns dark in bit 0";
+  EXPECT_NEAR(from_s("OK\n", "OJ\n"), 11 * bit_s - 5 * cycle_s, 1e-9)
+      << "of bit 0 the pin has no edge";
+  EXPECT_NEAR(from_s("OK\n", "OK\n"), -5 * cycle_s, 1e-9) << "the start bit: none is wrong";
+}
+
 TEST(TrialView, ComparesBitsWithThoseOfAPinThatIsLater) {
   TracedTrial trial = made_up_trial("OK\n", "");
   trial.rx = dsp::LogicTrace();
@@ -161,6 +176,24 @@ double most_at(const ChartCurve& curve) {
 TEST(ShownTrial, DrawsAnEyeOfAllBits) {
   const std::string svg = eye_as_svg(shown_of(trial_of("OK\n", "OK\n")));
   EXPECT_EQ(occurrences(svg, "class=\"eye\""), 30U);
+  EXPECT_EQ(occurrences(svg, "class=\"misread\""), 0U);
+}
+
+TEST(ShownTrial, DrawsMisreadBitsOfItsEyeOnTop) {
+  const std::string svg = eye_as_svg(shown_of(trial_of("OK\n", "OJ\n")));
+  EXPECT_EQ(occurrences(svg, "<path class=\"eye\""), 29U);
+  EXPECT_EQ(occurrences(svg, "<path class=\"misread\""), 1U);
+  EXPECT_GT(svg.find("<path class=\"misread\""), svg.rfind("<path class=\"eye\""));
+  EXPECT_EQ(occurrences(svg, ">misread at the pin: 1 of 30 bits</text>"), 1U);
+}
+
+TEST(ShownTrial, DrawsWhereThePinSwitchesAndABitIsRead) {
+  const PagePicture eye = eye_picture(shown_of(trial_of("OK\n", "OK\n")));
+  EXPECT_EQ(occurrences(eye.svg, "<line class=\"level\""), 3U);
+  EXPECT_EQ(occurrences(eye.svg, "<line class=\"level\" x1=\"235.00\" y1=\"50.00\""), 1U)
+      << "in the middle of the first of two bits";
+  EXPECT_NE(eye.caption.find("from 0 to 33.7, which are 8 cycles of 56 kHz"), std::string::npos)
+      << "8 / 56 kHz * 236 kS/s";
 }
 
 TEST(ShownTrial, ShowsTheCarrierInItsSpectrumUnderTheModulesResponse) {
