@@ -30,15 +30,12 @@ std::vector<CountedKind> guard_fates() {
   return fates;
 }
 
-/// Of all devices and points.
+/// Of all devices and points: of those that were sent, as in what is said before.
 std::string known_of(const Dataset& data) {
-  const double known = DatasetCells(data, "n_known").sum();
-  const double messages = DatasetCells(data, "n_messages").sum();
-  return messages == 0 ? ""
-                       : fmt::format(
-                             "The base station got to know {:.0f} of {:.0f} messages that "
-                             "the devices had to send.\n",
-                             known, messages);
+  const double sent = DatasetCells(data, "n_messages").sum() - DatasetCells(data, "n_silent").sum();
+  return sent == 0 ? ""
+                   : fmt::format("The base station got to know {:.0f} of the {:.0f} messages.\n",
+                                 DatasetCells(data, "n_known").sum(), sent);
 }
 
 /// A file may be damaged.
@@ -100,7 +97,8 @@ std::string ages_of(const Dataset& data) {
   if (!data.axes.empty())
     return extremes(data, "total_age_mean_s", "The mean age of what it knows", " s") +
            extremes(data, "total_unknown_share",
-                    "The share of time in which it knows nothing of a device");
+                    "The share of time in which it knows nothing of a device, as a mean of all "
+                    "devices,");
   const double mean_s = DatasetCells(data, "total_age_mean_s")[0];
   const double unknown = DatasetCells(data, "total_unknown_share")[0];
   std::string text;
@@ -109,7 +107,8 @@ std::string ages_of(const Dataset& data) {
                        age_text(" old", mean_s, DatasetCells(data, "total_age_p95_s")[0]));
   if (!std::isnan(unknown))
     text +=
-        fmt::format("For {} of the time it knows nothing of a device.\n", percent_text(unknown));
+        fmt::format("For {} of the time, as a mean of all devices, it knows nothing of a device.\n",
+                    percent_text(unknown));
   return text;
 }
 

@@ -26,10 +26,12 @@ double value_of(const Dataset::Dimension& dimension, std::size_t i) {
   return values == nullptr ? 0 : (*values)[i];
 }
 
-/// The longest stretch of points at which a curve is at `surely` or more.
+/// The longest stretch of points at which a curve is at `surely` or more. Where it reaches an end
+/// of the sweep, it may go on beyond.
 struct Span {
   std::string curve;
   double from = 0, to = 0;
+  bool is_at_first = false, is_at_last = false;
   double length() const { return to - from; }
 };
 
@@ -42,6 +44,8 @@ std::optional<Span> span_of(const ChartCurve& curve) {
     }
     if (!now) now = {curve.name, point.x, point.x};
     now->to = point.x;
+    now->is_at_first = now->from == curve.points.front().x;
+    now->is_at_last = now->to == curve.points.back().x;
     if (!longest || now->length() >= longest->length()) longest = now;
   }
   return longest;
@@ -49,9 +53,12 @@ std::optional<Span> span_of(const ChartCurve& curve) {
 
 std::string in_words(const Span& span, const ChartAxis& x) {
   const std::string of = span.curve.empty() ? "" : " (" + span.curve + ")";
-  return span.from == span.to
-             ? fmt::format("{} {:g}{}", x.label, span.from, of)
-             : fmt::format("{} from {:g} to {:g}{}", x.label, span.from, span.to, of);
+  const char* const begins = span.is_at_first ? ", where the sweep begins" : "";
+  const char* const ends = span.is_at_last ? ", where the sweep ends" : "";
+  if (span.from == span.to)
+    return fmt::format("{} {:g}{}{}{}", x.label, span.from, begins, ends, of);
+  return fmt::format("{} from {:g}{}{} to {:g}{}{}", x.label, span.from, begins,
+                     span.is_at_first ? "," : "", span.to, ends, of);
 }
 
 /// The curves of the least probability of false alarm, which alone are compared.

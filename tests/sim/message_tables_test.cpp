@@ -137,8 +137,8 @@ TEST_F(MessageTables, OfAGuardHaveTheAgesThatRunPrints) {
   expect_has(page, fmt::format("<p>What it knows is {:.3g} s old on average, {:.3g} s or less for "
                                "95 % of the time.</p>",
                                mean_s, p95_s));
-  expect_has(
-      page, "<p>For " + row.at("nothing known") + " of the time it knows nothing of a device.</p>");
+  expect_has(page, "<p>For " + row.at("nothing known") +
+                       " of the time, as a mean of all devices, it knows nothing of a device.</p>");
   expect_has(page, "<p>Nothing is known most often of away: 100.0 % of the time.</p>");
 }
 
@@ -162,7 +162,9 @@ TEST_F(MessageTables, OfASweptGuardSayWhereItsKnowledgeIsOldest) {
   run("g", guard + "[sweep]\nguard.transmit_every_ms = [200, 1000]\n");
   const std::string page = report({"g.h5"});
   expect_has(page, "<p>The mean age of what it knows is least at guard.transmit_every_ms = ");
-  expect_has(page, "<p>The share of time in which it knows nothing of a device is least at ");
+  expect_has(page,
+             "<p>The share of time in which it knows nothing of a device, as a mean of all "
+             "devices, is least at ");
 }
 
 }  // namespace
