@@ -247,6 +247,7 @@ TEST(Chart, ReachesBeyondTheDecadesOfItsValuesAsFarAsTheirIntervalsDo) {
       << "it begins at 0.05";
   EXPECT_EQ(below.find(">0.01<"), std::string::npos);
   EXPECT_EQ(above.find(">10<"), std::string::npos);
+  EXPECT_EQ(occurrences(above, "M696.00 55.65h8"), 1U) << "1.9 of an axis that ends at 2";
 }
 
 TEST(Chart, GivesBarsRoomBesideTheFirstAndTheLastAndTheirIntervals) {

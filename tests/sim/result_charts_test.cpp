@@ -36,6 +36,8 @@ TEST(ChartAxis, IsLogarithmicWhereValuesGrowByFactors) {
   EXPECT_TRUE(is_logarithmic({0.1, 0.03, 0.01})) << "in whatever order";
   EXPECT_TRUE(is_logarithmic({1, 2, 5, 10, 20}));
   EXPECT_TRUE(is_logarithmic({1, 2, 4}));
+  EXPECT_TRUE(is_logarithmic({0.5, 1, 2, 2.2, 5, 10})) << "over a decade, finer where it fails";
+  EXPECT_FALSE(is_logarithmic({1, 2, 2.2, 5})) << "less than a decade";
   EXPECT_TRUE(is_logarithmic({0.001, 1})) << "two decades";
   EXPECT_FALSE(is_logarithmic({1, 20})) << "nothing is known of how two grow";
   EXPECT_FALSE(is_logarithmic({1, 2, 3}));
