@@ -3,6 +3,7 @@
 // reach, what was simulated, the curves, what became of lost frames, all numbers.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/page/frame_statistics.hpp"
 #include "sim/page/omissions.hpp"
@@ -15,11 +16,11 @@ namespace sim {
 struct LinkReport {
   std::string name;  // of its file
   ExperimentResult result;
-  std::vector<Setting> settings;  // of its scenario
   Omissions omissions;
   FrameStatistics frames{};  // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};
-  std::string why_no_trial = {};  // a line, or empty
+  std::string why_no_trial = {};       // a line, or empty
+  std::vector<Setting> settings = {};  // of its scenario
 };
 
 ReportPart link_part(const LinkReport& link);

@@ -10,6 +10,7 @@
 #include "sim/counting/statistics.hpp"
 #include "sim/page/reach_section.hpp"
 #include "sim/report/closing_lines.hpp"
+#include "sim/report/estimate_text.hpp"
 #include "sim/result/curve_fit.hpp"
 #include "sim/result/ranking.hpp"
 
@@ -28,16 +29,19 @@ std::string ended(std::string lines) {
   return lines;
 }
 
+/// Of several points together the ratio means nothing.
 std::string size_of(const ExperimentResult& result) {
-  std::uint64_t frames = 0, lost = 0;
-  for (const PointResult& point : result.points) {
-    frames += point.tally.n_frames;
-    lost += point.tally.n_frames_lost;
-  }
+  Tally all;
+  for (const PointResult& point : result.points) all += point.tally;
   const auto points = std::ranges::count_if(result.points, measured);
-  return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", frames,
-                     points > 1 ? fmt::format(" at {} points", points) : "", lost,
-                     is_weighted(result) ? ", as drawn by importance sampling" : "");
+  std::string more;
+  if (is_weighted(result))
+    more = ", as drawn by importance sampling";
+  else if (points == 1)
+    more = ": frame loss ratio " + estimate_text(frame_loss_ratio(all, result.ci_level));
+  return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
+                     points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
+                     more);
 }
 
 /// "TSSP4056, TSSP96056": those that reach farthest, where all are compared with each other.
@@ -127,11 +131,21 @@ std::string what_limits(const Omissions& omissions) {
       fmt::join(all, ", or "));
 }
 
+/// Curves would end without a word.
+std::string without_estimate(const ExperimentResult& result) {
+  const auto unknown = std::ranges::count_if(result.points, [&](const PointResult& point) {
+    return measured(point) && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
+  });
+  if (unknown == 0) return "";
+  return fmt::format("{} of {} points have no estimate and are missing in the curves.\n", unknown,
+                     std::ranges::count_if(result.points, measured));
+}
+
 }  // namespace
 
 std::string verdict_of(const ExperimentResult& result, const Omissions& omissions) {
-  return size_of(result) + reach_of(result) + where_it_fails(result) + what_limits(omissions) +
-         missing_lines(result);
+  return size_of(result) + without_estimate(result) + reach_of(result) + where_it_fails(result) +
+         what_limits(omissions) + missing_lines(result);
 }
 
 }  // namespace sim

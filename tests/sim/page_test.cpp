@@ -141,6 +141,26 @@ TEST(Verdict, OfNoLossNamesNone) {
   EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
 }
 
+TEST(Verdict, OfOnePointGivesTheLossItsInterval) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 48, 0)}), {});
+  EXPECT_EQ(
+      words.find("48 frames were simulated; 0 of them were lost: frame loss ratio < 7.4e-2.\n"), 0U)
+      << words;
+}
+
+TEST(Verdict, SaysHowManyPointsHaveNoEstimate) {
+  ExperimentResult result = sweep_of({point_of(1, 48, 20), point_of(2, 48, 4), point_of(3, 48, 1)});
+  for (PointResult& point : result.points) {  // one of a few runs makes all of the estimate
+    point.tally.weighted.n_groups = 6;
+    point.tally.weighted.bit_errors = {1, 1, 1, 1};
+  }
+  const std::string words = verdict_of(result, {});
+  EXPECT_NE(words.find("\n3 of 3 points have no estimate and are missing in the curves.\n"),
+            std::string::npos)
+      << words;
+  EXPECT_EQ(verdict_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
+}
+
 TEST(Verdict, SaysOnWhichSideOfTheSignalNoiseIs) {
   ExperimentResult result = sweep_of({point_of(1, 1000, 1000)});
   result.points[0].operating.snr_db = -32;
