@@ -80,15 +80,20 @@ class Rerun {
     return parse_scenario(scenario_.text, scenario_.path, changes, {});
   }
 
-  Tally tally(std::uint64_t frames, std::vector<std::string> changes) const {
+  /// Nothing where keys do not go together after the changes, as below what a fidelity can do.
+  std::optional<Tally> tally(std::uint64_t frames, std::vector<std::string> changes) const {
     changes.insert(changes.end(),
                    {fmt::format("stop.max_frames={}", frames), "stop.max_frame_errors=0",
                     "stop.rel_ci=0", "stop.target_flr=0"});
-    const LoadedScenario changed = load(std::move(changes));
-    return run_experiment(changed, unfinished(changed, ""),
-                          {.threads = workers_.threads, .interrupt = workers_.interrupt})
-        .points.front()
-        .tally;
+    try {
+      const LoadedScenario changed = load(std::move(changes));
+      return run_experiment(changed, unfinished(changed, ""),
+                            {.threads = workers_.threads, .interrupt = workers_.interrupt})
+          .points.front()
+          .tally;
+    } catch (const Failure&) {
+      return std::nullopt;
+    }
   }
 
  private:
@@ -140,11 +145,9 @@ HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Ranking&
   const auto loses_half = [&](double value) -> std::optional<bool> {
     std::vector<std::string> changes = trouble.overrides;
     changes.push_back(fmt::format("{}={}", along.key, value));
-    try {
-      return 2 * rerun.tally(frames_a_value, std::move(changes)).n_frames_lost >= frames_a_value;
-    } catch (const Failure&) {
-      return std::nullopt;  // other keys of the scenario do not go with that value
-    }
+    const std::optional<Tally> tally = rerun.tally(frames_a_value, std::move(changes));
+    if (!tally) return std::nullopt;
+    return 2 * tally->n_frames_lost >= frames_a_value;
   };
   return find_half_loss(loses_half, begin, find_key(along.key)->facts.range,
                         ranking.more_is_better);
@@ -174,8 +177,10 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
   if (seek_half) found.along = result.axes[ranking.abscissa];
   for (const Trouble& trouble : troubles) {
     if (workers.interrupted()) break;
-    found.omissions.push_back(
-        {trouble.name, rerun.tally(std::min(most_frames, affordable), trouble.overrides)});
+    const auto tally = rerun.tally(std::min(most_frames, affordable), trouble.overrides);
+    if (!tally && trouble.name.empty()) return {};
+    if (!tally) continue;
+    found.omissions.push_back({trouble.name, *tally});
     if (seek_half)
       found.omissions.back().half =
           half_loss_of(rerun, trouble, ranking, *found.along, point->coordinates[ranking.abscissa]);

@@ -36,7 +36,7 @@ std::string ambient_words(const std::vector<Setting>& settings) {
   return lights.empty() ? "in the dark" : fmt::format("in {}", fmt::join(lights, " and "));
 }
 
-/// ", beside another light (rc5)"
+/// ", beside another light (fluorescent)"
 std::string disturbance_words(const std::vector<Setting>& settings) {
   std::string words;
   for (const Setting& setting : settings)

@@ -73,6 +73,9 @@ TEST(Omissions, AreTriedWithFewerLongFrames) {
       scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
   ASSERT_FALSE(found.omissions.empty());
   EXPECT_EQ(found.omissions.front().tally.n_frames, 20) << "of ten million samples each";
+  EXPECT_FALSE(found.along) << "they would take minutes";
+  for (const Omission& o : found.omissions)
+    EXPECT_NE(o.without, "half of the module's threshold") << "an envelope has no such one";
 }
 
 }  // namespace

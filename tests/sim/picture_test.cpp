@@ -169,7 +169,7 @@ TEST(Chart, DrawsBarsUpFromZero) {
   chart.y.from_zero = true;
   const std::string svg = chart_as_svg(chart);
   EXPECT_EQ(occurrences(svg,
-                        "<rect class=\"fill1\" x=\"205.00\" y=\"50.00\" width=\"60.00\" "
+                        "<rect class=\"fill1\" x=\"210.96\" y=\"50.00\" width=\"60.00\" "
                         "height=\"330.00\"/>"),
             1U)
       << svg;
@@ -239,7 +239,7 @@ TEST(Chart, ReachesBeyondTheDecadesOfItsValuesAsFarAsTheirIntervalsDo) {
       << "it begins at 0.05";
   EXPECT_EQ(below.find(">0.01<"), std::string::npos);
   EXPECT_EQ(above.find(">10<"), std::string::npos);
-  EXPECT_EQ(occurrences(above, "M696.00 55.65h8"), 1U) << "1.9 of an axis that ends at 2";
+  EXPECT_EQ(occurrences(above, "M684.08 55.65h8"), 1U) << "1.9 of an axis that ends at 2";
 }
 
 TEST(Chart, GivesBarsRoomBesideTheFirstAndTheLastAndTheirIntervals) {
@@ -247,7 +247,7 @@ TEST(Chart, GivesBarsRoomBesideTheFirstAndTheLastAndTheirIntervals) {
   chart.curves[0].kind = CurveKind::bars;
   chart.y.from_zero = true;
   const std::string svg = chart_as_svg(chart);
-  EXPECT_EQ(occurrences(svg, "<rect class=\"fill1\" x=\"205.00\" y=\"116.00\" width=\"60.00\""), 1U)
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill1\" x=\"210.96\" y=\"116.00\" width=\"60.00\""), 1U)
       << svg;
   EXPECT_EQ(occurrences(svg, "<path class=\"\" d=\"M231.00 50.00h8M235.00 50.00V182.00m-4 0h8\"/>"),
             1U);

@@ -33,7 +33,7 @@ TEST_F(ReportCommand, ShowsTheFirstTrialThatIsMisread) {
   ASSERT_NE(program({"decode", "first.vcd"}).out.find("  ok  "), std::string::npos)
       << "the first of all is heard";
   const std::string page = report({"edge.h5"});
-  EXPECT_NE(page.find("; 1 of them were lost."), std::string::npos);
+  EXPECT_NE(page.find("; 1 of them were lost: frame loss ratio "), std::string::npos);
   EXPECT_EQ(occurrences(page, "<h2>Trial 0 of point 0</h2>"), 0U);
   EXPECT_EQ(occurrences(page, " of point 0</h2>"), 1U);
 }
@@ -102,10 +102,10 @@ TEST_F(ReportCommand, SaysWhoseAPictureIsThatOneResultAloneHas) {
 TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
   run("many", "receiver.module = [\"TSOP4856\", \"TSSP4056\"]\nreceiver.range_m = [1, 5, 40]");
   const std::string page = report({"many.h5"});
-  EXPECT_NE(page.find("<p>Of 2 links TSSP4056 comes first; how far each reaches is listed "
-                      "below.</p>\n<p>One "
-                      "point is looked at closer: at receiver.module = TSSP4056, receiver.range_m "
-                      "= 40 m, "),
+  EXPECT_NE(page.find("<p>Frame loss passes 1 % along receiver.range_m at: receiver.module = "
+                      "TSSP4056: between 5 and 40 m; receiver.module = TSOP4856: between 1 and 5 "
+                      "m.</p>\n<p>One point is looked at closer: at receiver.module = TSSP4056, "
+                      "receiver.range_m = 40 m, "),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>1</td><td>TSSP4056</td><td>between 5 and 40 m</td></tr>\n"
                       "<tr><td>2</td><td>TSOP4856</td><td>between 1 and 5 m</td></tr>"),

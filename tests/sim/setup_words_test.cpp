@@ -24,14 +24,14 @@ TEST(SetupWords, SayWhoHearsWhatFromWhere) {
 TEST(SetupWords, NameEveryLightThatShines) {
   EXPECT_NE(words_of("ambient.irradiance_w_per_m2 = 0\n").find(" away, in the dark.\n"),
             std::string::npos);
-  EXPECT_NE(words_of("ambient.daylight_lux = 500\n[disturbance.tv]\nkind = \"rc5\"\n")
+  EXPECT_NE(words_of("ambient.daylight_lux = 500\n[disturbance.tv]\nkind = \"fluorescent\"\n")
                 .find(", in 0.6 W/m2 of ambient light and 500 lx of daylight, beside another light "
-                      "(rc5).\n"),
+                      "(fluorescent).\n"),
             std::string::npos);
 }
 
 TEST(SetupWords, OfAGivenEbN0LeaveTheLightOut) {
-  EXPECT_NE(words_of("receiver.module = \"matched\"\nreceiver.ebn0_db = 9\n")
+  EXPECT_NE(words_of("receiver.module = \"ideal-coherent\"\nreceiver.ebn0_db = 9\n")
                 .find(" Hz at Eb/N0 of 9 dB.\n"),
             std::string::npos);
 }
