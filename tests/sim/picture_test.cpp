@@ -249,7 +249,7 @@ TEST(Chart, GivesBarsRoomBesideTheFirstAndTheLastAndTheirIntervals) {
   const std::string svg = chart_as_svg(chart);
   EXPECT_EQ(occurrences(svg, "<rect class=\"fill1\" x=\"210.96\" y=\"116.00\" width=\"60.00\""), 1U)
       << svg;
-  EXPECT_EQ(occurrences(svg, "<path class=\"\" d=\"M231.00 50.00h8M235.00 50.00V182.00m-4 0h8\"/>"),
+  EXPECT_EQ(occurrences(svg, "<path class=\"\" d=\"M236.96 50.00h8M240.96 50.00V182.00m-4 0h8\"/>"),
             1U);
 }
 
