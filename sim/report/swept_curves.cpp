@@ -23,8 +23,7 @@ double unevenness(const std::vector<double>& values) {
 /// Different values in order, as curves have them.
 std::vector<double> in_order(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto again = std::ranges::unique(values);
-  values.erase(again.begin(), again.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

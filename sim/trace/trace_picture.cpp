@@ -134,7 +134,8 @@ bool stand_clear(const Label& a, const Label& b) {
 
 /// Those that stand clear of each other; misread ones come first.
 std::vector<Label> with_room(std::vector<Label> labels) {
-  std::ranges::stable_partition(labels, &Label::is_wrong);
+  std::stable_partition(labels.begin(), labels.end(),
+                        [](const Label& label) { return label.is_wrong; });
   std::vector<Label> kept;
   for (const Label& label : labels)
     if (std::ranges::all_of(kept, [&](const Label& other) { return stand_clear(label, other); }))
