@@ -68,7 +68,7 @@ PageTable table_of(const Omissions& omissions) {
     table.rows.push_back({o.without.empty() ? "nothing: the link as it is" : o.without,
                           std::to_string(o.tally.n_frames), std::to_string(o.tally.n_frames_lost),
                           estimate_text(frame_loss_ratio(o.tally, 0.95))});
-    if (o.half) table.rows.back().push_back(half_loss_text(*o.half));
+    if (omissions.along) table.rows.back().push_back(o.half ? half_loss_text(*o.half) : "-");
   }
   return table;
 }

@@ -22,8 +22,9 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t most_frames = 100;
-constexpr std::uint64_t frames_a_value = 20;  // in looking for half the loss
-constexpr double most_samples = 2e8;          // without one trouble
+constexpr std::uint64_t frames_a_value = 20;   // in looking for half the loss
+constexpr std::uint64_t fewest_for_half = 50;  // affordable ones: else it takes too long
+constexpr double most_samples = 2e8;           // without one trouble
 
 struct Trouble {
   std::string name;
@@ -140,6 +141,12 @@ bool goes_one_way(const Ranking& ranking, const ExperimentResult& result,
   return is_known && count({Kind::not_monotone, Kind::unclear}) == 0;
 }
 
+/// Along its own key nothing can be left out.
+bool sets(const Trouble& trouble, const std::string& key) {
+  return std::ranges::any_of(trouble.overrides,
+                             [&](const std::string& each) { return each.starts_with(key + "="); });
+}
+
 HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Ranking& ranking,
                       const Axis& along, double begin) {
   const auto loses_half = [&](double value) -> std::optional<bool> {
@@ -172,7 +179,7 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
   std::vector<Trouble> troubles = troubles_of(whole.base);
   troubles.insert(troubles.begin(), Trouble{});
   const Ranking ranking = rank(result);
-  const bool seek_half = affordable >= most_frames && goes_one_way(ranking, result, *point);
+  const bool seek_half = affordable >= fewest_for_half && goes_one_way(ranking, result, *point);
   Omissions found{place_text(result.axes, point->coordinates), {}};
   if (seek_half) found.along = result.axes[ranking.abscissa];
   for (const Trouble& trouble : troubles) {
@@ -181,7 +188,7 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
     if (!tally && trouble.name.empty()) return {};
     if (!tally) continue;
     found.omissions.push_back({trouble.name, *tally});
-    if (seek_half)
+    if (seek_half && !sets(trouble, found.along->key))
       found.omissions.back().half =
           half_loss_of(rerun, trouble, ranking, *found.along, point->coordinates[ranking.abscissa]);
   }

@@ -16,7 +16,7 @@ namespace sim {
 struct Omission {
   std::string without;  // "noise"; empty: nothing is left out
   Tally tally;
-  std::optional<HalfLoss> half{};  // along Omissions::along
+  std::optional<HalfLoss> half{};  // along Omissions::along, unless that is what is left out
 };
 
 struct Omissions {
@@ -31,10 +31,10 @@ struct Omissions {
 const PointResult* failing_point(const ExperimentResult& result);
 
 /// At the failing point, with 100 frames each, or fewer where a trial has more than 2e6 samples, 20
-/// at least; and, where it has not, how far each goes before half of 20 frames are lost. Empty
-/// where there is none, of ideal receivers, which noise alone troubles, and of weighted trials.
-/// Without what the scenario's other keys need, as an envelope a threshold far above noise. Worth
-/// nothing after an interrupt.
+/// at least; and, where it has at most 4e6, how far each goes before half of 20 frames are lost.
+/// Empty where there is none, of ideal receivers, which noise alone troubles, and of weighted
+/// trials. Without what the scenario's other keys need, as an envelope a threshold far above noise.
+/// Worth nothing after an interrupt.
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers);
 

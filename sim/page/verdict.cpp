@@ -110,7 +110,8 @@ std::string halves_without(const Omissions& omissions, const std::vector<Omissio
   };
   std::string words = fmt::format("Half of the frames are lost at about {} = {} as it is",
                                   omissions.along->key, text(omissions.omissions.front()));
-  for (const Omission& o : limits) words += fmt::format(", {} without {}", text(o), o.without);
+  for (const Omission& o : limits)
+    if (o.half) words += fmt::format(", {} without {}", text(o), o.without);
   return words + ".\n";
 }
 

@@ -52,6 +52,22 @@ TEST(Omissions, LookForHalfTheLossOnlyWhereItsDirectionIsKnown) {
   EXPECT_FALSE(along_of({few, far, "simulation.warmup_messages=1,2"})) << "whole numbers";
 }
 
+TEST(Omissions, FindNoHalfAlongTheKeyThatIsLeftOut) {
+  const LoadedScenario scenario = parse_scenario(
+      "receiver.range_m = 1\nstop.max_frames = 8\nsimulation.warmup_messages = 1\n"
+      "[disturbance.lamp]\nkind = \"fluorescent\"\nballast_hz = 45000\n"
+      "[sweep]\ndisturbance.lamp.irradiance_w_per_m2 = [1e-5, 0.05]\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const std::atomic<bool> never = false;
+  const Omissions found = leave_out(
+      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  ASSERT_TRUE(found.along);
+  EXPECT_EQ(found.along->key, "disturbance.lamp.irradiance_w_per_m2");
+  EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
+  EXPECT_FALSE(found.omissions.back().half);
+  EXPECT_TRUE(found.omissions.front().half);
+}
+
 TEST(Omissions, NameADisturbanceAsTheScenarioDoes) {
   const LoadedScenario scenario = parse_scenario(
       "receiver.range_m = 40\nstop.max_frames = 4\n[disturbance.lamp]\nkind = \"fluorescent\"\n",

@@ -237,6 +237,16 @@ TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
                       "beyond 64 m without gain, 2.91 m without the lamp.\n"),
             std::string::npos)
       << verdict_of(result, omissions);
+  omissions.omissions[2].half.reset();
+  EXPECT_NE(verdict_of(result, omissions).find("= 1.83 m as it is, beyond 64 m without gain.\n"),
+            std::string::npos)
+      << verdict_of(result, omissions);
+  const ReportPart part = link_part({"file", result, omissions});
+  const auto section = std::ranges::find(part.sections, "What limits it", &PageSection::heading);
+  ASSERT_NE(section, part.sections.end());
+  EXPECT_EQ(section->table->head.size(), section->table->rows[2].size());
+  EXPECT_EQ(section->table->rows[1].back(), "1.9");
+  EXPECT_EQ(section->table->rows[2].back(), "-");
 }
 
 TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
