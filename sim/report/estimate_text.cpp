@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace sim {
 namespace {
@@ -16,13 +18,24 @@ std::string bound_text(double high) {
 /// Two, or three where half the interval is at most a tenth of the value.
 int digits_supported(const Estimate& e) { return (e.high - e.low) / 2 / e.value <= 0.1 ? 3 : 2; }
 
-constexpr int most_digits = 12;
-
 /// With the places that this many digits of the estimate's value take.
 std::string text_of(double v, double value, int digits) {
   if (value < 0.01) return scientific(v, digits);
   const int places = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(value))));
   return fmt::format("{:.{}f}", v, places);
+}
+
+std::string with_ends(const Estimate& e, int digits) {
+  return fmt::format("{} [{}, {}]", text_of(e.value, e.value, digits),
+                     text_of(e.low, e.value, digits), text_of(e.high, e.value, digits));
+}
+
+/// Whether an end looks like the value.
+bool hides_an_end(const Estimate& e, int digits) {
+  const auto is_hidden = [&](double end) {
+    return end != e.value && text_of(end, e.value, digits) == text_of(e.value, e.value, digits);
+  };
+  return is_hidden(e.low) || is_hidden(e.high);
 }
 
 }  // namespace
@@ -37,11 +50,13 @@ std::string scientific(double value, int digits) {
 std::string estimate_text(const Estimate& e) {
   if (std::isnan(e.value)) return "-";
   if (e.value == 0) return "< " + bound_text(e.high);
-  int digits = digits_supported(e);
-  const auto text = [&](double v) { return text_of(v, e.value, digits); };
-  const auto hidden = [&](double end) { return end != e.value && text(end) == text(e.value); };
-  while (digits < most_digits && (hidden(e.low) || hidden(e.high))) ++digits;
-  return fmt::format("{} [{}, {}]", text(e.value), text(e.low), text(e.high));
+  std::string text = with_ends(e, digits_supported(e));
+  for (int digits = digits_supported(e) + 1; hides_an_end(e, digits - 1); ++digits) {
+    std::string longer = with_ends(e, digits);
+    if (std::ssize(longer) > estimate_width) break;
+    text = std::move(longer);
+  }
+  return text;
 }
 
 }  // namespace sim

@@ -177,7 +177,7 @@ TEST(CrossingSentence, SaysEachOutcome) {
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
             "frame loss stays at most 1 % over receiver.range_m = 1 .. 5 m");
   EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
-            "frame loss stays at most 1 % over receiver.range_m = 1 .. 5 m, though "
+            "frame loss is seen to stay at most 1 % over receiver.range_m = 1 .. 5 m, though "
             "3.8 % cannot be ruled out");
   EXPECT_EQ(say({Kind::all_above, 1, 1, 1, 0.02}),
             "frame loss is above 1 % over receiver.range_m = 1 m");

@@ -20,6 +20,8 @@ TEST(EstimateText, TellsTheEndsFromTheValue) {
   EXPECT_EQ(estimate_text({1, 0.9982, 1}), "1.000 [0.998, 1.000]");
   EXPECT_EQ(estimate_text({1, 0.99988, 1}), "1.0000 [0.9999, 1.0000]");
   EXPECT_EQ(estimate_text({0.5123, 0.51225, 0.51235}), "0.51230 [0.51225, 0.51235]");
+  EXPECT_EQ(estimate_text({2e-3, 1.999e-3, 2.001e-3}), "2.00e-3 [2.00e-3, 2.00e-3]")
+      << "the column is no wider";
   EXPECT_EQ(estimate_text({1, 1, 1}), "1.00 [1.00, 1.00]") << "known without doubt";
 }
 
