@@ -163,7 +163,7 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
   const std::string map = content(path("p/map.svg"));
-  for (const int point : {0, 1}) {
+  for (const std::size_t point : {0U, 1U}) {
     EXPECT_EQ(occurrences(map, fmt::format("<path class=\"curve{}\"", point + 1)), 2U)
         << "an ellipse in the colour of its point, and the legend's";
     expect_has(map,
