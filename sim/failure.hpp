@@ -3,7 +3,6 @@
 // The message is one line: PROBLEM (WHY) SUGGESTION, with file and line where there is one.
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace sim {
 
@@ -28,9 +27,5 @@ class Failure : public std::runtime_error {
 /// What a bad input is answered with: one line, whatever the three texts hold.
 Failure bad_input(const std::string& problem, const std::string& why,
                   const std::string& suggestion);
-
-/// The candidate that is spelt most like `name` (case aside), to suggest it; empty if there are
-/// none. The part of a candidate behind its dot counts too: "range_m" finds "receiver.range_m".
-std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace sim

@@ -25,6 +25,11 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// Edits; a name cut short, as by a forgotten unit, is only one slip.
+std::size_t slips(const std::string& name, const std::string& candidate) {
+  return candidate.starts_with(name) ? 1 : edit_distance(name, candidate);
+}
+
 /// The end of a candidate behind its dot, or all of it.
 std::string own_name(const std::string& candidate) {
   return candidate.substr(candidate.find('.') + 1);
@@ -32,8 +37,12 @@ std::string own_name(const std::string& candidate) {
 
 }  // namespace
 
-std::size_t slips(const std::string& name, const std::string& candidate) {
-  return candidate.starts_with(name) ? 1 : edit_distance(name, candidate);
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
+  const auto unlikeness = [&](const std::string& candidate) {
+    return std::min(slips(name, candidate), 1 + slips(name, own_name(candidate)));
+  };
+  const auto best = std::ranges::min_element(candidates, {}, unlikeness);
+  return best == candidates.end() ? "" : *best;
 }
 
 bool is_near(const std::string& name, const std::string& candidate) {

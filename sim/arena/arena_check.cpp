@@ -13,6 +13,7 @@
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 
 namespace sim {

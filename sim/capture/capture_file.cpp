@@ -14,6 +14,7 @@
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
+#include "sim/spelling.hpp"
 
 namespace sim {
 namespace {

@@ -16,6 +16,7 @@
 #include "sim/page/experiment_part.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/picture/floor_plan.hpp"
+#include "sim/picture/svg.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -112,12 +113,10 @@ std::string located_text(const std::string& place, std::size_t located, std::siz
   return place + (place.empty() || count.empty() ? "" : ": ") + count;
 }
 
-/// More points than colours look alike.
-constexpr std::size_t most_colours = 12;
-
-/// A line of the legend for each point, or where they look alike one for all.
+/// A line of the legend for each point, or where they are more than colours and look alike one for
+/// all.
 void add_dots(FloorPlan& plan, const std::vector<MapPoint>& points) {
-  if (points.size() <= most_colours) {
+  if (points.size() <= curve_colours) {
     for (const MapPoint& point : points)
       plan.dots.push_back({.label = located_text(point.place, point.located.size(), point.trials),
                            .dots = point.located,
@@ -154,7 +153,7 @@ FloorPlan plan_of(const StoredDataset& stored) {
                           stored.scenario.places);
     for (const Reading& reading : settings.readings) receivers.add(reading);
     const std::uint32_t trials = std::min(dots_at_each(points.size()), settings.trials);
-    const std::size_t colour = points.size() <= most_colours ? drawn.size() : 0;
+    const std::size_t colour = points.size() <= curve_colours ? drawn.size() : 0;
     drawn.push_back({place_text(data, point), trials, located_by(settings, trials)});
     const PlanPoint truth{settings.truth.x, settings.truth.y};
     plan.devices.push_back({.at = truth, .colour = {}, .is_solid = false});

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "sim/failure.hpp"
+#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 #include "sim/text/text_file.hpp"

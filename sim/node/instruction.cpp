@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/failure.hpp"
+#include "sim/spelling.hpp"
 
 namespace sim {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/failure.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/key_check.hpp"
+#include "sim/spelling.hpp"
 
 namespace sim {
 namespace {

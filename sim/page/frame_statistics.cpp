@@ -31,6 +31,7 @@ std::vector<TracedTrial> wires_of(const Link& link, HeardTrials heard) {
     trials[i].tx = std::move(heard.sent[i].line);
     trials[i].rx = std::move(heard.pins[i]);
     trials[i].baud = link.device_baud;
+    trials[i].delay = link.delay;
   }
   return trials;
 }
@@ -39,7 +40,7 @@ void add_trial(FrameStatistics& frames, const Link& link, const TracedTrial& tri
   const TracedMessage message = message_of(trial);
   frames.character_s = message.character_s;
   if (!link.ideal) add_delays(frames.delays, trial);  // ideal ones decide at a bit's end
-  add_wrong_bits(frames.wrong, trial, link.delay);
+  add_wrong_bits(frames.wrong, trial);
   if (!frames.first_misread && message.first_wrong())
     frames.first_misread = static_cast<std::uint32_t>(frames.trials);
   ++frames.trials;
@@ -90,9 +91,8 @@ void add_delays(EdgeDelays& delays, const TracedTrial& trial) {
   }
 }
 
-void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay) {
+void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial) {
   const TracedMessage message = message_of(trial);
-  const double bit_s = message.character_s / protocol::bits_per_byte;
   if (wrong.counts.empty()) {
     wrong.counts.resize(message.sent.size());
     wrong.shares.resize(message.sent.size());
@@ -109,14 +109,12 @@ void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds del
     wrong.characters.push_back(shown(message.sent[i]));
     std::uint64_t of_character = 0;
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
-      const double middle_s = message.start_s(i) + (slot + 0.5) * bit_s + delay.value;
-      if (trial.rx.level_at(dsp::Seconds(middle_s)) ==
-          protocol::line_bit(message.sent[i].value, slot)) {
-        end_burst();
-      } else {
+      if (is_wrong_at_pin(trial, message, i, slot)) {
         ++burst;
         ++of_character;
         ++wrong.counts[i][static_cast<std::size_t>(slot)];
+      } else {
+        end_burst();
       }
     }
     wrong.shares[i].add(of_character, protocol::bits_per_byte);

@@ -51,6 +51,6 @@ FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& count
 /// away, has no delay.
 void add_delays(EdgeDelays& delays, const TracedTrial& trial);
 
-void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial, dsp::Seconds delay);
+void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial);
 
 }  // namespace sim

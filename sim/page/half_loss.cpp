@@ -13,14 +13,13 @@ double middle(double a, double b) { return std::sqrt(a * b); }
 
 }  // namespace
 
-HalfLoss find_half_loss(const LosesHalf& loses_half, double begin, const Range& allowed,
-                        bool more_is_better) {
-  const bool loses = loses_half(begin).value();
-  const double factor = loses == more_is_better ? 2 : 0.5;
-  double same = begin, other = begin;  // on either side of what is looked for
+HalfLoss find_half_loss(const LosesHalf& loses_half, const HalfLossSearch& search) {
+  const bool loses = search.begin_loses;
+  const double factor = loses == search.more_is_better ? 2 : 0.5;
+  double same = search.begin, other = same;  // on either side of what is looked for
   for (int i = 0; other == same; ++i) {
-    const double next = std::clamp(same * factor, allowed.low, allowed.high);
-    const bool is_allowed = i < doublings && next != same && allowed.contains(next);
+    const double next = std::clamp(same * factor, search.allowed.low, search.allowed.high);
+    const bool is_allowed = i < doublings && next != same && search.allowed.contains(next);
     const std::optional<bool> lost = is_allowed ? loses_half(next) : std::nullopt;
     if (!lost) return {loses ? HalfLoss::Kind::already : HalfLoss::Kind::not_yet, same};
     other = next;

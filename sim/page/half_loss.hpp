@@ -19,9 +19,16 @@ struct HalfLoss {
 /// Nothing: no such value can be simulated.
 using LosesHalf = std::function<std::optional<bool>(double)>;
 
-/// From a value above 0, which can be simulated, up to 64 times as far in the direction in which
-/// the loss changes, as far as the key's range allows. `loses_half` is asked a dozen times.
-HalfLoss find_half_loss(const LosesHalf& loses_half, double begin, const Range& allowed,
-                        bool more_is_better);
+/// Where to begin: a value above 0, and whether half is lost there.
+struct HalfLossSearch {
+  double begin = 0;
+  bool begin_loses = false;
+  Range allowed;
+  bool more_is_better = false;
+};
+
+/// Up to 64 times as far as the beginning in the direction in which the loss changes, as far as the
+/// key's range allows. `loses_half` is asked at most eleven times.
+HalfLoss find_half_loss(const LosesHalf& loses_half, const HalfLossSearch& search);
 
 }  // namespace sim

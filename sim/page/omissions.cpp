@@ -92,8 +92,9 @@ class Rerun {
                             {.threads = workers_.threads, .interrupt = workers_.interrupt})
           .points.front()
           .tally;
-    } catch (const Failure&) {
-      return std::nullopt;
+    } catch (const Failure& failure) {
+      if (failure.code() == ExitCode::bad_input) return std::nullopt;
+      throw;
     }
   }
 
@@ -147,17 +148,18 @@ bool sets(const Trouble& trouble, const std::string& key) {
                              [&](const std::string& each) { return each.starts_with(key + "="); });
 }
 
-HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Ranking& ranking,
-                      const Axis& along, double begin) {
-  const auto loses_half = [&](double value) -> std::optional<bool> {
+bool loses_half(const Tally& tally) { return 2 * tally.n_frames_lost >= tally.n_frames; }
+
+HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Axis& along,
+                      const HalfLossSearch& search) {
+  const auto loses_half_at = [&](double value) -> std::optional<bool> {
     std::vector<std::string> changes = trouble.overrides;
     changes.push_back(fmt::format("{}={}", along.key, value));
     const std::optional<Tally> tally = rerun.tally(frames_a_value, std::move(changes));
     if (!tally) return std::nullopt;
-    return 2 * tally->n_frames_lost >= frames_a_value;
+    return loses_half(*tally);
   };
-  return find_half_loss(loses_half, begin, find_key(along.key)->facts.range,
-                        ranking.more_is_better);
+  return find_half_loss(loses_half_at, search);
 }
 
 }  // namespace
@@ -190,7 +192,11 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
     found.omissions.push_back({trouble.name, *tally});
     if (seek_half && !sets(trouble, found.along->key))
       found.omissions.back().half =
-          half_loss_of(rerun, trouble, ranking, *found.along, point->coordinates[ranking.abscissa]);
+          half_loss_of(rerun, trouble, *found.along,
+                       {.begin = point->coordinates[ranking.abscissa],
+                        .begin_loses = loses_half(*tally),
+                        .allowed = find_key(found.along->key)->facts.range,
+                        .more_is_better = ranking.more_is_better});
   }
   return found;
 }

@@ -11,6 +11,8 @@ namespace sim {
 
 class AxisSpan {
  public:
+  static constexpr double slack = 1e-9;  // of an exponent that was computed
+
   explicit AxisSpan(const ChartAxis& axis)
       : logarithmic_(axis.logarithmic), is_count_(axis.is_count) {}
 
@@ -34,9 +36,9 @@ class AxisSpan {
   bool is_count() const { return is_count_; }
   /// Of a logarithmic axis that covers something: the exponents of the powers of ten about it, of
   /// which there are two at least.
-  double upper_exponent() const { return std::ceil(on_axis(greatest_)); }
+  double upper_exponent() const { return std::ceil(on_axis(greatest_) - slack); }
   double lower_exponent() const {
-    return std::min(std::floor(on_axis(least_)), upper_exponent() - 1);
+    return std::min(std::floor(on_axis(least_) + slack), upper_exponent() - 1);
   }
   /// What stands at a mark: "1e-3" of a power of ten far from 1.
   std::string label(double value) const;

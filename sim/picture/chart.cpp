@@ -44,8 +44,8 @@ class Positions {
     if (!(span_.least() <= span_.greatest())) return;  // the scale's own 0 to 1
     double least = span_.on_axis(span_.least()), greatest = span_.on_axis(span_.greatest());
     if (span_.is_logarithmic() && in_decades_) {
-      greatest = std::ceil(greatest - slack);
-      least = std::min(std::floor(least + slack), greatest - 1);
+      greatest = span_.upper_exponent();
+      least = span_.lower_exponent();
       cover_ends();
       greatest = std::max(greatest, round_above(span_.on_axis(span_.greatest())));
       least = with_room_for_arrows(std::min(least, round_below(span_.on_axis(span_.least()))),
@@ -81,17 +81,16 @@ class Positions {
   std::string label(double value) const { return span_.label(value); }
 
  private:
-  static constexpr double slack = 1e-9;  // of an exponent
-
   void cover_ends() {
     span_.cover(ends_.least());
     span_.cover(ends_.greatest());
   }
   /// The nearest exponents of 1, 2 or 5 times a power of ten.
   static double round_above(double exponent) {
-    const double decade = std::floor(exponent + slack);
+    const double decade = std::floor(exponent + AxisSpan::slack);
     for (const double digit : {1.0, 2.0, 5.0})
-      if (decade + std::log10(digit) >= exponent - slack) return decade + std::log10(digit);
+      if (decade + std::log10(digit) >= exponent - AxisSpan::slack)
+        return decade + std::log10(digit);
     return decade + 1;
   }
   static double round_below(double exponent) { return -round_above(-exponent); }
@@ -101,7 +100,7 @@ class Positions {
     for (double exponent = std::floor(scale_.from); exponent <= scale_.to; ++exponent)
       for (const double digit : {1, 2, 5}) {
         const double at = exponent + std::log10(digit);
-        if (at >= scale_.from - 1e-9 && at <= scale_.to + 1e-9)
+        if (at >= scale_.from - AxisSpan::slack && at <= scale_.to + AxisSpan::slack)
           values.push_back(digit * std::pow(10, exponent));
       }
     return values;
@@ -222,10 +221,9 @@ void draw_bars(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve)
 /// What differs from another curve in the tone of its colour alone, or not even in that, has
 /// another shape.
 std::string mark_at(double x, double y, std::size_t colour) {
-  constexpr std::size_t tones = 6;
   constexpr std::array shapes{"m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0", "m-3 -3h6v6h-6Z",
                               "m0 -4l4 7h-8Z", "m0 -4.5l4.5 4.5l-4.5 4.5l-4.5 -4.5Z"};
-  return fmt::format("M{:.2f} {:.2f}{}", x, y, shapes[colour / tones % shapes.size()]);
+  return fmt::format("M{:.2f} {:.2f}{}", x, y, shapes[colour / curve_hues % shapes.size()]);
 }
 
 void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,

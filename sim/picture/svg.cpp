@@ -89,8 +89,7 @@ constexpr const char* on_paper = R"(@media print { svg { background: #fff; color
 }  // namespace
 
 std::string curve_style(std::size_t colour) {
-  constexpr std::size_t colours = 12;
-  return fmt::format("curve{}", colour % colours + 1);
+  return fmt::format("curve{}", colour % curve_colours + 1);
 }
 
 std::string xml_escaped(std::string_view text) {

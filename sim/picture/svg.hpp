@@ -14,7 +14,10 @@ struct SvgPoint {
   double x = 0, y = 0;
 };
 
-/// The style of a curve: twelve colours, which then come again.
+/// Of curves: six, and another tone of each; more come again.
+inline constexpr std::size_t curve_colours = 12, curve_hues = 6;
+
+/// The style of a curve.
 std::string curve_style(std::size_t colour);
 
 /// Text for XML: the characters that mean something there are named.

@@ -35,15 +35,20 @@ TEST(ShareBars, AreAsWideAsTheirShares) {
   EXPECT_EQ(occurrences(svg, "class=\"fill1\""), 1U) << "in the legend";
 }
 
+HeatMap map_of(const std::vector<std::string>& rows,
+               const std::vector<std::vector<double>>& values) {
+  return {.title = "t",
+          .description = "d",
+          .x_label = "x",
+          .y_label = "y",
+          .columns = {"1", "2"},
+          .rows = rows,
+          .values = values};
+}
+
 TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
   const double unknown = std::nan("");
-  const std::string svg = heat_map_as_svg({.title = "t",
-                                           .description = "d",
-                                           .x_label = "x",
-                                           .y_label = "y",
-                                           .columns = {"1", "2"},
-                                           .rows = {"low", "high"},
-                                           .values = {{0, 0.5}, {0.005, unknown}}});
+  const std::string svg = heat_map_as_svg(map_of({"low", "high"}, {{0, 0.5}, {0.005, unknown}}));
   for (const char* style : {"heat0", "heat2", "heat6"})
     EXPECT_EQ(occurrences(svg, "class=\"" + std::string(style) + "\""), 2U) << "cell and legend";
   EXPECT_EQ(occurrences(svg, "class=\"heat5\""), 1U);
@@ -54,13 +59,7 @@ TEST(HeatMap, ColoursCellsByTheirDecadeAndDrawsWhereItPassesOnePercent) {
 }
 
 TEST(HeatMap, PassesOnePercentBehindIt) {
-  HeatMap map{.title = "t",
-              .description = "d",
-              .x_label = "x",
-              .y_label = "y",
-              .columns = {"1", "2"},
-              .rows = {"low"},
-              .values = {{0.01, 0.02}}};
+  HeatMap map = map_of({"low"}, {{0.01, 0.02}});
   const std::string svg = heat_map_as_svg(map);
   EXPECT_EQ(occurrences(svg, "class=\"heat2\""), 2U) << "to 1 %: cell and legend";
   EXPECT_EQ(occurrences(svg, "class=\"contour\""), 2U) << "between them, and in the legend";
@@ -69,38 +68,22 @@ TEST(HeatMap, PassesOnePercentBehindIt) {
 }
 
 TEST(HeatMap, HasATableFromAboveAsThePicture) {
-  const PageSection section = map_section("map", {.title = "t",
-                                                  .description = "d",
-                                                  .x_label = "x",
-                                                  .y_label = "y",
-                                                  .columns = {"1", "2"},
-                                                  .rows = {"low", "high"},
-                                                  .values = {{0, 0.5}, {0.005, std::nan("")}}});
+  const PageSection section =
+      map_section("map", map_of({"low", "high"}, {{0, 0.5}, {0.005, std::nan("")}}));
   EXPECT_EQ(section.table->head, (std::vector<std::string>{"y \\ x", "1", "2"}));
   EXPECT_EQ(section.table->rows,
             (std::vector<std::vector<std::string>>{{"high", "0.005", "-"}, {"low", "0", "0.5"}}));
 }
 
 TEST(HeatMap, HasItsTextsInItsTable) {
-  const PageSection section = map_section("map", {.title = "t",
-                                                  .description = "d",
-                                                  .x_label = "x",
-                                                  .y_label = "y",
-                                                  .columns = {"1", "2"},
-                                                  .rows = {"low"},
-                                                  .values = {{0, 0.5}},
-                                                  .texts = {{"< 0.2", "0.5 [0.3, 0.7]"}}});
+  HeatMap map = map_of({"low"}, {{0, 0.5}});
+  map.texts = {{"< 0.2", "0.5 [0.3, 0.7]"}};
+  const PageSection section = map_section("map", map);
   EXPECT_EQ(section.table->rows[0], (std::vector<std::string>{"low", "< 0.2", "0.5 [0.3, 0.7]"}));
 }
 
 TEST(HeatMap, ColoursWhatIsNoRatioAsMuch) {
-  const std::string svg = heat_map_as_svg({.title = "t",
-                                           .description = "d",
-                                           .x_label = "x",
-                                           .y_label = "y",
-                                           .columns = {"1", "2"},
-                                           .rows = {"all"},
-                                           .values = {{2, 1e300}}});
+  const std::string svg = heat_map_as_svg(map_of({"all"}, {{2, 1e300}}));
   EXPECT_EQ(occurrences(svg, "class=\"heat7\""), 3U) << "cells and legend";
 }
 

@@ -23,7 +23,7 @@ namespace {
 FrameStatistics frames_of(const TracedTrial& trial) {
   FrameStatistics frames{.trials = 1, .character_s = 10 / made_up_baud.value};
   add_delays(frames.delays, trial);
-  add_wrong_bits(frames.wrong, trial, dsp::Seconds(200e-6));
+  add_wrong_bits(frames.wrong, trial);
   return frames;
 }
 
@@ -90,7 +90,7 @@ TEST(FrameStatistics, SaysWhenInAMessageBitsAreWrong) {
 TEST(FrameStatistics, SayHowSurelyBitsAreWrong) {
   FrameStatistics frames{.trials = 0, .character_s = 10 / made_up_baud.value};
   for (const char* read : {"OFK\n", "OAK\n", "OAK\n", "OFK\n", "OAK\n", "OAK\n"}) {
-    add_wrong_bits(frames.wrong, made_up_trial("OAK\n", read), dsp::Seconds(200e-6));
+    add_wrong_bits(frames.wrong, made_up_trial("OAK\n", read));
     ++frames.trials;
   }
   const Chart chart = settling_chart(frames);
