@@ -43,7 +43,8 @@ std::string table_html(const PageTable& table) {
   constexpr std::size_t long_table = 20;  // rows; these open by a click
   std::string html =
       fmt::format("<details{}><summary>Table, rows: {}</summary>\n<div class=\"table\">",
-                  table.rows.size() > long_table ? "" : " open", table.rows.size()) +
+                  table.rows.size() > long_table && !table.is_answer ? "" : " open",
+                  table.rows.size()) +
       "<table class=\"numbers\">\n<thead>" + row_of(table.head, "th scope=\"col\"") +
       "</thead>\n<tbody>\n";
   for (const auto& cells : table.rows) html += row_of(cells, "td");

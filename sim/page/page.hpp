@@ -14,6 +14,7 @@ namespace sim {
 struct PageTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;  // as long as the head each
+  bool is_answer = false;                      // is open however long it is
 };
 
 struct PagePicture {

@@ -30,7 +30,8 @@ std::string reach_line(const std::vector<Reach>& reaches, const std::vector<std:
 PageSection reach_section(std::vector<Reach> reaches) {
   std::ranges::stable_sort(reaches, std::greater<>(), &Reach::merit);
   const std::string along = reaches.front().along;
-  PageTable table{.head = {"link", "frame loss passes 1 % at " + along}, .rows = {}};
+  PageTable table{
+      .head = {"link", "frame loss passes 1 % at " + along}, .rows = {}, .is_answer = true};
   for (Reach& reach : reaches)
     table.rows.push_back({std::move(reach.link), std::move(reach.words)});
   return {.heading = reach_heading(along), .table = std::move(table)};

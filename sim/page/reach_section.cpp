@@ -45,7 +45,7 @@ std::vector<Reach> reaches_of(const ExperimentResult& result, const Ranking& ran
 }
 
 PageSection reach_section(const ExperimentResult& result, const Ranking& ranking) {
-  PageTable table{.head = head_of(result, ranking), .rows = {}};
+  PageTable table{.head = head_of(result, ranking), .rows = {}, .is_answer = true};
   for (const RowCrossing& row : ranking.rows) {
     std::vector<std::string> cells;
     if (ranking.best_first) cells.push_back(std::to_string(row.place));

@@ -13,6 +13,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/result/curve_fit.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -104,9 +105,8 @@ std::string counts_without(const std::vector<Omission>& limits) {
 /// How much farther the link would go.
 std::string halves_without(const Omissions& omissions, const std::vector<Omission>& limits) {
   if (!omissions.along) return "";
-  const std::string& unit = omissions.along->unit;
   const auto text = [&](const Omission& o) {
-    return half_loss_text(*o.half) + (unit.empty() || unit == "1" ? "" : " " + unit);
+    return with_unit(half_loss_text(*o.half), omissions.along->unit);
   };
   std::string words = fmt::format("Half of the frames are lost at about {} = {} as it is",
                                   omissions.along->key, text(omissions.omissions.front()));

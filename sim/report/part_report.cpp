@@ -7,13 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/picture/chart.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string in_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
@@ -22,7 +21,7 @@ std::string number(double value) {
 /// How a deviation is told: per cent of what a logarithmic axis shows, else the axis's own unit.
 std::string deviation_unit(const FigureFacts& figure) {
   if (figure.y.logarithmic) return "%";
-  return figure.y.unit == "1" ? "" : figure.y.unit;
+  return unit_text(figure.y.unit);
 }
 
 std::string deviation_text(const FigureFacts& figure, double value) {
@@ -30,10 +29,6 @@ std::string deviation_text(const FigureFacts& figure, double value) {
   if (!std::isfinite(value)) return "-";
   if (std::abs(value) < nothing) return "0";
   return figure.y.logarithmic ? fmt::format("{:+.1f}", 100 * value) : fmt::format("{:+.3g}", value);
-}
-
-std::string bracketed(const std::string& unit) {
-  return unit.empty() || unit == "1" ? "" : "[" + unit + "]";
 }
 
 /// Four columns, the first wide enough for its name.
@@ -47,9 +42,10 @@ std::string row(std::size_t first, const std::vector<std::string>& cells) {
 std::string points_table(const Comparison& c) {
   const FigureFacts& figure = c.figure;
   const std::size_t first = std::max<std::size_t>(12, figure.x.name.size());
-  std::string text = row(first, {figure.x.name, "data sheet", "model", "deviation"}) +
-                     row(first, {bracketed(figure.x.unit), bracketed(figure.y.unit),
-                                 bracketed(figure.y.unit), bracketed(deviation_unit(figure))});
+  std::string text =
+      row(first, {figure.x.name, "data sheet", "model", "deviation"}) +
+      row(first, {bracketed_unit(figure.x.unit), bracketed_unit(figure.y.unit),
+                  bracketed_unit(figure.y.unit), bracketed_unit(deviation_unit(figure))});
   for (std::size_t i = 0; i < c.model.size(); ++i)
     text += row(first, {number(c.sheet.x[i]), number(c.sheet.y[i]), number(c.model[i]),
                         deviation_text(figure, c.deviation(i))});
@@ -72,7 +68,7 @@ std::string rms_line(const Comparison& c) {
 }
 
 ChartAxis chart_axis(const FigureAxis& axis) {
-  const std::string unit = bracketed(axis.unit);
+  const std::string unit = bracketed_unit(axis.unit);
   return {axis.name + (unit.empty() ? "" : " " + unit), axis.logarithmic};
 }
 
@@ -102,7 +98,7 @@ std::string number_lines(const PartSheet& sheet) {
   for (const SheetText& t : sheet.texts) text += fmt::format("  {:<24} {}\n", t.name, t.value);
   for (const SheetNumber& n : sheet.numbers)
     text +=
-        fmt::format("  {:<24} {:<14} {}\n", n.name, fmt::format("{}{}", n.value, in_unit(n.unit)),
+        fmt::format("  {:<24} {:<14} {}\n", n.name, with_unit(fmt::format("{}", n.value), n.unit),
                     n.source.empty() ? "(default: the file does not say)" : n.source);
   return text;
 }

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "sim/scenario/keys.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -45,8 +46,8 @@ bool grow_by_factors(const std::vector<double>& all) {
 }  // namespace
 
 std::string axis_name(const Axis& axis) {
-  const bool has_unit = !axis.unit.empty() && axis.unit != "1";
-  return has_unit ? fmt::format("{} [{}]", axis.key, axis.unit) : axis.key;
+  const std::string unit = bracketed_unit(axis.unit);
+  return unit.empty() ? axis.key : axis.key + " " + unit;
 }
 
 std::vector<std::size_t> widest_axes(const std::vector<Axis>& axes) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/text/unit_text.hpp"
+
 namespace sim {
 namespace {
 
@@ -17,7 +19,7 @@ TextColumn axis_column(const Axis& axis) {
   const std::size_t dot = axis.key.rfind('.');
   const std::string table = dot == std::string::npos ? "" : axis.key.substr(0, dot);
   const std::string name = dot == std::string::npos ? axis.key : axis.key.substr(dot + 1);
-  const std::string unit = axis.unit.empty() || axis.unit == "1" ? "" : "[" + axis.unit + "]";
+  const std::string unit = bracketed_unit(axis.unit);
   const int width = static_cast<int>(std::max(widest({table, name, unit}), widest(axis.labels)));
   return {{table, name, unit}, axis.is_text() ? -width : std::max(number_width, width)};
 }

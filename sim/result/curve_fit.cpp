@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -161,11 +162,6 @@ Crossing crossing_of(const Fit& fit, double level, double ci_level) {
   return {Kind::fitted, at, at - margin, at + margin};
 }
 
-std::string with_unit(const Axis& axis, const std::string& value) {
-  const bool plain = axis.unit.empty() || axis.unit == "1" || axis.unit == "1e-6";
-  return plain ? value : value + " " + axis.unit;
-}
-
 std::string span_text(const Crossing& c) {
   return c.low == c.high ? fmt::format("{:g}", c.low) : fmt::format("{:g} .. {:g}", c.low, c.high);
 }
@@ -205,7 +201,7 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
 }
 
 std::string quantity(const Axis& axis, const std::string& value) {
-  return axis.key + " = " + with_unit(axis, value);
+  return axis.key + " = " + with_unit(value, axis.unit);
 }
 
 std::string place_text(const std::vector<Axis>& axes, const std::vector<double>& coordinates) {
@@ -216,12 +212,12 @@ std::string place_text(const std::vector<Axis>& axes, const std::vector<double>&
 }
 
 std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
-  const std::string range = with_unit(axis, span_text(c));
-  const std::string gap = with_unit(axis, fmt::format("{:g} and {:g}", c.low, c.high));
+  const std::string range = with_unit(span_text(c), axis.unit);
+  const std::string gap = with_unit(fmt::format("{:g} and {:g}", c.low, c.high), axis.unit);
   const double percent = level * 100;
   switch (c.kind) {
     case Kind::fitted:
-      return with_unit(axis, fitted_text(c));
+      return with_unit(fitted_text(c), axis.unit);
     case Kind::jump:
       return "between " + gap;
     case Kind::unfitted:

@@ -8,6 +8,7 @@
 #include "protocol/cosys.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 std::string violation(const Range& range, double value) {
   if (value > range.high) return fmt::format("at most {}", range.high);
   return fmt::format("{} {}", range.low_open ? "above" : "at least", range.low);
-}
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit.empty() || unit == "1" ? text : text + " " + unit;
 }
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }

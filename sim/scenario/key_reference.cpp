@@ -14,7 +14,7 @@ namespace sim {
 namespace {
 
 std::string default_of(const Key& key) {
-  if (is_given_by_part(key.name())) return "from the part";
+  if (!part_giving(key.name()).empty()) return "from the part";
   Scenario defaults;
   if (key.facts.type == KeyType::flag) return key.number(defaults) != 0 ? "true" : "false";
   if (key.is_number() && std::isnan(key.number(defaults))) return "unset";

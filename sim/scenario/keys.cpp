@@ -226,10 +226,11 @@ bool Range::contains(double value) const {
   return (low_open ? value > low : value >= low) && value <= high;
 }
 
-bool is_given_by_part(const std::string& name) {
-  return name.starts_with("module.") ||
-         std::ranges::any_of(floor_keys().numbers,
-                             [&](const auto& n) { return name == "floor." + n.facts.name; });
+std::string part_giving(const std::string& name) {
+  if (name.starts_with("module.")) return "receiver.module";
+  const bool of_floor = std::ranges::any_of(
+      floor_keys().numbers, [&](const auto& n) { return name == "floor." + n.facts.name; });
+  return of_floor ? "floor.part" : "";
 }
 
 const std::vector<Key>& scenario_keys() {

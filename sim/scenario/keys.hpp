@@ -107,8 +107,8 @@ const PartKeys<channel::PhotodiodeData>& photodiode_keys();
 /// All keys of a scenario, in the order of the README and of the canonical text.
 const std::vector<Key>& scenario_keys();
 
-/// Whether a part gives that key its value where the scenario does not.
-bool is_given_by_part(const std::string& name);
+/// The key of the part that gives a key its value where the scenario does not, or nothing.
+std::string part_giving(const std::string& name);
 
 /// The key of that name, those of named tables included, or nothing. While scenarios are loaded
 /// only: it makes the latter as they are asked for.

@@ -7,7 +7,7 @@ namespace sim {
 std::string place_of(const Places& places, const std::string& key) {
   const auto at = places.find(key);
   if (at != places.end()) return at->second;
-  return is_given_by_part(key) ? "from the part" : "by default";
+  return part_giving(key).empty() ? "by default" : "from the part";
 }
 
 }  // namespace sim

@@ -8,13 +8,10 @@
 #include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit.empty() || unit == "1" ? text : text + " " + unit;
-}
 
 std::string value_of(const Key& key, Scenario& scenario) {
   if (!key.is_number()) return key.text(scenario);
@@ -35,6 +32,12 @@ std::string values_of(const Axis& axis) {
   return size > few ? fmt::format("{} ({} values)", text, size) : text;
 }
 
+/// Of a key that the scenario leaves to a part, the key of that.
+std::string setting_of(const LoadedScenario& scenario, const Key& key, Scenario& base) {
+  const std::string part = part_giving(key.name());
+  return part.empty() || scenario.places.contains(key.name()) ? value_of(key, base) : "by " + part;
+}
+
 void add_disturbances(std::vector<Setting>& settings, Scenario& scenario) {
   for (const auto& [name, disturbance] : scenario.disturbances)
     for (const std::string& key_name : disturbance_key_names(name))
@@ -53,7 +56,8 @@ void add_devices(std::vector<Setting>& settings, Scenario& scenario) {
 std::vector<Setting> settings_of(const LoadedScenario& scenario) {
   Scenario base = scenario.base;  // keys give access for writing
   std::vector<Setting> settings;
-  for (const Key& key : scenario_keys()) settings.push_back({key.name(), value_of(key, base)});
+  for (const Key& key : scenario_keys())
+    settings.push_back({key.name(), setting_of(scenario, key, base)});
   add_disturbances(settings, base);
   add_devices(settings, base);
   for (const Axis& axis : scenario.sweep) {

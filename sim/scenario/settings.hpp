@@ -12,7 +12,7 @@ struct Setting {
 };
 
 /// Of all keys, those of disturbances and placed devices too; of a swept one its values. Parts are
-/// named here, not what their files hold.
+/// named here, not what their files hold: "by receiver.module".
 std::vector<Setting> settings_of(const LoadedScenario& scenario);
 
 }  // namespace sim

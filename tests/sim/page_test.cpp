@@ -57,6 +57,18 @@ TEST(Page, KeepsTextThatIsNoUtf8) {
   EXPECT_EQ(charts_of(page)[0]["x"]["label"], "\xef\xbf\xbd");
 }
 
+TEST(Page, OpensTablesThatAreShortOrTheAnswer) {
+  const auto opens = [](std::size_t rows, bool is_answer) {
+    const PageTable table{.head = {"a"}, .rows = {rows, {"b"}}, .is_answer = is_answer};
+    const std::string page =
+        page_as_html({.title = "t", .verdict = {}, .sections = {{.heading = "h", .table = table}}});
+    return occurrences(page, "<details open>") == 1;
+  };
+  EXPECT_TRUE(opens(20, false));
+  EXPECT_FALSE(opens(21, false));
+  EXPECT_TRUE(opens(1000, true));
+}
+
 TEST(Page, HasEachLiveChartAsAStillPictureToo) {
   Chart chart = chart_named("Loss");
   chart.curves[0].points.push_back({2, 0, 0, 0.02, true});

@@ -39,5 +39,15 @@ TEST(Settings, OfASweptKeyAreItsValues) {
   EXPECT_EQ(setting(settings, "led.current_ma"), "50, 100 mA");
 }
 
+TEST(Settings, OfPartsAreTheirNames) {
+  const std::vector<Setting> settings =
+      settings_of(parse_scenario("[module]\nq = 8\n[sweep]\n"
+                                 "receiver.module = [\"TSOP4856\", \"TSOP4156\"]\n",
+                                 "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"}));
+  EXPECT_EQ(setting(settings, "module.centre_hz"), "by receiver.module");
+  EXPECT_EQ(setting(settings, "module.q"), "8") << "which the scenario says";
+  EXPECT_EQ(setting(settings, "floor.diffuse_reflectance"), "by floor.part");
+}
+
 }  // namespace
 }  // namespace sim
