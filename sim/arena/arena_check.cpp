@@ -13,8 +13,8 @@
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
-#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

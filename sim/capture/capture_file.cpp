@@ -14,7 +14,7 @@
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

@@ -8,7 +8,7 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

@@ -19,10 +19,10 @@
 #include "sim/check/child_process.hpp"
 #include "sim/check/line_capture.hpp"
 #include "sim/failure.hpp"
-#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 #include "sim/text/shell_text.hpp"
+#include "sim/text/spelling.hpp"
 #include "sim/threads/stop_signals.hpp"
 
 namespace sim {

@@ -3,7 +3,7 @@
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/engine/team.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

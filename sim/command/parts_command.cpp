@@ -8,7 +8,7 @@
 #include "sim/failure.hpp"
 #include "sim/report/part_report.hpp"
 #include "sim/report/part_sheet.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/text/text_file.hpp"
 

@@ -14,9 +14,9 @@
 #include "sim/scenario/named_key.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/scenario/text_axis.hpp"
-#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 

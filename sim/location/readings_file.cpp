@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/spelling.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/spelling.hpp"
 #include "sim/text/text_file.hpp"
 
 namespace sim {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/failure.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

@@ -9,7 +9,7 @@
 #include "sim/failure.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/key_check.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {

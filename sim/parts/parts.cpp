@@ -9,7 +9,7 @@
 #include "sim/parts/part_reader.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 #include "sim/text/text_file.hpp"
 
 namespace sim {

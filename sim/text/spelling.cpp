@@ -1,4 +1,4 @@
-#include "sim/spelling.hpp"
+#include "sim/text/spelling.hpp"
 
 #include <algorithm>
 #include <cctype>
