@@ -1,6 +1,7 @@
 #include "sim/exchange/exchange_part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/page/curve_span.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_shares.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -25,19 +27,30 @@ std::string size_of(const Dataset& data) {
       sent, runs_text(data), sent - accepted);
 }
 
-/// Where half of the messages or more are lost.
-std::string half_lost(const Chart& chart) {
+/// Of each curve the longest stretch at which half of the messages or more are lost.
+std::vector<CurveSpan> half_lost_spans(const std::vector<ChartCurve>& curves) {
   constexpr double half = 0.5;
-  std::optional<double> from, to;
-  for (const ChartCurve& curve : chart.curves)
-    for (const ChartPoint& point : curve.points) {
-      if (point.y < half) continue;
-      from = std::min(from.value_or(point.x), point.x);
-      to = std::max(to.value_or(point.x), point.x);
-    }
-  if (!from) return "At no point that was measured is half of the messages lost.\n";
-  return fmt::format("Half of a node's messages or more are lost at {} from {:g} to {:g}.\n",
-                     chart.x.label, *from, *to);
+  std::vector<CurveSpan> spans;
+  for (const ChartCurve& curve : curves)
+    if (const auto span = longest_span(curve, half)) spans.push_back(*span);
+  return spans;
+}
+
+/// Where all curves have the same stretch it is said once.
+std::string half_lost(const Chart& chart) {
+  std::vector<CurveSpan> spans = half_lost_spans(chart.curves);
+  if (spans.empty()) return "At no point that was measured is half of the messages lost.\n";
+  const bool are_alike = std::ranges::all_of(spans, [&](const CurveSpan& span) {
+    return span.from == spans.front().from && span.to == spans.front().to;
+  });
+  if (are_alike && spans.size() == chart.curves.size()) {
+    spans.resize(1);
+    spans.front().curve.clear();
+  }
+  std::vector<std::string> where;
+  for (const CurveSpan& span : spans) where.push_back(in_words(span, chart.x));
+  return fmt::format("Half of a node's messages or more are lost at {}.\n",
+                     fmt::join(where, "; at "));
 }
 
 /// Of a single point what becomes of each node's messages.

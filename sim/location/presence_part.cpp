@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/location/location_parts.hpp"
+#include "sim/page/curve_span.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
 #include "sim/page/experiment_part.hpp"
@@ -26,41 +27,6 @@ double value_of(const Dataset::Dimension& dimension, std::size_t i) {
   return values == nullptr ? 0 : (*values)[i];
 }
 
-/// The longest stretch of points at which a curve is at `surely` or more. Where it reaches an end
-/// of the sweep, it may go on beyond.
-struct Span {
-  std::string curve;
-  double from = 0, to = 0;
-  bool is_at_first = false, is_at_last = false;
-  double length() const { return to - from; }
-};
-
-std::optional<Span> span_of(const ChartCurve& curve) {
-  std::optional<Span> longest, now;
-  for (const ChartPoint& point : curve.points) {
-    if (point.y < surely) {
-      now.reset();
-      continue;
-    }
-    if (!now) now = {curve.name, point.x, point.x};
-    now->to = point.x;
-    now->is_at_first = now->from == curve.points.front().x;
-    now->is_at_last = now->to == curve.points.back().x;
-    if (!longest || now->length() >= longest->length()) longest = now;
-  }
-  return longest;
-}
-
-std::string in_words(const Span& span, const ChartAxis& x) {
-  const std::string of = span.curve.empty() ? "" : " (" + span.curve + ")";
-  const char* const begins = span.is_at_first ? ", where the sweep begins" : "";
-  const char* const ends = span.is_at_last ? ", where the sweep ends" : "";
-  if (span.from == span.to)
-    return fmt::format("{} {:g}{}{}{}", x.label, span.from, begins, ends, of);
-  return fmt::format("{} from {:g}{}{} to {:g}{}{}", x.label, span.from, begins,
-                     span.is_at_first ? "," : "", span.to, ends, of);
-}
-
 /// The curves of the least probability of false alarm, which alone are compared.
 std::vector<ChartCurve> strictest(const Chart& chart, const std::string& false_alarm) {
   std::vector<ChartCurve> curves;
@@ -74,9 +40,10 @@ std::vector<ChartCurve> strictest(const Chart& chart, const std::string& false_a
 }
 
 /// The narrowest stretch that is another than the widest; nothing where all are one.
-std::optional<Span> narrowest_other(const std::vector<Span>& spans, const Span& widest) {
-  std::optional<Span> found;
-  for (const Span& span : spans)
+std::optional<CurveSpan> narrowest_other(const std::vector<CurveSpan>& spans,
+                                         const CurveSpan& widest) {
+  std::optional<CurveSpan> found;
+  for (const CurveSpan& span : spans)
     if ((span.from != widest.from || span.to != widest.to) &&
         (!found || span.length() < found->length()))
       found = span;
@@ -85,13 +52,13 @@ std::optional<Span> narrowest_other(const std::vector<Span>& spans, const Span& 
 
 /// The widest of the curves, and how that of the others is less.
 std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxis& x) {
-  std::vector<Span> spans;
+  std::vector<CurveSpan> spans;
   for (const ChartCurve& curve : curves)
-    if (const auto span = span_of(curve)) spans.push_back(*span);
+    if (const auto span = longest_span(curve, surely)) spans.push_back(*span);
   if (spans.empty())
     return "at no point that was simulated is the device noticed in 90 % of the windows or more.\n";
-  Span widest = *std::ranges::max_element(spans, {}, &Span::length);
-  const std::optional<Span> other = narrowest_other(spans, widest);
+  CurveSpan widest = *std::ranges::max_element(spans, {}, &CurveSpan::length);
+  const std::optional<CurveSpan> other = narrowest_other(spans, widest);
   const bool is_for_all = spans.size() == curves.size() && !other;
   if (is_for_all) widest.curve.clear();
   std::string text = fmt::format("the device is noticed in 90 % of the windows or more at {}",

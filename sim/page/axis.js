@@ -37,8 +37,20 @@ function reach(axis, values, ends = [], limits = [], share = 0) {
   const [shown, shownEnds] = [values, ends].map((all) => all.filter((value) => isShown(axis, value)));
   if (shown.length === 0) return axis.logarithmic ? [0.1, 1] : [0, 1];
   if (axis.logarithmic) return decades(shown, shownEnds, limits, share);
-  const all = [...shown, ...shownEnds], least = Math.min(...all), greatest = Math.max(...all);
-  return least === greatest ? [least - 0.5, greatest + 0.5] : [least, greatest];
+  return spanOf([...shown, ...shownEnds], false);
+}
+
+/** From the least to the greatest; a little about a single value. */
+function spanOf(values, logarithmic) {
+  const least = Math.min(...values), greatest = Math.max(...values);
+  if (least < greatest) return [least, greatest];
+  return logarithmic ? [least / 2, greatest * 2] : [least - 0.5, greatest + 0.5];
+}
+
+/** What a lower axis covers: from its first value to its last, not whole decades. */
+function reachAcross(axis, values) {
+  const shown = values.filter((value) => isShown(axis, value));
+  return padded(shown.length > 0 ? spanOf(shown, axis.logarithmic) : [0.1, 1], axis);
 }
 
 /** A little beyond the first and the last, so that their marks are seen whole. */

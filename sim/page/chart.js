@@ -118,11 +118,16 @@ function drawLevel(plot, {level}) {
   context.restore();
 }
 
+/** Two digits, or three where half the interval is at most a tenth of the value, as tables have them. */
+const digitsOf = ({y, low, high}) => ((high - low) / 2 / y <= 0.1 ? 3 : 2);
+
 /** A point in the legend. */
 function told(point) {
-  const text = (value) => String(Number.isInteger(value) ? value : Number(value.toPrecision(3)));
   if (!point || !Number.isFinite(point.is_limit ? point.high : point.y)) return '-';
-  return point.is_limit ? `< ${text(point.high)}` : text(point.y);
+  const text = (value, digits) => String(Number.isInteger(value) ? value : Number(value.toPrecision(digits)));
+  if (point.is_limit) return `< ${text(point.high, 2)}`;
+  if (point.low === point.high) return text(point.y, 3);
+  return `${text(point.y, digitsOf(point))} [${[point.low, point.high].map((end) => text(end, digitsOf(point))).join(', ')}]`;
 }
 
 /** Several theories have one line in the legend; their values stand beside those of their curves. */
@@ -167,6 +172,23 @@ function drawSwatches(plot, chart) {
   chart.curves.forEach((curve, i) => { markers[i].innerHTML = swatchOf(curve); });
 }
 
+/** Curves are hidden and shown by their names in the legend, by the keyboard too. */
+function makePressable(plot) {
+  plot.root.querySelectorAll('.u-legend .u-series th').forEach((name, i) => {
+    if (i === 0) return;  // that of x
+    name.tabIndex = 0;
+    name.setAttribute('role', 'button');
+    const tell = () => name.setAttribute('aria-pressed', plot.series[i].show);
+    tell();
+    name.addEventListener('click', tell);
+    name.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== ' ') return;
+      event.preventDefault();
+      name.click();
+    });
+  });
+}
+
 function sayWhatIsDashed(figure) {
   const line = document.createElement('p');
   line.className = 'hint dashed';
@@ -190,15 +212,21 @@ function besideBars(chart, x) {
   return [x[0] - half, x.at(-1) + half];
 }
 
+/** The ends for which uPlot asks when it shows all abscissae. */
+function askedForAll(axis, x) {
+  if (x.length > 1) return [x[0], x.at(-1)];
+  return axis.logarithmic ? uPlot.rangeLog(x[0], x[0], 10, false) : uPlot.rangeNum(x[0], x[0], 0.1, true);
+}
+
 function drawLive(figure, chart) {
   const {x, rows} = alignedPoints(chart);
   const points = rows.flat().filter((point) => point), ends = points.flatMap((point) => endsOf(point, chart.y));
   const values = [...points.map((point) => (point.is_limit ? point.high : point.y)), ...aboutLevel(chart.y),
                   ...(chart.y.from_zero ? [0] : [])];
   const limits = points.filter((point) => point.is_limit && point.high > 0).map((point) => point.high);
-  const whole = {x: padded(reach({}, [...x, ...besideBars(chart, x)]), chart.x),
+  const whole = {x: reachAcross(chart.x, [...x, ...besideBars(chart, x)]),
                  y: reach(chart.y, values, ends, limits, arrow / plotHeight)};
-  const all = x.length === 1 ? uPlot.rangeNum(x[0], x[0], 0.1, true) : [x[0], x.at(-1)];  // what uPlot asks for
+  const all = askedForAll(chart.x, x);
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
@@ -210,7 +238,7 @@ function drawLive(figure, chart) {
     axes: [{...axisOf(chart.x), ...marksFor(chart.x), ...lowerMarks(chart.x)},
            {...axisOf(chart.y), ...marksFor(chart.y), size: widthFor}],
     series: [{label: chart.x.label}, ...seriesOf(chart, rows)],
-    cursor: {dataIdx: (u, series, i) => i},
+    cursor: {dataIdx: (u, series, i) => i, bind: onlyWithoutShift},
     legend: {markers: {width: 0}},
     hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change)],
             draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
@@ -218,10 +246,13 @@ function drawLive(figure, chart) {
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
   if (hasSeveralTheories(chart)) sayWhatIsDashed(figure);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
+  makePressable(plot);
   const view = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale('x', {min, max});
   const tell = (ends) => `${chart.x.label}: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;
-  listenToKeys(figure, {view, show, whole: whole.x, least: 1e-6, axis: chart.x, tell});
+  const movable = {view, show, whole: whole.x, least: 1e-6, axis: chart.x, tell, say: addStatus(figure)};
+  listenToKeys(figure, movable);
+  listenToShift(plot, movable);
 }
 
 /** What a window becomes that grows by shares of itself at both ends: within the whole, not below the least. */
@@ -232,13 +263,36 @@ function moved([from, to], [before, after], [first, last], least) {
   return [within, within + wide];
 }
 
-/** + and - zoom, arrows pan, 0 shows all. `least`: the narrowest window, as a share of the whole; `tell`: its ends. */
-function listenToKeys(figure, {view, show, whole, least, axis, tell}) {
-  const there = axis.logarithmic ? Math.log : (value) => value;
-  const back = axis.logarithmic ? Math.exp : (value) => value;
+/** To where an axis is even, and back. */
+const evenly = (axis) => (axis.logarithmic ? [Math.log, Math.exp] : [(value) => value, (value) => value]);
+
+// uPlot's own answer to a press is to choose a part.
+const onlyWithoutShift = {mousedown: (plot, target, choose) => (event) => (event.shiftKey ? null : choose(event))};
+
+/** With Shift the mouse takes the curves along. */
+function listenToShift(plot, {view, show, whole, axis}) {
+  const [there, back] = evenly(axis);
+  plot.over.addEventListener('mousedown', (press) => {
+    if (!press.shiftKey || press.button !== 0) return;
+    press.preventDefault();
+    const begun = view().map(there), perPixel = (begun[1] - begun[0]) / plot.over.clientWidth;
+    const move = (event) => {
+      const by = (press.clientX - event.clientX) * perPixel;
+      show(moved(begun.map((end) => end + by), [0, 0], whole.map(there), 0).map(back));
+    };
+    document.addEventListener('mousemove', move);
+    document.addEventListener('mouseup', () => document.removeEventListener('mousemove', move), {once: true});
+  });
+}
+
+/**
+ * + and - zoom, arrows pan, 0 shows all. `least`: the narrowest window, as a share of the whole; `tell`: its ends, in
+ * words; `say`: to who cannot see it.
+ */
+function listenToKeys(figure, {view, show, whole, least, axis, tell, say}) {
+  const [there, back] = evenly(axis);
   const steps = {'+': [-0.25, -0.25], '=': [-0.25, -0.25], '-': [0.5, 0.5],
                  'ArrowLeft': [0.2, -0.2], 'ArrowRight': [-0.2, 0.2]};
-  const status = addStatus(figure);
   figure.addEventListener('keydown', (event) => {
     const step = steps[event.key];
     if (event.ctrlKey || event.metaKey || event.altKey || !(step || event.key === '0')) return;
@@ -246,16 +300,16 @@ function listenToKeys(figure, {view, show, whole, least, axis, tell}) {
     const next = step && moved(view().map(there), step, whole.map(there), least).map(back);
     const isAll = !next || next[1] - next[0] >= (1 - 1e-9) * (whole[1] - whole[0]);
     show(isAll ? whole : next);
-    status.textContent = isAll ? 'All is shown' : tell(next);
+    say(isAll ? 'All is shown' : tell(next));
   });
 }
 
-/** Where a figure says what is shown to who cannot see it. */
+/** Where a figure says what is shown to who cannot see it: takes the words. */
 function addStatus(figure) {
   const told = document.createElement('p');
   told.className = 'unseen';
   told.setAttribute('role', 'status');
   told.setAttribute('aria-live', 'polite');
   figure.append(told);
-  return told;
+  return (words) => { told.textContent = words; };
 }

@@ -29,7 +29,7 @@ PageSection differences_section(const std::vector<NamedSettings>& results) {
     for (const NamedSettings& result : results) row.push_back(value_in(result, key));
     if (std::ranges::count(row, row[1]) + 1 < std::ssize(row)) table.rows.push_back(row);
   }
-  PageSection section{.heading = "In what they differ"};
+  PageSection section{.heading = "Differences"};
   if (table.rows.empty())
     section.text = "All keys of their scenarios are set alike.";
   else

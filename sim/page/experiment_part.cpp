@@ -27,7 +27,7 @@ void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColum
   if (!notes.empty()) columns.push_back(outside_points(data));
   part.sections.push_back(
       {.heading = "All numbers", .text = notes, .table = dataset_table(data, std::move(columns))});
-  part.sections.push_back(scenario_section(data.command, data.scenario_toml));
+  part.scenario = scenario_section(data.command, data.scenario_toml);
 }
 
 }  // namespace sim

@@ -136,14 +136,20 @@ PageSection bursts_section(const FrameStatistics& frames) {
 }
 
 std::string delays_text(const FrameStatistics& frames) {
-  const std::vector<double>&falling = frames.delays.falling_us, &rising = frames.delays.rising_us;
-  const double begins = quantile(falling, 0.5), ends = quantile(rising, 0.5);
-  return fmt::format(
+  const EdgeDelays& delays = frames.delays;
+  const double begins = quantile(delays.falling_us, 0.5), ends = quantile(delays.rising_us, 0.5);
+  std::string text = fmt::format(
       "Median delay: {:.0f} us where light begins and {:.0f} us where it ends, so pulses of light "
       "are {:.0f} us {} at the pin (pulse-width distortion). Jitter: {:.0f} and {:.0f} us (half of "
       "the middle 68 %).",
-      begins, ends, std::abs(ends - begins), ends < begins ? "shorter" : "longer", spread(falling),
-      spread(rising));
+      begins, ends, std::abs(ends - begins), ends < begins ? "shorter" : "longer",
+      spread(delays.falling_us), spread(delays.rising_us));
+  if (delays.missing > 0)
+    text += fmt::format(
+        " Of {} edges of the light {} are missing at the pin, or more than half a bit from where "
+        "they belong.",
+        delays.falling_us.size() + delays.rising_us.size() + delays.missing, delays.missing);
+  return text;
 }
 
 Chart jitter_chart(const FrameStatistics& frames) {

@@ -11,7 +11,7 @@
 namespace sim {
 namespace {
 
-/// How much later than `at` the nearest flip to that level is, in seconds.
+/// How much later than `at` the flip to that level is that is nearest to `at`, in seconds.
 std::optional<double> delay_of(const dsp::LogicTrace& pin, double at_s, bool level, double most_s) {
   const auto flips = pin.flips();
   const auto from = std::ranges::lower_bound(flips, at_s - most_s, {}, &dsp::Seconds::value);
@@ -86,8 +86,11 @@ void add_delays(EdgeDelays& delays, const TracedTrial& trial) {
   for (const dsp::Seconds flip : trial.tx.flips()) {
     if (flip.value < message.start_s(0) - half_bit_s || flip.value > message.end_s()) continue;
     const bool level = trial.tx.level_at(flip);
-    if (const auto delay = delay_of(trial.rx, flip.value, level, half_bit_s))
-      (level ? delays.rising_us : delays.falling_us).push_back(*delay * 1e6);
+    const double expected_s = flip.value + trial.delay.value;
+    if (const auto late = delay_of(trial.rx, expected_s, level, half_bit_s))
+      (level ? delays.rising_us : delays.falling_us).push_back((trial.delay.value + *late) * 1e6);
+    else
+      ++delays.missing;
   }
 }
 

@@ -19,6 +19,7 @@ namespace sim {
 /// How much later than the light's the edges of the pin are, in microseconds.
 struct EdgeDelays {
   std::vector<double> falling_us, rising_us;  // light begins, light ends
+  std::size_t missing = 0;                    // edges of the light that the pin lacks
 };
 
 /// Where bits of the last message are wrong at the pin, in the middle of their slots. Messages of a
@@ -47,8 +48,8 @@ std::uint64_t affordable_trials(const Link& link, double most_samples);
 FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& counted,
                                const Workers& workers);
 
-/// Adds those of a trial's last message. An edge that the pin lacks, or has more than half a bit
-/// away, has no delay.
+/// Adds those of a trial's last message. An edge is missing that the pin does not have within half
+/// a bit of where the module's nominal delay puts it.
 void add_delays(EdgeDelays& delays, const TracedTrial& trial);
 
 void add_wrong_bits(WrongBits& wrong, const TracedTrial& trial);

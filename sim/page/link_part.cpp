@@ -141,6 +141,7 @@ ReportPart link_part(const LinkReport& link) {
       link.name, result.title,
       setup_words(link.settings) + verdict_of(result, link.omissions) + marked_points(result)};
   part.settings = link.settings;
+  part.scenario = scenario_section(result.command, result.scenario_toml);
   add_ranking(part, result);
   part.charts = result_charts(result);
   add_maps(part, result);
@@ -150,7 +151,6 @@ ReportPart link_part(const LinkReport& link) {
   if (link.trial) add_trial(part, result, *link.trial);
   add_frames(part, link.frames);
   part.sections.push_back(numbers_section(result));
-  part.sections.push_back(scenario_section(result.command, result.scenario_toml));
   return part;
 }
 

@@ -42,9 +42,9 @@ std::string row_of(const std::vector<std::string>& cells, const char* kind) {
 std::string table_html(const PageTable& table) {
   constexpr std::size_t long_table = 20;  // rows; these open by a click
   std::string html =
-      fmt::format("<details{}><summary>Table, rows: {}</summary>\n<div class=\"table\">",
+      fmt::format("<details{}><summary>Table ({} row{})</summary>\n<div class=\"table\">",
                   table.rows.size() > long_table && !table.is_answer ? "" : " open",
-                  table.rows.size()) +
+                  table.rows.size(), table.rows.size() == 1 ? "" : "s") +
       "<table class=\"numbers\">\n<thead>" + row_of(table.head, "th scope=\"col\"") +
       "</thead>\n<tbody>\n";
   for (const auto& cells : table.rows) html += row_of(cells, "td");
@@ -65,7 +65,9 @@ std::string picture_html(const PagePicture& picture, const std::string& kind) {
 std::string section_html(const PageSection& section, std::size_t number) {
   std::string html = fmt::format("<section id=\"section-{}\">\n", number) +
                      element("h2", section.heading) + paragraphs(section.text);
-  if (!section.preformatted.empty()) html += element("pre", section.preformatted);
+  if (!section.preformatted.empty())
+    html += "<details><summary>The whole text</summary>\n" + element("pre", section.preformatted) +
+            "</details>\n";
   if (section.picture) html += picture_html(*section.picture, section.picture->live ? "chart" : "");
   if (section.trial) html += picture_html(section.trial->still, "trial");
   if (section.table) html += table_html(*section.table);

@@ -12,7 +12,7 @@ function addHint() {
   const hint = document.createElement('p');
   hint.className = 'hint';
   hint.id = 'keys';
-  hint.textContent = 'Charts: drag to zoom, double-click for all; by keyboard + and -, arrows, 0 for all.';
+  hint.textContent = 'Charts: drag to zoom, Shift and drag to move, double-click for all; by keyboard + and -, arrows, 0 for all.';
   document.querySelector('.verdict').after(hint);
 }
 
@@ -29,15 +29,30 @@ function watchWidths() {
   document.querySelectorAll('.table, .still, pre').forEach((box) => watch.observe(box));
 }
 
+/** Where drawing fails the still picture comes back. */
+function drawOne(figure, draw) {
+  makeReachable(figure);
+  try {
+    draw();
+  } catch (error) {
+    figure.classList.remove('live');
+    [...figure.children].forEach((child) => child.classList.contains('still') || child.remove());
+    console.error(error);
+  }
+}
+
 function drawEach(kind, draw) {
   const data = JSON.parse(document.getElementById(`${kind}s`).textContent);
-  document.querySelectorAll(`.${kind}`).forEach((figure, i) => {
-    makeReachable(figure);
-    draw(figure, data[i], i);
-  });
+  document.querySelectorAll(`.${kind}`).forEach((figure, i) => drawOne(figure, () => draw(figure, data[i], i)));
+}
+
+/** For browsers that print nothing of what is closed. */
+function printScenarios() {
+  document.querySelectorAll('details:has(pre)').forEach((details) => { details.open = true; });
 }
 
 document.querySelectorAll('table').forEach(makeLive);
+window.addEventListener('beforeprint', printScenarios);
 watchWidths();
 if (typeof uPlot !== 'undefined') {
   addHint();

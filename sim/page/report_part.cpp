@@ -30,13 +30,23 @@ void name_lone_charts(std::vector<ReportPart>& parts) {
   for (const auto& [chart, name] : lone) chart->title = name + ": " + chart->title;
 }
 
+/// An axis that has a place for what is on both.
+void join_axis(ChartAxis& axis, const ChartAxis& other) {
+  axis.logarithmic = axis.logarithmic && other.logarithmic;
+  axis.from_zero = axis.from_zero || other.from_zero;
+  if (!axis.level) axis.level = other.level;
+}
+
 void add_chart(std::vector<Chart>& charts, Chart chart) {
   const auto same =
       std::ranges::find_if(charts, [&](const Chart& other) { return are_alike(other, chart); });
-  if (same == charts.end())
+  if (same == charts.end()) {
     charts.push_back(std::move(chart));
-  else
-    std::ranges::move(chart.curves, std::back_inserter(same->curves));
+    return;
+  }
+  join_axis(same->x, chart.x);
+  join_axis(same->y, chart.y);
+  std::ranges::move(chart.curves, std::back_inserter(same->curves));
 }
 
 void say_whose(ReportPart& part) {
@@ -44,6 +54,7 @@ void say_whose(ReportPart& part) {
   std::istringstream lines(part.verdict);
   for (std::string line; std::getline(lines, line);) verdict += part.name + ": " + line + "\n";
   part.verdict = verdict;
+  part.scenario.heading = part.name + ": " + part.scenario.heading;
   for (auto* sections : {&part.first, &part.sections})
     for (PageSection& section : *sections) section.heading = part.name + ": " + section.heading;
   for (Chart& chart : part.charts)
@@ -95,6 +106,7 @@ Page page_of(std::vector<ReportPart> parts) {
     name_lone_charts(parts);
     std::ranges::for_each(parts, say_whose);
   }
+  for (ReportPart& part : parts) page.sections.push_back(std::move(part.scenario));
   for (ReportPart& part : parts) {
     page.verdict += part.verdict;
     std::ranges::move(part.first, std::back_inserter(page.sections));

@@ -15,6 +15,7 @@ struct ReportPart {
   std::string name;              // of its file
   std::string title;             // of its scenario; may be empty
   std::string verdict;           // a paragraph a line
+  PageSection scenario{};        // its text, and the command that repeats it
   std::vector<Reach> reaches{};  // of links
   std::vector<PageSection> first{};
   /// Those of several results that have one title and one lower axis are drawn into one picture.
@@ -23,8 +24,8 @@ struct ReportPart {
   std::vector<Setting> settings{};      // of its scenario
 };
 
-/// At least one part. Where there are several, headings and curves say whose they are, and the
-/// first sections how far links reach, and in what the scenarios differ.
+/// At least one part. First come scenarios. Where there are several, headings and curves say whose
+/// they are, and before them stands how far links reach, and in what the scenarios differ.
 Page page_of(std::vector<ReportPart> parts);
 
 }  // namespace sim

@@ -22,8 +22,12 @@ std::string message_text(const std::string& message) {
   return text.size() <= most ? text : text.substr(0, most) + "...";
 }
 
-bool is_zero(const std::string& value) { return value.starts_with("0 ") || value == "0"; }
+/// Of a key that is swept neither a list nor "0 .. 10 lx (11 values)".
+bool is_zero(const std::string& value) {
+  return value == "0" || (value.starts_with("0 ") && !value.starts_with("0 .. "));
+}
 
+/// ", in 0.6 W/m2 of ambient light"; empty in the dark.
 std::string ambient_words(const std::vector<Setting>& settings) {
   std::vector<std::string> lights;
   const auto add = [&](const std::string& key, const std::string& of) {
@@ -33,7 +37,7 @@ std::string ambient_words(const std::vector<Setting>& settings) {
   add("ambient.irradiance_w_per_m2", " of ambient light");
   add("ambient.daylight_lux", " of daylight");
   add("ambient.tungsten_lux", " of tungsten light");
-  return lights.empty() ? "in the dark" : fmt::format("in {}", fmt::join(lights, " and "));
+  return lights.empty() ? "" : fmt::format(", in {}", fmt::join(lights, " and "));
 }
 
 /// ", beside another light (fluorescent)"
@@ -49,9 +53,9 @@ std::string place_words(const std::vector<Setting>& settings) {
   const auto value = [&](const char* key) { return value_of(settings, key); };
   if (const std::string ebn0 = value("receiver.ebn0_db"); !ebn0.empty())
     return fmt::format("at Eb/N0 of {}", ebn0);
-  return fmt::format("from a {} at {}, {} away, {}{}", value("led.part"), value("led.current_ma"),
-                     value("receiver.range_m"), ambient_words(settings),
-                     disturbance_words(settings));
+  const std::string others = ambient_words(settings) + disturbance_words(settings);
+  return fmt::format("from a {} at {}, {} away{}", value("led.part"), value("led.current_ma"),
+                     value("receiver.range_m"), others.empty() ? ", in the dark" : others);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "sim/picture/svg.hpp"
 #include "sim/picture/waveform.hpp"
 #include "sim/trace/traced_message.hpp"
+#include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {
@@ -66,7 +67,7 @@ std::optional<ShownTrial> trial_to_show(const StoredResult& stored, std::uint64_
                                         std::uint32_t number) {
   const Scenario scenario = numbered_point(stored.scenario, point);
   if (scenario.simulation.fidelity != "waveform") return std::nullopt;
-  ShownTrial shown{trace_trial(scenario, number), make_link(scenario).module};
+  ShownTrial shown{trace_trial(scenario, number), drawn_module(make_link(scenario), number)};
   if (message_of(shown.trial).sent.empty()) return std::nullopt;
   shown.trial.origin = {.program = stored.origin.program,
                         .scenario_toml = stored.origin.scenario_toml,

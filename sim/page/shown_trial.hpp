@@ -12,8 +12,8 @@
 namespace sim {
 
 struct ShownTrial {
-  TracedTrial trial;  // with taps
-  channel::ModuleData module;
+  TracedTrial trial;           // with taps
+  channel::ModuleData module;  // of this trial
 };
 
 /// A line for who misses the trial: where trials make no waveform; else empty.

@@ -4,12 +4,21 @@ const cellsOf = (row) => [...row.cells].map((cell) => cell.textContent);
 
 const isLimit = (text) => text.startsWith('<');
 
-/** Numbers before texts, by their value, and before them those of which no more is known than that they are less. */
+/** "2.2 m", "< 0.1", "between 10 and 11 m"; NaN of what is no number. */
+const numberOf = (text) => parseFloat(text.replace(/^([<>]|between|beyond|short of)\s*/, ''));
+
+/** Numbers by their value, and before them those of which no more is known than that they are less. */
 function compare(a, b) {
-  const x = parseFloat(a.replace(/^[<>]\s*/, '')), y = parseFloat(b.replace(/^[<>]\s*/, ''));
+  const x = numberOf(a), y = numberOf(b);
   if (Number.isNaN(x) && Number.isNaN(y)) return a.localeCompare(b);
-  if (Number.isNaN(x) || Number.isNaN(y)) return Number.isNaN(x) ? 1 : -1;
   return isLimit(b) - isLimit(a) || x - y;
+}
+
+/** Downward too, numbers come before what is none. */
+function inOrder(rows, column, descending) {
+  const textOf = (row) => row.cells[column].textContent, isNone = (row) => Number.isNaN(numberOf(textOf(row)));
+  const direction = descending ? -1 : 1;
+  return rows.sort((a, b) => isNone(a) - isNone(b) || direction * compare(textOf(a), textOf(b)));
 }
 
 function sortBy(table, column) {
@@ -17,10 +26,7 @@ function sortBy(table, column) {
   const descending = heads[column].getAttribute('aria-sort') === 'ascending';
   heads.forEach((head) => head.removeAttribute('aria-sort'));
   heads[column].setAttribute('aria-sort', descending ? 'descending' : 'ascending');
-  const rows = [...table.tBodies[0].rows];
-  rows.sort((a, b) => compare(a.cells[column].textContent, b.cells[column].textContent));
-  if (descending) rows.reverse();
-  table.tBodies[0].append(...rows);
+  table.tBodies[0].append(...inOrder([...table.tBodies[0].rows], column, descending));
 }
 
 /** "1.0 [0.9, 1.1]" as its value and the ends of its interval, "< 0.1" as 0 and from 0 to that; else nothing. */

@@ -148,7 +148,6 @@ function drawMarks(plot, marks, bits) {
   const shown = (list) => list.filter(([at]) => at >= min && at <= max);
   const fits = bits.length > 0 && shown(bits).length * 14 * ratio < width;
   const list = fits ? shown(bits) : shown(marks);
-  if (list.length * 10 * ratio > width) return;
   const ink = styled('--ink'), wrong = styled('--wrong');
   plot.ctx.save();
   plot.ctx.textAlign = 'center';
@@ -159,7 +158,7 @@ function drawMarks(plot, marks, bits) {
   plot.ctx.restore();
 }
 
-function spanOf(taps) {
+function rangeOf(taps) {
   const least = Math.min(...taps.map((tap) => tap.least)), greatest = Math.max(...taps.map((tap) => tap.greatest));
   const margin = 0.05 * (greatest - least || 1);
   return [least - margin, greatest + margin];
@@ -176,7 +175,7 @@ function rowsOf(trial) {
   const grids = gridsOf(trial), taps = trial.taps.map(tapOf);
   const row = (members) => ({
     title: members.map((tap, k) => `${k > 0 ? 'thick: ' : ''}${tap.name}${tap.unit && ` [${tap.unit}]`}`).join('; '),
-    range: spanOf(members),
+    range: rangeOf(members),
     colours: members.map((tap) => tapColours[tap.key]),
     see: (view) => {
       const [[x, first], ...others] = members.map((tap) => seen(grids, tap, view));
@@ -226,10 +225,17 @@ function drawTrial(figure, trial, number) {
     keepUp(figure, plots[i], tapHeight, `${row.title} over time`);
   });
   plots.forEach((plot) => plot.over.addEventListener('dblclick', () => show(whole)));
-  listenToKeys(figure, {view: () => shown, show, whole, least, axis: {}, tell: tellMilliseconds});
+  const say = addStatus(figure);
+  const movable = {view: () => shown, show, whole, least, axis: {}, tell: tellMilliseconds, say};
+  listenToKeys(figure, movable);
+  plots.forEach((plot) => listenToShift(plot, movable));
   const byte = [trial.byte_from_s - trial.byte_s / 10, trial.byte_from_s + 1.1 * trial.byte_s];
   const edge = [trial.edge_from_s, trial.edge_to_s];
-  addViews(figure, show, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
+  const showAndSay = (view) => {
+    show(view);
+    say(tellMilliseconds(shown));
+  };
+  addViews(figure, showAndSay, {'The whole frame': whole, 'A byte': byte, 'Cycles at an edge': edge});
   if (trial.stretch > 1) sayWhatIsKept(figure, trial);
 }
 
@@ -240,7 +246,7 @@ function plotOf(figure, row, sync, whole, follow) {
     width: figure.clientWidth,
     height: tapHeight,
     legend: {show: false},
-    cursor: {sync: {key: sync}, drag: {x: true, y: false}, points: {show: false}},
+    cursor: {bind: onlyWithoutShift, sync: {key: sync}, drag: {x: true, y: false}, points: {show: false}},
     scales: {x: {time: false, range: (u, from, to) => [from, to]}, y: {range: row.range}},
     axes: [{...axisOf({}), size: 34, space: 90,
             values: (u, seconds) => labelsOf(seconds.map((value) => value * 1e3))},

@@ -69,9 +69,9 @@ std::string reach_of(const ExperimentResult& result) {
   return reach_line(reaches_of(result, ranking), best);
 }
 
+/// "1.5 [0.3, 4.3] %"
 std::string loss_in_percent(const Estimate& loss) {
-  return fmt::format("{:.3g} % [{:.3g} %, {:.3g} %]", 100 * loss.value, 100 * loss.low,
-                     100 * loss.high);
+  return estimate_text({100 * loss.value, 100 * loss.low, 100 * loss.high}) + " %";
 }
 
 /// Theory is known of matched receivers alone, which have no band-pass.
@@ -145,8 +145,8 @@ std::string without_estimate(const ExperimentResult& result) {
 }  // namespace
 
 std::string verdict_of(const ExperimentResult& result, const Omissions& omissions) {
-  return size_of(result) + without_estimate(result) + reach_of(result) + where_it_fails(result) +
-         what_limits(omissions) + missing_lines(result);
+  return ended(sentence(missing_lines(result))) + size_of(result) + without_estimate(result) +
+         reach_of(result) + where_it_fails(result) + what_limits(omissions);
 }
 
 }  // namespace sim

@@ -10,28 +10,42 @@
 
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
 
 // Pixels.
-constexpr double width = 720, left = 170, right = 700, top = 60;
+constexpr double top = 60, bar_length = 530, margin = 20;
+constexpr double least_left = 170, letter_width = 6.5, beside_label = 8;
 constexpr double row_step = 20, bar_height = 14;
 constexpr double legend_step = 16, patch = 10;
 
 constexpr std::array styles{"fill0", "fill1", "fill2", "fill3", "fill4",
                             "fill5", "fill6", "fill7", "fill8"};
 
+/// Bars begin behind the longest label.
+struct Columns {
+  explicit Columns(const ShareBars& bars) {
+    for (const ShareRow& row : bars.rows)
+      left = std::max(
+          left, margin + beside_label + letter_width * static_cast<double>(letters_in(row.label)));
+  }
+  double left = least_left;
+  double right() const { return left + bar_length; }
+};
+
 double bottom_of(const ShareBars& bars) {
   return top + row_step * static_cast<double>(bars.rows.size());
 }
 
-void draw_row(SvgDrawing& drawing, const ShareRow& row, double y) {
+void draw_row(SvgDrawing& drawing, const Columns& columns, const ShareRow& row, double y) {
   assert(row.counts.size() <= styles.size());
   const auto whole = std::accumulate(row.counts.begin(), row.counts.end(), std::uint64_t{0});
-  drawing.text({left - 8, y + bar_height - 3}, row.label, "end");
-  drawing.rectangle({left, y}, right - left, bar_height, "frame");
-  const Scale across{0, static_cast<double>(std::max<std::uint64_t>(whole, 1)), left, right};
+  drawing.text({columns.left - beside_label, y + bar_height - 3}, row.label, "end");
+  drawing.rectangle({columns.left, y}, bar_length, bar_height, "frame");
+  const Scale across{0, static_cast<double>(std::max<std::uint64_t>(whole, 1)), columns.left,
+                     columns.right()};
   std::uint64_t before = 0;
   for (std::size_t kind = 0; kind < row.counts.size(); ++kind) {
     const double from = across(static_cast<double>(before));
@@ -41,18 +55,19 @@ void draw_row(SvgDrawing& drawing, const ShareRow& row, double y) {
   }
 }
 
-void draw_scale(SvgDrawing& drawing, double bottom) {
+void draw_scale(SvgDrawing& drawing, const Columns& columns, double bottom) {
   for (const int percent : {0, 25, 50, 75, 100}) {
-    const double x = left + (right - left) * percent / 100;
+    const double x = columns.left + bar_length * percent / 100;
     drawing.line({x, top - 4}, {x, bottom}, "grid");
     drawing.text({x, bottom + 14}, fmt::format("{} %", percent), "middle small");
   }
 }
 
-void draw_legend(SvgDrawing& drawing, const std::vector<std::string>& kinds, double y) {
+void draw_legend(SvgDrawing& drawing, const Columns& columns, const std::vector<std::string>& kinds,
+                 double y) {
   for (std::size_t kind = 0; kind < kinds.size(); ++kind, y += legend_step) {
-    drawing.rectangle({left, y - patch}, patch, patch, styles[kind]);
-    drawing.text({left + patch + 6, y}, kinds[kind], "");
+    drawing.rectangle({columns.left, y - patch}, patch, patch, styles[kind]);
+    drawing.text({columns.left + patch + 6, y}, kinds[kind], "");
   }
 }
 
@@ -69,16 +84,17 @@ void add_counts(ShareBars& bars, const std::string& label,
 std::string share_bars_as_svg(const ShareBars& bars) {
   const double bottom = bottom_of(bars);
   const double height = bottom + 30 + legend_step * static_cast<double>(bars.kinds.size());
-  SvgDrawing drawing(width, height, bars.title, bars.description);
-  drawing.text({left - 150, 20}, bars.title, "heading");
-  drawing.text({left - 150, top - 10}, bars.rows_label, "small");
-  draw_scale(drawing, bottom);
+  const Columns columns(bars);
+  SvgDrawing drawing(columns.right() + margin, height, bars.title, bars.description);
+  drawing.text({margin, 20}, bars.title, "heading");
+  drawing.text({margin, top - 10}, bars.rows_label, "small");
+  draw_scale(drawing, columns, bottom);
   double y = top;
   for (const ShareRow& row : bars.rows) {
-    draw_row(drawing, row, y);
+    draw_row(drawing, columns, row, y);
     y += row_step;
   }
-  draw_legend(drawing, bars.kinds, bottom + 36);
+  draw_legend(drawing, columns, bars.kinds, bottom + 36);
   return drawing.finished();
 }
 

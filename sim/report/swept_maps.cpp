@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "sim/report/swept_curves.hpp"
@@ -48,6 +47,32 @@ std::vector<std::size_t> axes_of_maps(const std::vector<Axis>& axes) {
   return over;
 }
 
+/// With the values on all other axes.
+std::string title_of(const std::vector<Axis>& axes, const std::vector<std::size_t>& over,
+                     const std::vector<double>& at, const std::string& title) {
+  const std::string others = other_values(axes, {over[0], over[1]}, at);
+  return others.empty() ? title : fmt::format("{}, {}", title, others);
+}
+
+/// The map of that title, which is added where there is none, as long as there are not too many.
+HeatMap* map_of(std::vector<HeatMap>& maps, const std::string& title, const Axis& across,
+                const Axis& up) {
+  constexpr std::size_t most = 12;
+  const auto found = std::ranges::find(maps, title, &HeatMap::title);
+  if (found != maps.end()) return &*found;
+  if (maps.size() == most) return nullptr;
+  maps.push_back(empty_map(across, up));
+  maps.back().title = title;
+  return &maps.back();
+}
+
+std::size_t number_of_maps(const std::vector<Axis>& axes, const std::vector<std::size_t>& over) {
+  std::size_t maps = 1;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (i != over[0] && i != over[1]) maps *= axes[i].values.size();
+  return maps;
+}
+
 }  // namespace
 
 std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<MapValue>& values,
@@ -55,22 +80,21 @@ std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector
   const std::vector<std::size_t> over = axes_of_maps(axes);
   if (over.size() < 2) return {};
   const Axis &across = axes[over[0]], &up = axes[over[1]];
-  std::map<std::string, HeatMap> maps;
+  std::vector<HeatMap> maps;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::vector<double> at = point_coordinates(axes, i);
-    const std::string others = other_values(axes, {over[0], over[1]}, at);
-    const auto [map, is_new] = maps.try_emplace(others, empty_map(across, up));
-    if (is_new) {
-      map->second.title = others.empty() ? title : fmt::format("{}, {}", title, others);
-      map->second.description = fmt::format("{} over {} and {}", what, across.key, up.key);
-    }
+    HeatMap* map = map_of(maps, title_of(axes, over, at, title), across, up);
+    if (map == nullptr) continue;
+    map->description = fmt::format("{} over {} and {}", what, across.key, up.key);
     const std::size_t row = index_of(up, at[over[1]]), column = index_of(across, at[over[0]]);
-    map->second.values[row][column] = values[i].ratio;
-    map->second.texts[row][column] = values[i].text;
+    map->values[row][column] = values[i].ratio;
+    map->texts[row][column] = values[i].text;
   }
-  std::vector<HeatMap> all;
-  for (auto& [others, map] : maps) all.push_back(std::move(map));
-  return all;
+  const std::size_t all = number_of_maps(axes, over);
+  if (all > maps.size())
+    maps.back().description +=
+        fmt::format("; the last of {} maps that are shown, of {}", maps.size(), all);
+  return maps;
 }
 
 }  // namespace sim

@@ -14,7 +14,8 @@ struct MapValue {
 };
 
 /// One value a point, over the two swept numbers with the most values, or one and a text: a map for
-/// each combination of the others' values. Empty where there are no two such axes.
+/// each combination of the others' values, but not more than twelve. Empty where there are no two
+/// such axes.
 std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<MapValue>& values,
                                 const std::string& title, const std::string& what);
 

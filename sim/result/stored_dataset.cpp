@@ -97,6 +97,7 @@ void check(const StoredDataset& stored, const NetcdfReader& file, const std::str
   };
   if (file.text("experiment") != stored.scenario.base.experiment)
     refuse("its scenario is of another experiment");
+  if (stored.scenario.base.experiment == "link") refuse("results of links are of another type");
   if (!has_all_cells(stored.data)) refuse("its variables do not fit its sweep");
   if (!std::ranges::all_of(stored.data.dimensions, has_numbers))
     refuse("a dimension has an element that is no number");

@@ -206,11 +206,15 @@ std::uint32_t carrier_phase(const Link& link, std::uint32_t trial) {
   return address(link, trial, Purpose::carrier_phase).block(0)[0];
 }
 
+channel::ModuleData drawn_module(const Link& link, std::uint32_t trial) {
+  if (!link.population) return link.module;
+  const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
+  return channel::unit_of(link.module, draws.uniform(0), draws.uniform(1));
+}
+
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial) {
   if (!link.population) return std::nullopt;
-  const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
-  return channel::design_unit(channel::unit_of(link.module, draws.uniform(0), draws.uniform(1)),
-                              link.ambient, link.chain);
+  return channel::design_unit(drawn_module(link, trial), link.ambient, link.chain);
 }
 
 channel::ChainInput chain_input(const Link& link, std::uint32_t trial, const Transmission& sent,

@@ -108,6 +108,9 @@ dsp::Seconds longest_length(const Link& link);
 /// Seed of all noise of a trial.
 std::array<std::uint32_t, 4> noise_seed(const Link& link, std::uint32_t trial);
 
+/// The module of a trial: its own unit, where each trial has one.
+channel::ModuleData drawn_module(const Link& link, std::uint32_t trial);
+
 /// The trial's own unit of the module, where each trial has one.
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial);
 

@@ -1,4 +1,5 @@
 """Headless Chromium, as a person uses it, for the scripts beside."""
+import base64
 import pathlib
 import sys
 
@@ -52,6 +53,19 @@ def drag_over(driver, plot):
     width = plot.size["width"]
     ActionChains(driver).move_to_element_with_offset(plot, -width // 4, 0).click_and_hold() \
         .move_by_offset(width // 3, 0).release().perform()
+
+
+def drag_with_shift(driver, plot):
+    width = plot.size["width"]
+    ActionChains(driver).move_to_element_with_offset(plot, width // 4, 0).key_down(Keys.SHIFT).click_and_hold() \
+        .move_by_offset(-width // 8, 0).release().key_up(Keys.SHIFT).perform()
+
+
+def save_whole_page(driver, screenshot):
+    """Also what is below the window."""
+    size = driver.execute_cdp_cmd("Page.getLayoutMetrics", {})["cssContentSize"]
+    png = driver.execute_cdp_cmd("Page.captureScreenshot", {"captureBeyondViewport": True, "clip": {**size, "scale": 1}})
+    pathlib.Path(screenshot).write_bytes(base64.b64decode(png["data"]))
 
 
 def expect_no_complaints(driver):

@@ -6,7 +6,7 @@ import re
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser import enter, expect, send
+from browser import enter, expect, expect_no_complaints, send
 from layouts import expect_heads_apart, open_tables, set_width
 from texts import lower_labels, marks, texts, touching
 
@@ -39,6 +39,10 @@ CHART = {
 LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
                "y": {**CHART["y"], "level": {"at": 0.01, "text": "1 %"}},
                "curves": [curve("c", 0, [point(0.2, 0.5), point(20, 1)])]}
+
+
+# One abscissa, below the least of a linear axis.
+SINGLE = {**CHART, "x": {**CHART["x"], "logarithmic": True}, "curves": [curve("c", 1, [point(0.1, 0.5), ])]}
 
 
 def with_long_heads(html):
@@ -157,6 +161,29 @@ def look_at_logarithmic_marks(driver, report):
     expect(len(steps) >= 2 and max(steps) < 1.01 * min(steps), f"a part of a decade is marked {labels}")
 
 
+def look_at_single_point(driver, report):
+    """It is in the middle, whatever key is pressed."""
+    chart = open_changed(driver, report, SINGLE)
+    canvas, over = chart.find_element(By.TAG_NAME, "canvas"), chart.find_element(By.CLASS_NAME, "u-over")
+    enter(driver, chart)
+    for keys in ("", "+", "0"):
+        send(driver, *keys)
+        ink = driver.execute_script(INK, canvas, over)
+        middle = ink[len(ink) // 2 - 4:len(ink) // 2 + 5]
+        expect(any(middle), f"after the key {keys!r} a single point is not in the middle")
+
+
+def look_at_failing_chart(driver, report):
+    """Of data that nothing can be drawn of; the next is drawn."""
+    chart = open_changed(driver, report, None)
+    expect(chart.find_element(By.TAG_NAME, "svg").is_displayed(), "where drawing fails the still picture is hidden")
+    expect(not chart.find_elements(By.TAG_NAME, "canvas"), "of a drawing that failed there is a rest")
+    others = driver.find_elements(By.CSS_SELECTOR, ".chart, .trial")[1:]
+    expect(all(other.find_elements(By.TAG_NAME, "canvas") for other in others), "one that fails takes others along")
+    complaints = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
+    expect(len(complaints) == 1, f"the console should have one complaint: {complaints}")
+
+
 def open_changed(driver, report, first):
     """The report with that in the place of its first chart, which is given back."""
     html = with_first(pathlib.Path(report).read_text(), "chart", lambda _: first)
@@ -168,6 +195,9 @@ def open_changed(driver, report, first):
 
 def look_at_made_up(driver, report):
     set_width(driver, 1100)
+    expect_no_complaints(driver)
+    look_at_failing_chart(driver, report)
+    look_at_single_point(driver, report)
     look_at_logarithmic_marks(driver, report)
     chart = open_changed(driver, report, CHART)
     look_at_words(driver, chart)

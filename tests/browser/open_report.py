@@ -9,22 +9,29 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from browser import drag_over, enter, expect, expect_no_complaints, image, opened, press, send, send_with_control
+from browser import drag_over, drag_with_shift, enter, expect, expect_no_complaints, image, opened, press
+from browser import save_whole_page, send, send_with_control
 from layouts import look_at_layouts, look_without_scripts
 from made_up import look_at_made_up
 from tables import use_tables
 from texts import marks, texts, touching, upright_labels
 
-FEWEST_PIXELS = 2000  # axes, labels and a curve have many more
+FEWEST_PIXELS = 100   # of a curve's colour; axes, labels and lines across are grey
 FEWEST_BITS = 8       # of those about one byte
 ROOM = 4              # pixels between labels and what stands beside them
 
 
-def drawn_pixels(driver, canvas):
+def coloured_pixels(driver, canvas):
+    """Those of curves."""
     return driver.execute_script(
         """const {width, height} = arguments[0];
            const {data} = arguments[0].getContext('2d').getImageData(0, 0, width, height);
-           return data.filter((value, i) => i % 4 === 3 && value > 0).length;""", canvas)
+           let count = 0;
+           for (let i = 0; i < data.length; i += 4) {
+             const rgb = [data[i], data[i + 1], data[i + 2]];
+             if (data[i + 3] > 100 && Math.max(...rgb) - Math.min(...rgb) > 60) ++count;
+           }
+           return count;""", canvas)
 
 
 def expect_labels_apart(driver, canvas):
@@ -38,7 +45,7 @@ def expect_labels_apart(driver, canvas):
 def use_chart(driver, chart):
     canvas = chart.find_element(By.TAG_NAME, "canvas")
     plot = chart.find_element(By.CLASS_NAME, "u-over")
-    expect(drawn_pixels(driver, canvas) > FEWEST_PIXELS, "a chart has nothing on it")
+    expect(coloured_pixels(driver, canvas) > FEWEST_PIXELS, "a chart has nothing on it")
     expect_labels_apart(driver, canvas)
     enter(driver, chart)
     whole = image(driver, canvas)
@@ -52,6 +59,9 @@ def use_chart(driver, chart):
     expect(" to " in told_of(chart), "it is not said what is shown")
     send(driver, Keys.ARROW_RIGHT)
     expect(image(driver, canvas) not in (zoomed, whole), "an arrow does not move a chart")
+    right = image(driver, canvas)
+    drag_with_shift(driver, plot)
+    expect(image(driver, canvas) not in (right, whole), "the mouse with Shift does not move a chart")
     send(driver, *(9 * [Keys.ARROW_RIGHT]))
     end = image(driver, canvas)
     send(driver, Keys.ARROW_RIGHT)
@@ -63,6 +73,19 @@ def use_chart(driver, chart):
     drag_over(driver, plot)
     expect(image(driver, canvas) != whole, "the mouse does not zoom a chart")
     ActionChains(driver).double_click(plot).perform()
+
+
+def use_legend(driver, chart):
+    """By the keyboard: each curve is hidden and comes back."""
+    canvas = chart.find_element(By.TAG_NAME, "canvas")
+    for name in chart.find_elements(By.CSS_SELECTOR, ".u-series:not(.folded) th[role=button]"):
+        whole = image(driver, canvas)
+        enter(driver, name)
+        send(driver, Keys.ENTER)
+        expect(name.get_attribute("aria-pressed") == "false", "a curve that was hidden is not said to be")
+        expect(image(driver, canvas) != whole, "Enter does not hide a curve")
+        send(driver, " ")
+        expect(image(driver, canvas) == whole, "a space does not bring a curve back")
 
 
 def told_of(figure):
@@ -95,13 +118,14 @@ def use_trial(driver, trial):
     canvases = trial.find_elements(By.TAG_NAME, "canvas")
     expect(len(canvases) >= 2, "a trial has no taps")
     for canvas in canvases:
-        expect(drawn_pixels(driver, canvas) > FEWEST_PIXELS, "a tap has nothing on it")
+        expect(coloured_pixels(driver, canvas) > FEWEST_PIXELS, "a tap has nothing on it")
     buttons = trial.find_elements(By.XPATH, "preceding-sibling::p[@class='views']/button")
     expect(len(buttons) == 3, "a trial has not three views")
     images = lambda: [image(driver, canvas) for canvas in canvases]
     views = []
     for button in buttons:
         press(driver, button)
+        expect(" to " in told_of(trial), "it is not said what a view shows")
         views.append(images())
         if len(views) == 2:
             compare_bits(driver, canvases[0], canvases[-1])
@@ -113,8 +137,10 @@ def use_trial(driver, trial):
     send(driver, "+")
     expect_words(trial)
     send(driver, "0")
+    plot = trial.find_elements(By.CLASS_NAME, "u-over")[1]
     for act in (lambda: send(driver, "+"),
-                lambda: drag_over(driver, trial.find_elements(By.CLASS_NAME, "u-over")[1])):
+                lambda: drag_over(driver, plot),
+                lambda: (send(driver, "++"), drag_with_shift(driver, plot))):
         act()
         expect(all(a != b for a, b in zip(images(), views[0])), "plots do not zoom together")
         press(driver, buttons[0])
@@ -135,6 +161,7 @@ def use_pictures(driver):
         return
     for chart in charts:
         use_chart(driver, chart)
+        use_legend(driver, chart)
     for trial in driver.find_elements(By.CLASS_NAME, "trial"):
         use_trial(driver, trial)
 
@@ -144,7 +171,7 @@ def main(report, screenshot):
     use_pictures(driver)
     use_tables(driver)
     driver.execute_script("window.scrollTo(0, 0)")
-    driver.save_screenshot(screenshot)
+    save_whole_page(driver, screenshot)
     look_at_layouts(driver)
     expect(driver.execute_script("return performance.getEntriesByType('resource').length") == 0,
            "it loads something")

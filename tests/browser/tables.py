@@ -17,25 +17,43 @@ def cells(driver, table):
 
 
 def column(driver, table, index):
-    """Its numbers, whether they are more than a bound first, or None where one is none."""
+    """Its numbers, whether they are more than a bound first, and None for each that is no number."""
+    number = re.compile(r"(?:[<>]|between|beyond|short of)?\s*(-?\d[\d.]*(?:e[+-]?\d+)?)")
     texts = [row[index] for row in cells(driver, table)[1:]]
-    try:
-        return [(not text.startswith("<"), float(text.lstrip("<> ").split()[0])) for text in texts]
-    except ValueError:
-        return None
+    return [(not text.startswith("<"), float(found[1])) if (found := number.match(text)) else None for text in texts]
+
+
+def expect_sorted(driver, table, index):
+    """By a press upward, by another downward; what is no number stays last."""
+    button = table.find_elements(By.CSS_SELECTOR, "th button")[index]
+    before = column(driver, table, index)
+    numbers = [one for one in before if one]
+    for descending in (False, True):
+        press(driver, button)
+        values = column(driver, table, index)
+        expect(values == sorted(numbers, reverse=descending) + [None] * (len(before) - len(numbers)),
+               f"a table is not sorted by its column: {values}")
 
 
 def sort_columns(driver, table):
     """Ends with one in descending order."""
-    buttons = table.find_elements(By.CSS_SELECTOR, "th button")
-    indices = [i for i in range(len(buttons)) if column(driver, table, i) is not None]
+    indices = [i for i, row in enumerate(zip(*cells(driver, table))) if any(column(driver, table, i))]
     expect(indices, "a table has no column of numbers")
     for index in indices:
-        before = column(driver, table, index)
-        for descending in (False, True):
-            press(driver, buttons[index])
-            values = column(driver, table, index)
-            expect(values == sorted(before, reverse=descending), "a table is not sorted by its column")
+        expect_sorted(driver, table, index)
+
+
+def sort_words(driver, table):
+    """As the places where loss passes 1 % are written."""
+    words = ["between 10 and 11 m", "9.2 m", "-", "beyond 64", "between 2.15 and 2.2 m", "< 0.1", "short of 0.5"]
+    driver.execute_script(
+        """const [table, words] = arguments, body = table.tBodies[0], row = body.rows[0];
+           body.replaceChildren(...words.map((text) => {
+             const copy = row.cloneNode(true);
+             copy.cells[0].textContent = text;
+             return copy;
+           }));""", table, words)
+    expect_sorted(driver, table, 0)
 
 
 def set_clipboard(driver, setting):
@@ -132,3 +150,4 @@ def use_tables(driver):
     for table in tables:
         sort_columns(driver, table)
     copy_in_all_ways(driver, tables[-1])
+    sort_words(driver, tables[0])

@@ -35,6 +35,19 @@ TEST(ShareBars, AreAsWideAsTheirShares) {
   EXPECT_EQ(occurrences(svg, "class=\"fill1\""), 1U) << "in the legend";
 }
 
+TEST(ShareBars, BeginBehindTheLongestLabel) {
+  const std::string svg =
+      share_bars_as_svg({.title = "t",
+                         .description = "d",
+                         .rows_label = "x",
+                         .kinds = {"a"},
+                         .rows = {{"ideal-noncoherent, TSAL6200, 2.15", {1}}, {"short", {1}}}});
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill0\" x=\"242.50\""), 3U)
+      << "33 letters; two bars and the legend\n"
+      << svg;
+  EXPECT_EQ(occurrences(svg, "viewBox=\"0 0 792.5"), 1U) << svg.substr(0, 400);
+}
+
 HeatMap map_of(const std::vector<std::string>& rows,
                const std::vector<std::vector<double>>& values) {
   return {.title = "t",

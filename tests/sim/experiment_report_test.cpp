@@ -112,7 +112,8 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
   expect_has(page, "<h2>Message loss</h2>");
   expect_has(
       page,
-      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 40.");
+      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 40, "
+      "where the sweep ends.</p>");
   expect_has(page, ">sender A</text>");
   expect_has(page, ">sender B</text>");
   expect_has(page, ">refused for another reason</text>");

@@ -45,12 +45,24 @@ TEST(FrameStatistics, MeasuresHowLateEachEdgeIs) {
   EXPECT_EQ(edges, static_cast<double>(frames.delays.falling_us.size()));
 }
 
+TEST(FrameStatistics, MeasuresDelaysOfMoreThanHalfABit) {
+  TracedTrial trial = made_up_trial("OK\n", "");
+  const double late_s = 0.7 / made_up_baud.value;
+  send_at(trial.rx, "OK\n", 0.1 + late_s);
+  trial.delay = dsp::Seconds(0.6 / made_up_baud.value);
+  const FrameStatistics frames = frames_of(trial);
+  EXPECT_EQ(frames.delays.missing, 0U);
+  ASSERT_FALSE(frames.delays.falling_us.empty());
+  for (const double delay : frames.delays.falling_us) EXPECT_NEAR(delay, 1e6 * late_s, 1e-3);
+}
+
 TEST(FrameStatistics, HasNoDelayOfAnEdgeThatThePinLacks) {
   TracedTrial trial = made_up_trial("OK\n", "OK\n");
   trial.rx = dsp::LogicTrace();
   trial.rx.observe_until(dsp::Seconds(0.5));
   const FrameStatistics frames = frames_of(std::move(trial));
   EXPECT_TRUE(frames.delays.falling_us.empty());
+  EXPECT_EQ(frames.delays.missing, 20U) << "6 of O, 8 of K, 6 of a newline";
   EXPECT_TRUE(jitter_chart(frames).curves[0].points.empty());
 }
 
@@ -181,6 +193,10 @@ TEST(FrameStatistics, SayHowMuchLongerPulsesAreAtThePin) {
       "Median delay: 170 us where light begins and 204 us where it ends, so pulses of light are "
       "34 us longer at the pin (pulse-width distortion). Jitter: 7 and 34 us (half of the middle "
       "68 %).");
+  frames.delays.missing = 7;
+  EXPECT_TRUE(
+      delays_text(frames).ends_with(" Of 210 edges of the light 7 are missing at the pin, "
+                                    "or more than half a bit from where they belong."));
 }
 
 TEST(FrameStatistics, DoNotDependOnThreads) {

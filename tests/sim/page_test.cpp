@@ -140,7 +140,7 @@ TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
             std::string::npos)
       << words;
   EXPECT_NE(
-      words.find("\nAt receiver.range_m = 4 m, 100 % [99.6 %, 100 %] of frames are lost; noise is "
+      words.find("\nAt receiver.range_m = 4 m, 100.0 [99.6, 100.0] % of frames are lost; noise is "
                  "26 dB below the signal behind the band-pass.\n"),
       std::string::npos)
       << words;
@@ -285,14 +285,13 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
-  EXPECT_EQ(headings,
-            (std::vector<std::string>{"Bit errors", "Frame loss", "What became of the frames",
-                                      "All numbers", "The scenario"}));
-  const PageTable& fates = *page.sections[2].table;
+  EXPECT_EQ(headings, (std::vector<std::string>{"The scenario", "Bit errors", "Frame loss",
+                                                "What became of the frames", "All numbers"}));
+  const PageTable& fates = *page.sections[3].table;
   EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
   EXPECT_EQ(fates.rows[1], (std::vector<std::string>{"2", "0", "0", "0", "10"}));
-  EXPECT_EQ(page.sections[4].text, "To repeat it: command");
-  EXPECT_EQ(page.sections[4].preformatted, "text");
+  EXPECT_EQ(page.sections[0].text, "To repeat it: command");
+  EXPECT_EQ(page.sections[0].preformatted, "text");
 }
 
 TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
@@ -311,8 +310,33 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   lamps.axes[0].key = "ambient.irradiance_w_per_m2";
   EXPECT_EQ(
       page_of({link_part({"one", one, {}}), link_part({"lamps", lamps, {}})}).sections[0].heading,
-      "In what they differ")
+      "Differences")
       << "distances and lights are not compared";
+}
+
+TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
+  const Chart tens{.title = "Frame loss",
+                   .description = "d",
+                   .x = {.label = "x", .logarithmic = true},
+                   .y = {.label = "y", .logarithmic = true},
+                   .curves = {{"tens", {{1, 0.5, 0.5, 0.5}, {100, 0.5, 0.5, 0.5}}}}};
+  Chart from_zero = tens;
+  from_zero.x.logarithmic = false;
+  from_zero.y.level = 0.01;
+  from_zero.curves[0].points[0].x = 0;
+  const auto page = [](const Chart& first, const Chart& second) {
+    ReportPart one{"one", "", ""}, two{"two", "", ""};
+    one.charts = {first};
+    two.charts = {second};
+    return page_of({one, two});
+  };
+  for (const Page& both : {page(tens, from_zero), page(from_zero, tens)}) {
+    const Chart& chart = both.sections.back().picture->live.value();
+    EXPECT_EQ(chart.curves.size(), 2U);
+    EXPECT_FALSE(chart.x.logarithmic) << "0 has no place there";
+    EXPECT_TRUE(chart.y.logarithmic);
+    EXPECT_EQ(chart.y.level, 0.01) << "though one alone has it";
+  }
 }
 
 TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
@@ -327,7 +351,7 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
                 "valid for and 2 with an alarm.\n"),
             std::string::npos)
       << part.verdict;
-  const PageSection& numbers = part.sections[part.sections.size() - 2];
+  const PageSection& numbers = part.sections.back();
   EXPECT_EQ(numbers.heading, "All numbers");
   EXPECT_EQ(numbers.text, mark_notes(result));
   EXPECT_EQ(numbers.table->head[8], "BER in theory");
@@ -341,13 +365,13 @@ TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
   ExperimentResult result = sweep_of({point_of(1, 10, 0)});
   result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
   const ReportPart part = link_part({"file", result, {}});
-  EXPECT_EQ(part.sections[part.sections.size() - 2].table->rows[0][2], "-");
+  EXPECT_EQ(part.sections.back().table->rows[0][2], "-");
 }
 
 TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
   const ReportPart part = link_part({"file", sweep_of({point_of(1, 10, 0)}), {}});
   EXPECT_EQ(part.verdict.find("Marked"), std::string::npos) << part.verdict;
-  const PageSection& numbers = part.sections[part.sections.size() - 2];
+  const PageSection& numbers = part.sections.back();
   EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
 }
 

@@ -78,9 +78,8 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
   run("two", "receiver.range_m = [1, 12]", {"--set", "led.current_ma=50"});
   const std::string page = report({"one.h5", "two.h5"});
   EXPECT_EQ(occurrences(page, "<h2>Frame loss</h2>"), 1U);
-  EXPECT_NE(
-      page.find("<h2>In what they differ</h2>\n<details open><summary>Table, rows: 2</summary>"),
-      std::string::npos);
+  EXPECT_NE(page.find("<h2>Differences</h2>\n<details open><summary>Table (2 rows)</summary>"),
+            std::string::npos);
   EXPECT_NE(page.find("<td>receiver.range_m</td><td>1, 11 m</td><td>1, 12 m</td>"),
             std::string::npos);
   EXPECT_NE(page.find("<td>led.current_ma</td><td>100 mA</td><td>50 mA</td>"), std::string::npos);
@@ -119,9 +118,8 @@ TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
   std::filesystem::create_directory(path("old"));
   std::filesystem::copy_file(path("one.h5"), path("old/one.h5"));
   const std::string page = report({"one.h5", "old/one.h5"});
-  EXPECT_NE(
-      page.find("<h2>In what they differ</h2>\n<p>All keys of their scenarios are set alike."),
-      std::string::npos);
+  EXPECT_NE(page.find("<h2>Differences</h2>\n<p>All keys of their scenarios are set alike."),
+            std::string::npos);
   EXPECT_NE(page.find(">one.h5, simulated</text>"), std::string::npos);
   EXPECT_NE(page.find(">old/one.h5, simulated</text>"), std::string::npos);
 }

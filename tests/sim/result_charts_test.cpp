@@ -119,5 +119,26 @@ TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
   EXPECT_TRUE(std::isnan(maps[0].values[1][0]));
 }
 
+TEST(ResultMaps, AreInTheOrderOfTheSweepAndNotTooMany) {
+  ExperimentResult result;
+  result.axes = {{"device.baud", "Bd", "", {600, 1200}},
+                 {"receiver.range_m", "m", "", {1, 2, 3}},
+                 {"ambient.daylight_lux", "lx", "", {0, 1, 2}},
+                 {"led.current_ma", "mA", "", {20, 100}}};
+  for (std::size_t i = 0; i < 2 * 3 * 3 * 2; ++i) result.points.push_back(point_of({}, 10, 0));
+  const std::vector<HeatMap> four = result_maps(result);
+  ASSERT_EQ(four.size(), 4U);
+  EXPECT_EQ(four[0].title, "Map of frame loss, device.baud = 600, led.current_ma = 20");
+  EXPECT_EQ(four[0].description.find("that are shown"), std::string::npos);
+  result.axes[0].values = {1, 2};
+  result.axes.push_back({"receiver.yaw_deg", "deg", "", {0, 10}});
+  result.axes.push_back({"receiver.supply_v", "V", "", {3, 5}});
+  for (std::size_t i = 0; i < 36 * 3; ++i) result.points.push_back(point_of({}, 10, 0));
+  const std::vector<HeatMap> first = result_maps(result);
+  ASSERT_EQ(first.size(), 12U) << "of 16";
+  EXPECT_TRUE(first[11].description.ends_with("; the last of 12 maps that are shown, of 16"))
+      << first[11].description;
+}
+
 }  // namespace
 }  // namespace sim

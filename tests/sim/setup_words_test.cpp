@@ -30,6 +30,16 @@ TEST(SetupWords, NameEveryLightThatShines) {
             std::string::npos);
 }
 
+TEST(SetupWords, AreDarkOnlyWhereNothingElseShines) {
+  const std::string dark = "ambient.irradiance_w_per_m2 = 0\n";
+  EXPECT_NE(words_of(dark + "[sweep]\nambient.daylight_lux = \"0:1000:10000\"\n")
+                .find(" away, in 0 .. 10000 lx (11 values) of daylight.\n"),
+            std::string::npos);
+  EXPECT_NE(words_of(dark + "[disturbance.lamp]\nkind = \"fluorescent\"\n")
+                .find(" away, beside another light (fluorescent).\n"),
+            std::string::npos);
+}
+
 TEST(SetupWords, OfAGivenEbN0LeaveTheLightOut) {
   EXPECT_NE(words_of("receiver.module = \"ideal-coherent\"\nreceiver.ebn0_db = 9\n")
                 .find(" Hz at Eb/N0 of 9 dB.\n"),

@@ -180,7 +180,10 @@ TEST_P(StrangeDataset, WithStrangeElementsOfADimension) {
 
 /// By name too: else it is refused at once (StoredDatasetTest).
 TEST_P(StrangeDataset, WithTheScenarioOfAnother) {
-  for (const Experiment& other : experiments) {
+  std::vector<Experiment> others(std::begin(experiments), std::end(experiments));
+  others.push_back(
+      {"link", "", "receiver.range_m = [1, 50]"});  // whose results are of another type
+  for (const Experiment& other : others) {
     SCOPED_TRACE(other.name);
     Dataset strange = stored_.data;
     strange.scenario_toml = loaded(scenario_of(other, std::get<1>(GetParam()))).text;

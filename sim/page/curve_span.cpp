@@ -1,0 +1,33 @@
+#include "sim/page/curve_span.hpp"
+
+#include <fmt/format.h>
+
+namespace sim {
+
+std::optional<CurveSpan> longest_span(const ChartCurve& curve, double least) {
+  std::optional<CurveSpan> longest, now;
+  for (const ChartPoint& point : curve.points) {
+    if (!(point.y >= least)) {
+      now.reset();
+      continue;
+    }
+    if (!now) now = {curve.name, point.x, point.x};
+    now->to = point.x;
+    now->is_at_first = now->from == curve.points.front().x;
+    now->is_at_last = now->to == curve.points.back().x;
+    if (!longest || now->length() >= longest->length()) longest = now;
+  }
+  return longest;
+}
+
+std::string in_words(const CurveSpan& span, const ChartAxis& x) {
+  const std::string of = span.curve.empty() ? "" : " (" + span.curve + ")";
+  const char* const begins = span.is_at_first ? ", where the sweep begins" : "";
+  const char* const ends = span.is_at_last ? ", where the sweep ends" : "";
+  if (span.from == span.to)
+    return fmt::format("{} {:g}{}{}{}", x.label, span.from, begins, ends, of);
+  return fmt::format("{} from {:g}{}{} to {:g}{}{}", x.label, span.from, begins,
+                     span.is_at_first ? "," : "", span.to, ends, of);
+}
+
+}  // namespace sim
