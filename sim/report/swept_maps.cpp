@@ -78,7 +78,7 @@ std::size_t number_of_maps(const std::vector<Axis>& axes, const std::vector<std:
 std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector<MapValue>& values,
                                 const std::string& title, const std::string& what) {
   const std::vector<std::size_t> over = axes_of_maps(axes);
-  if (over.size() < 2) return {};
+  if (over.size() < 2 || values.empty()) return {};
   const Axis &across = axes[over[0]], &up = axes[over[1]];
   std::vector<HeatMap> maps;
   for (std::size_t i = 0; i < values.size(); ++i) {
