@@ -148,7 +148,7 @@ TEST_F(Mpi, ADyingMemberEndsTheJobAndLosesLittle) {
   Words again = run;
   again.emplace_back("--resume");
   Running resumed = start_program(again);
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  resumed.await_handler(SIGTERM);
   EXPECT_EQ(resumed.finish(SIGTERM).code, 130);
   EXPECT_GE(std::stoll(values("s.h5", "n_frames")), std::stoll(counted));
 }

@@ -50,6 +50,15 @@ class Running {
     return text;
   }
 
+  /// Returns once the program is ready to be sent this signal, however slowly it starts.
+  void await_handler(int signal) const {
+    for (int tries = 0; tries < 6000; ++tries) {
+      if ((caught() >> (signal - 1) & 1) != 0) return;
+      ::usleep(10'000);
+    }
+    ADD_FAILURE() << "no handler of signal " << signal;
+  }
+
   Outcome finish(int signal = 0) {
     if (signal != 0) ::kill(pid_, signal);
     while (!line().empty()) continue;
@@ -63,6 +72,14 @@ class Running {
   }
 
  private:
+  /// A bit for each signal that has a handler, as the kernel tells.
+  unsigned long long caught() const {
+    const std::string key = "\nSigCgt:";
+    const std::string status = content("/proc/" + std::to_string(pid_) + "/status");
+    const std::size_t at = status.find(key);
+    return at == std::string::npos ? 0 : std::stoull(status.substr(at + key.size()), nullptr, 16);
+  }
+
   pid_t pid_;
   int out_;
   std::filesystem::path err_;

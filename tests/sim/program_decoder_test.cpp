@@ -226,7 +226,8 @@ TEST_F(ProgramDecoder, IsNotMinimisedOrExplainedAfterASignal) {
 TEST_F(ProgramDecoder, IsEndedByASignal) {
   Running run =
       start_program({"check", "weak.toml", "--baseline", "b.h5", "--decoder", own_sleep()});
-  ::usleep(500'000);
+  run.await_handler(SIGINT);
+  while (!anybody_sleeps()) ::usleep(10'000);
   EXPECT_EQ(run.finish(SIGINT).code, 130);
   EXPECT_FALSE(anybody_sleeps());
 }
