@@ -11,6 +11,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_maps.hpp"
+#include "sim/result/ranking.hpp"
 
 namespace sim {
 namespace {
@@ -58,21 +59,30 @@ Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ra
     if (!std::isnan(estimate.value)) curve.points.push_back(chart_point(x, estimate));
     const double theory = ratio.theory == nullptr ? std::nan("") : point.operating.*ratio.theory;
     if (!std::isnan(theory))
-      curve_of(chart, curve_name(result.axes, over, point, true), CurveKind::theory)
+      theory_of(chart, curve_name(result.axes, over, point, false),
+                curve_name(result.axes, over, point, true))
           .points.push_back({x, theory, theory, theory});
   }
   settle(chart);
   return chart;
 }
 
+/// The axis of which the answer speaks, if it has more than one value.
+std::optional<std::size_t> drawn_over(const std::vector<Axis>& axes) {
+  const std::size_t abscissa = abscissa_of(axes);
+  if (abscissa != Ranking::none && axes[abscissa].values.size() > 1) return abscissa;
+  const std::vector<std::size_t> widest = widest_axes(axes);
+  return widest.empty() ? std::nullopt : std::optional(widest.front());
+}
+
 }  // namespace
 
 std::vector<Chart> result_charts(const ExperimentResult& result) {
-  const std::vector<std::size_t> over = widest_axes(result.axes);
+  const std::optional<std::size_t> over = drawn_over(result.axes);
   std::vector<Chart> charts;
-  if (over.empty()) return charts;
+  if (!over) return charts;
   for (const Ratio& ratio : ratios) {
-    charts.push_back(chart_of(result, over.front(), ratio));
+    charts.push_back(chart_of(result, *over, ratio));
     if (charts.back().curves.empty()) charts.pop_back();
   }
   return charts;

@@ -83,6 +83,12 @@ ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind) {
   return chart.curves.emplace_back(ChartCurve{name, {}, kind});
 }
 
+ChartCurve& theory_of(Chart& chart, const std::string& curve, const std::string& name) {
+  const auto behind = std::ranges::find(chart.curves, curve, &ChartCurve::name) + 1;
+  if (behind != chart.curves.end() && behind->kind == CurveKind::theory) return *behind;
+  return *chart.curves.insert(behind, {name, {}, CurveKind::theory});
+}
+
 void settle(Chart& chart) {
   std::vector<ChartCurve>& curves = chart.curves;
   for (ChartCurve& curve : curves) std::ranges::stable_sort(curve.points, {}, &ChartPoint::x);

@@ -17,17 +17,6 @@ namespace {
 
 using Kind = Crossing::Kind;
 
-/// Unless another is named, distance where it is swept: it is what users ask for. Else the last
-/// axis of numbers.
-std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
-  std::size_t abscissa = Ranking::none;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
-    if (!axes[i].is_text()) abscissa = i;
-  }
-  return abscissa;
-}
-
 /// The axes of a ranking, without its rows.
 Ranking axes_of(const std::vector<Axis>& axes, const CrossingQuestion& question) {
   Ranking ranking{
@@ -204,6 +193,15 @@ std::string list(const ExperimentResult& result, const Ranking& ranking) {
 }
 
 }  // namespace
+
+std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
+  std::size_t abscissa = Ranking::none;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
+    if (!axes[i].is_text()) abscissa = i;
+  }
+  return abscissa;
+}
 
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   Ranking ranking = axes_of(result.axes, question);

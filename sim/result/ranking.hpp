@@ -36,6 +36,11 @@ struct Ranking {
   std::vector<RowCrossing> rows;
 };
 
+/// The axis along which a loss is looked for: that of the key, if one is named. Else distance where
+/// it is swept, as it is what users ask for, or else the last axis of numbers; Ranking::none where
+/// there is none.
+std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named = "");
+
 /// Of a sweep without an axis of numbers the ranking is empty. Sorted rows: first those that never
 /// pass the level, then by the crossing (its middle, where only a bracket is known), the one that
 /// is reached last first; then those of which no crossing can be told, and last those beyond the

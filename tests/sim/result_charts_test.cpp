@@ -88,6 +88,45 @@ TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
   EXPECT_EQ(chart.curves[1].points.size(), 3U);
 }
 
+// fluorescent.toml sweeps more ballasts than brightnesses, and the answer is a brightness.
+TEST(ResultCharts, AreOverTheNumberOfWhichTheAnswerSpeaks) {
+  ExperimentResult result;
+  result.axes = {{"disturbance.lamp.ballast_hz", "Hz", "", {25e3, 28e3, 60e3}},
+                 {"disturbance.lamp.irradiance_w_per_m2", "W m-2", "", {0.001, 0.05}}};
+  for (const double ballast : result.axes[0].values)
+    for (const double irradiance : result.axes[1].values)
+      result.points.push_back(point_of({ballast, irradiance}, 10, 1));
+  const Chart chart = result_charts(result)[1];
+  EXPECT_EQ(chart.x.label, "disturbance.lamp.irradiance_w_per_m2 [W m-2]");
+  EXPECT_EQ(chart.curves.size(), 3U);
+}
+
+TEST(ResultCharts, AreOverTheWidestWhereTheAnswersNumberStandsStill) {
+  ExperimentResult result;
+  result.axes = {{"receiver.range_m", "m", "", {5}}, {"led.current_ma", "mA", "", {10, 20}}};
+  for (const double current : {10, 20}) result.points.push_back(point_of({5, current}, 10, 1));
+  EXPECT_EQ(result_charts(result)[1].x.label, "led.current_ma [mA]");
+}
+
+// The first curve's theory comes to be known after the second's.
+TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
+  ExperimentResult result;
+  result.axes = {{"device.interval_min_ms", "ms", "", {100, 200}},
+                 {"receiver.ebn0_db", "dB", "", {0, 10}}};
+  for (const double ebn0 : {0, 10})
+    for (const double interval : {100, 200}) {
+      result.points.push_back(point_of({interval, ebn0}, 10, 5));
+      if (interval == 200 || ebn0 == 10) result.points.back().operating.ber_theory = 0.04;
+    }
+  const Chart chart = result_charts(result)[0];
+  ASSERT_EQ(chart.curves.size(), 4U);
+  for (const std::size_t theory : {1U, 3U}) {
+    EXPECT_EQ(chart.curves[theory].kind, CurveKind::theory);
+    EXPECT_EQ(chart.curves[theory].name, chart.curves[theory - 1].name + ", theory");
+    EXPECT_EQ(colour_of(chart, theory), colour_of(chart, theory - 1));
+  }
+}
+
 TEST(ResultCharts, OfASinglePointAreNone) {
   ExperimentResult result;
   result.points = {point_of({}, 10, 5)};
