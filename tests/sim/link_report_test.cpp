@@ -1,0 +1,136 @@
+// The page of a link's results: its sections, and several results side by side.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lossy_sweep.hpp"
+#include "sim/page/link_part.hpp"
+#include "sim/page/page.hpp"
+#include "sim/report/report_table.hpp"
+
+namespace sim {
+namespace {
+
+TEST(Report, HasThePicturesAndTablesOfAResult) {
+  const Page page =
+      page_of({link_part({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
+  EXPECT_EQ(page.title, "Title");
+  std::vector<std::string> headings;
+  for (const PageSection& section : page.sections) headings.push_back(section.heading);
+  EXPECT_EQ(headings, (std::vector<std::string>{"The scenario", "Bit errors", "Frame loss",
+                                                "What became of the frames", "All numbers"}));
+  const PageTable& fates = *page.sections[3].table;
+  EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
+  EXPECT_EQ(fates.rows[1], (std::vector<std::string>{"2", "0", "0", "0", "10"}));
+  EXPECT_EQ(page.sections[0].text, "To repeat it: command");
+  EXPECT_EQ(page.sections[0].preformatted, "text");
+}
+
+TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
+  const ExperimentResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
+  const ExperimentResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
+  const Page page = page_of({link_part({"one", one, {}}), link_part({"two", two, {}})});
+  EXPECT_EQ(page.verdict.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
+                              "2 m; two: between 2 and 3 m.\none: "),
+            0U)
+      << page.verdict;
+  EXPECT_EQ(page.sections[0].heading, "How far each reaches");
+  EXPECT_EQ(page.sections[0].table->rows,
+            (std::vector<std::vector<std::string>>{{"two", "between 2 and 3 m"},
+                                                   {"one", "between 1 and 2 m"}}));
+  ExperimentResult lamps = two;
+  lamps.axes[0].key = "ambient.irradiance_w_per_m2";
+  EXPECT_EQ(
+      page_of({link_part({"one", one, {}}), link_part({"lamps", lamps, {}})}).sections[0].heading,
+      "Differences")
+      << "distances and lights are not compared";
+}
+
+TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
+  const Chart tens{.title = "Frame loss",
+                   .description = "d",
+                   .x = {.label = "x", .logarithmic = true},
+                   .y = {.label = "y", .logarithmic = true},
+                   .curves = {{"tens", {{1, 0.5, 0.5, 0.5}, {100, 0.5, 0.5, 0.5}}}}};
+  Chart from_zero = tens;
+  from_zero.x.logarithmic = false;
+  from_zero.y.level = 0.01;
+  from_zero.y.from_zero = true;
+  from_zero.curves[0].points[0].x = 0;
+  const auto page = [](const Chart& first, const Chart& second) {
+    ReportPart one{"one", "", ""}, two{"two", "", ""};
+    one.charts = {first};
+    two.charts = {second};
+    return page_of({one, two});
+  };
+  for (const Page& both : {page(tens, from_zero), page(from_zero, tens)}) {
+    const Chart& chart = both.sections.back().picture->live.value();
+    EXPECT_EQ(chart.curves.size(), 2U);
+    EXPECT_FALSE(chart.x.logarithmic) << "0 has no place there";
+    EXPECT_TRUE(chart.y.logarithmic);
+    EXPECT_EQ(chart.y.level, 0.01) << "though one alone has it";
+    EXPECT_TRUE(chart.y.from_zero);
+  }
+}
+
+TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
+  ExperimentResult result =
+      sweep_of({point_of(1, 10, 0), point_of(2, 10, 10), point_of(3, 10, 10)});
+  result.points[0].outside = 1;
+  result.points[0].operating.ber_theory = 0.25;
+  result.points[1].alarms = result.points[2].alarms = 1;
+  const ReportPart part = link_part({"file", result, {}});
+  EXPECT_NE(part.verdict.find(
+                "\nMarked in the table of all numbers: of 3 points 1 outside of what a model is "
+                "valid for and 2 with an alarm.\n"),
+            std::string::npos)
+      << part.verdict;
+  const PageSection& numbers = part.sections.back();
+  EXPECT_EQ(numbers.heading, "All numbers");
+  EXPECT_EQ(numbers.text, mark_notes(result));
+  EXPECT_EQ(numbers.table->head[8], "BER in theory");
+  EXPECT_EQ(numbers.table->rows[0][8], "0.2500");
+  EXPECT_EQ(numbers.table->rows[0].back(), closing_text(result.points[0]));
+  EXPECT_NE(numbers.table->rows[0].back().find(" ! "), std::string::npos);
+  EXPECT_NE(numbers.table->rows[1].back().find(" !! "), std::string::npos);
+}
+
+TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
+  ExperimentResult result = sweep_of({point_of(1, 10, 0)});
+  result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
+  const ReportPart part = link_part({"file", result, {}});
+  EXPECT_EQ(part.sections.back().table->rows[0][2], "-");
+}
+
+TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
+  const ReportPart part = link_part({"file", sweep_of({point_of(1, 10, 0)}), {}});
+  EXPECT_EQ(part.verdict.find("Marked"), std::string::npos) << part.verdict;
+  const PageSection& numbers = part.sections.back();
+  EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
+}
+
+TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
+  ExperimentResult result = sweep_of({});
+  result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
+                 {"receiver.range_m", "m", "", {}}};
+  for (int x = 0; x < 40; ++x) result.axes[1].values.push_back(x);
+  for (const double module : {0, 1})
+    for (int x = 0; x < 40; ++x) {
+      const bool fails = module == 1 && x == 39;  // and has more frames
+      result.points.push_back(point_of(x, fails ? 20 : 10, fails ? 8 : 0));
+      result.points.back().coordinates = {module, static_cast<double>(x)};
+    }
+  const Page page = page_of({link_part({"file", result, {}})});
+  const auto section =
+      std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
+  ASSERT_NE(section, page.sections.end());
+  ASSERT_EQ(section->table->rows.size(), 40U);
+  EXPECT_EQ(section->table->head[1], "delivered [%]");
+  EXPECT_EQ(section->table->rows[39],
+            (std::vector<std::string>{"39", "80.0", "0.0", "0.0", "20.0"}))
+      << "both points weigh the same";
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,33 @@
+#pragma once
+// Sweeps over the distance that lose what a test says, for the tests of what is said of them.
+#include <utility>
+#include <vector>
+
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+inline PointResult point_of(double x, std::uint64_t frames, std::uint64_t lost) {
+  PointResult point{.coordinates = {x}};
+  point.operating.snr_db = 30 - x;
+  point.tally.n_frames = frames;
+  point.tally.n_frames_lost = point.tally.n_frames_unheard = lost;
+  point.tally.n_frames_ok = frames - lost;
+  point.tally.n_bits = 170 * frames;
+  point.tally.sum_bits_squared = 170 * 170 * frames;
+  return point;
+}
+
+inline ExperimentResult sweep_of(std::vector<PointResult> points) {
+  ExperimentResult result;
+  result.title = "Title";
+  result.scenario_toml = "text";
+  result.command = "command";
+  Axis axis{"receiver.range_m", "m", "range", {}};
+  for (const PointResult& point : points) axis.values.push_back(point.coordinates[0]);
+  result.axes = {axis};
+  result.points = std::move(points);
+  return result;
+}
+
+}  // namespace sim

@@ -1,0 +1,165 @@
+// The answer on top of a report: how far a link reaches, and what limits it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "lossy_sweep.hpp"
+#include "sim/page/link_part.hpp"
+#include "sim/page/page.hpp"
+#include "sim/page/verdict.hpp"
+
+namespace sim {
+namespace {
+
+TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
+                                                 point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
+                                       {});
+  EXPECT_EQ(words.find("4000 frames were simulated at 4 points; 1200 of them were lost.\n"), 0U);
+  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m (no point "
+                       "lies between).\n"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(
+      words.find("\nAt receiver.range_m = 4 m, 100.0 [99.6, 100.0] % of frames are lost; noise is "
+                 "26 dB below the signal behind the band-pass.\n"),
+      std::string::npos)
+      << words;
+}
+
+TEST(Verdict, OfNoLossNamesNone) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
+  EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
+            std::string::npos);
+  EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
+}
+
+TEST(Verdict, OfOnePointGivesTheLossItsInterval) {
+  const std::string words = verdict_of(sweep_of({point_of(1, 48, 0)}), {});
+  EXPECT_EQ(
+      words.find("48 frames were simulated; 0 of them were lost: frame loss ratio < 7.4e-2.\n"), 0U)
+      << words;
+}
+
+TEST(Verdict, SaysHowManyPointsHaveNoEstimate) {
+  ExperimentResult result = sweep_of({point_of(1, 48, 20), point_of(2, 48, 4), point_of(3, 48, 1)});
+  for (PointResult& point : result.points) {  // one of a few runs makes all of the estimate
+    point.tally.weighted.n_groups = 6;
+    point.tally.weighted.bit_errors = {1, 1, 1, 1};
+  }
+  const std::string words = verdict_of(result, {});
+  EXPECT_NE(words.find("\n3 of 3 points have no estimate and are missing in the curves.\n"),
+            std::string::npos)
+      << words;
+  EXPECT_EQ(verdict_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
+}
+
+TEST(Verdict, SaysOnWhichSideOfTheSignalNoiseIs) {
+  ExperimentResult result = sweep_of({point_of(1, 1000, 1000)});
+  result.points[0].operating.snr_db = -32;
+  EXPECT_NE(verdict_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
+}
+
+/// Modules A, B and so on, each with the loss at 1, 2 and 3 m.
+ExperimentResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
+  ExperimentResult result = sweep_of({});
+  Axis modules{"receiver.module", "", "", {}};
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    modules.values.push_back(static_cast<double>(i));
+    modules.labels.emplace_back(1, static_cast<char>('A' + i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = static_cast<double>(k) + 1;
+      result.points.push_back(point_of(x, 1000, losses[i][k]));
+      result.points.back().coordinates = {static_cast<double>(i), x};
+    }
+  }
+  result.axes[0].values = {1, 2, 3};
+  result.axes.insert(result.axes.begin(), modules);
+  return result;
+}
+
+constexpr std::array<std::uint64_t, 3> near{0, 1000, 1000}, far{0, 0, 1000}, dead{1000, 1000, 1000};
+
+TEST(Verdict, SaysHowFarEachOfAFewLinksReaches) {
+  const std::string words = verdict_of(modules_of({near, far, dead}), {});
+  EXPECT_NE(words.find("\nFrame loss passes 1 % along receiver.range_m at: receiver.module = B: "
+                       "between 2 and 3 m; receiver.module = A: between 1 and 2 m; "
+                       "receiver.module = C: short of the sweep: more than 1 % lost in all of 1 .. "
+                       "3 m.\nOne point is looked at closer: at receiver.module = "),
+            std::string::npos)
+      << words;
+}
+
+TEST(Verdict, NamesTheLinksThatComeFirst) {
+  const std::string one = verdict_of(modules_of({near, far, near, near, dead}), {});
+  EXPECT_NE(one.find("\nOf 5 links B comes first. How far each reaches is listed below.\nOne "
+                     "point is looked at closer: at receiver.module = "),
+            std::string::npos)
+      << one;
+  const std::string two = verdict_of(modules_of({far, far, near, near, near}), {});
+  EXPECT_NE(two.find("\nOf 5 links A, B come first. "), std::string::npos) << two;
+  const std::string all = verdict_of(modules_of({far, far, far, far, far}), {});
+  EXPECT_NE(all.find("\n5 links. How far each reaches is listed below.\n"), std::string::npos)
+      << all;
+}
+
+Omission omission(const std::string& without, std::uint64_t lost) {
+  return {without, point_of(0, 100, lost).tally};
+}
+
+std::vector<std::string> limit_names(const Omissions& omissions) {
+  std::vector<std::string> names;
+  for (const Omission& o : limits_of(omissions)) names.push_back(o.without);
+  return names;
+}
+
+TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
+  const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
+  Omissions omissions{
+      "", {omission("", 90), omission("noise", 89), omission("the lamp", 3), omission("gain", 5)}};
+  omissions.along = result.axes[0];
+  omissions.omissions[0].half = HalfLoss{HalfLoss::Kind::between, 1.83};
+  omissions.omissions[1].half = HalfLoss{HalfLoss::Kind::between, 1.9};
+  omissions.omissions[2].half = HalfLoss{HalfLoss::Kind::between, 2.913};
+  omissions.omissions[3].half = HalfLoss{HalfLoss::Kind::not_yet, 64};
+  EXPECT_EQ(limit_names(omissions), (std::vector<std::string>{"gain", "the lamp"}))
+      << "what carries farthest comes first";
+  EXPECT_NE(verdict_of(result, omissions)
+                .find("of 100 frames sent again 90 are lost, 5 without gain, 3 without the lamp.\n"
+                      "Half of the frames are lost at about receiver.range_m = 1.83 m as it is, "
+                      "beyond 64 m without gain, 2.91 m without the lamp.\n"),
+            std::string::npos)
+      << verdict_of(result, omissions);
+  omissions.omissions[2].half.reset();
+  EXPECT_NE(verdict_of(result, omissions).find("= 1.83 m as it is, beyond 64 m without gain.\n"),
+            std::string::npos)
+      << verdict_of(result, omissions);
+  const ReportPart part = link_part({"file", result, omissions});
+  const auto section = std::ranges::find(part.sections, "What limits it", &PageSection::heading);
+  ASSERT_NE(section, part.sections.end());
+  EXPECT_EQ(section->table->head.size(), section->table->rows[2].size());
+  EXPECT_EQ(section->table->rows[1].back(), "1.9");
+  EXPECT_EQ(section->table->rows[2].back(), "-");
+}
+
+TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
+  const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
+  const Omissions some{
+      "", {omission("", 90), omission("noise", 85), omission("the lamp", 3), omission("gain", 60)}};
+  EXPECT_EQ(limit_names(some), (std::vector<std::string>{"the lamp", "gain"}));
+  EXPECT_NE(verdict_of(result, some)
+                .find("\nWhat limits it there: of 100 frames sent again 90 are "
+                      "lost, 3 without the lamp, 60 without gain.\n"),
+            std::string::npos);
+  const Omissions none{"", {omission("", 90), omission("noise", 85), omission("gain", 90)}};
+  EXPECT_NE(
+      verdict_of(result, none)
+          .find("\nWhat limits it there: none of these alone. Leaving out noise, or gain does "
+                "not clearly lower the loss: it is several together, or light too weak for what "
+                "the receiver needs.\n"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace sim
