@@ -160,6 +160,17 @@ TEST(FrameStatistics, AreOfTheBitsThatWereCounted) {
   }
 }
 
+// They decide at a bit's end: their pin's edges are not late, but where they are.
+TEST(FrameStatistics, HaveNoDelaysOfMatchedReceivers) {
+  const LoadedScenario scenario = parse_scenario(
+      "[receiver]\nmodule = \"ideal-coherent\"\nrange_m = 1\n[simulation]\nwarmup_messages = 0\n",
+      "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  const FrameStatistics frames = look_at_frames(scenario.base, {0, 2}, {});
+  EXPECT_EQ(frames.trials, 2);
+  EXPECT_TRUE(frames.delays.falling_us.empty());
+  EXPECT_EQ(frames.delays.missing, 0U);
+}
+
 TEST(FrameStatistics, AreOfAShardsOwnTrials) {
   const LoadedScenario scenario = failing_link("");
   const auto bits = [&](std::uint64_t first, std::uint64_t last) {

@@ -6,6 +6,7 @@
 
 #include "lossy_sweep.hpp"
 #include "sim/page/link_part.hpp"
+#include "sim/page/omissions.hpp"
 #include "sim/page/page.hpp"
 #include "sim/page/verdict.hpp"
 
@@ -102,6 +103,14 @@ TEST(Verdict, NamesTheLinksThatComeFirst) {
   const std::string all = verdict_of(modules_of({far, far, far, far, far}), {});
   EXPECT_NE(all.find("\n5 links. How far each reaches is listed below.\n"), std::string::npos)
       << all;
+}
+
+// The first loses 60 % at 2 m, which is nearer to half than what the second ever loses.
+TEST(Verdict, LooksCloserAtTheLinkThatComesFirst) {
+  const ExperimentResult result = modules_of({{0, 600, 1000}, {0, 0, 900}});
+  EXPECT_EQ(failing_point(result)->coordinates, (std::vector<double>{1, 3}));
+  const ExperimentResult alone = modules_of({{0, 600, 1000}});
+  EXPECT_EQ(failing_point(alone)->coordinates, (std::vector<double>{0, 2}));
 }
 
 Omission omission(const std::string& without, std::uint64_t lost) {
