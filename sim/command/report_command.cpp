@@ -89,6 +89,16 @@ void refuse_standard_output(const fs::path& output) {
                     "name a file, such as report.html");
 }
 
+/// Its curves would hide each other.
+void refuse_twice(const std::vector<fs::path>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i)
+    for (std::size_t before = 0; before < i; ++before) {
+      std::error_code error;
+      if (results[before] == results[i] || fs::equivalent(results[before], results[i], error))
+        throw bad_input(results[i].string(), "it is named twice", "name each result once");
+    }
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   NewFile file(path);
   file.write(text);
@@ -100,6 +110,7 @@ void write_file(const fs::path& path, const std::string& text) {
 
 ExitCode report_command(const ReportRequest& request) {
   refuse_standard_output(request.output);
+  refuse_twice(request.results);
   refuse_to_lose(request.output, is_page, "a report of cosys-sim");
   require_tools(request.pictures);
   std::vector<ReportPart> parts;

@@ -75,9 +75,11 @@ std::vector<NamedSettings> named_settings(const std::vector<ReportPart>& parts) 
   return all;
 }
 
-/// All links of all results, named by their results too; none where they have not one abscissa, as
-/// there is nothing to compare.
+/// All links of all results, named by their results too; none where there is nothing to compare, as
+/// one result alone has some, or they have not one abscissa.
 std::vector<Reach> compared_reaches(const std::vector<ReportPart>& parts) {
+  const auto has_some = [](const ReportPart& part) { return !part.reaches.empty(); };
+  if (std::ranges::count_if(parts, has_some) < 2) return {};
   std::vector<Reach> all;
   for (const ReportPart& part : parts)
     for (Reach reach : part.reaches) {
@@ -85,7 +87,7 @@ std::vector<Reach> compared_reaches(const std::vector<ReportPart>& parts) {
       if (!all.empty() && all.front().along != reach.along) return {};
       all.push_back(std::move(reach));
     }
-  return all.size() > 1 ? all : std::vector<Reach>();
+  return all;
 }
 
 void compare(Page& page, const std::vector<ReportPart>& parts) {

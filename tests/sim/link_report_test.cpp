@@ -47,6 +47,13 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
       << "distances and lights are not compared";
 }
 
+TEST(Report, ComparesReachesOfSeveralResultsAlone) {
+  ReportPart links{"links", "", ""}, arena{"arena", "", ""};
+  links.reaches = {Reach{}, Reach{}};
+  EXPECT_EQ(page_of({links, arena}).sections[0].heading, "Differences");
+  EXPECT_NE(page_of({links, links}).sections[0].heading, "Differences");
+}
+
 TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
   const Chart tens{.title = "Frame loss",
                    .description = "d",

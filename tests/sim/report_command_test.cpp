@@ -174,6 +174,13 @@ TEST_F(ReportCommand, RefusesWhatIsNoResult) {
                  "another");
 }
 
+TEST_F(ReportCommand, RefusesAResultThatIsNamedTwice) {
+  run("near", "receiver.range_m = [1, 11]");
+  for (const std::string name : {"near.h5", "./near.h5"})
+    expect_refused({"report", "near.h5", name}, 2,
+                   name + " (it is named twice) name each result once");
+}
+
 TEST_F(ReportCommand, RefusesNewerFormats) {
   run("near", "receiver.range_m = [1, 11]");
   std::string file = content(path("near.h5"));
