@@ -91,12 +91,14 @@ void refuse_standard_output(const fs::path& output) {
 
 /// Its curves would hide each other.
 void refuse_twice(const std::vector<fs::path>& results) {
-  for (std::size_t i = 0; i < results.size(); ++i)
-    for (std::size_t before = 0; before < i; ++before) {
+  for (auto result = results.begin(); result != results.end(); ++result) {
+    const auto is_the_same = [&](const fs::path& before) {
       std::error_code error;
-      if (results[before] == results[i] || fs::equivalent(results[before], results[i], error))
-        throw bad_input(results[i].string(), "it is named twice", "name each result once");
-    }
+      return fs::equivalent(before, *result, error);
+    };
+    if (std::any_of(results.begin(), result, is_the_same))
+      throw bad_input(result->string(), "it is named twice", "name each result once");
+  }
 }
 
 void write_file(const fs::path& path, const std::string& text) {

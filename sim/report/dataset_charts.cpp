@@ -62,11 +62,10 @@ struct DrawnCells {
 
   /// Adds a cell to the curve of that name, and to its theory.
   void add_to(Chart& chart, const std::string& name, double x, std::size_t i) const {
-    const std::string title = name.empty() ? "simulated" : name;
-    ChartCurve& measured = curve_of(chart, title, CurveKind::measured);
+    ChartCurve& measured = curve_of(chart, name.empty() ? "simulated" : name, CurveKind::measured);
     if (std::isfinite(values[i])) measured.points.push_back(point(x, i, chart.y.logarithmic));
     if (i < theory.size() && std::isfinite(theory[i]))
-      theory_of(chart, title, joined(name, "theory"))
+      theory_of(chart, measured, joined(name, "theory"))
           .points.push_back({x, theory[i], theory[i], theory[i]});
   }
 

@@ -59,8 +59,7 @@ Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ra
     if (!std::isnan(estimate.value)) curve.points.push_back(chart_point(x, estimate));
     const double theory = ratio.theory == nullptr ? std::nan("") : point.operating.*ratio.theory;
     if (!std::isnan(theory))
-      theory_of(chart, curve_name(result.axes, over, point, false),
-                curve_name(result.axes, over, point, true))
+      theory_of(chart, curve, curve_name(result.axes, over, point, true))
           .points.push_back({x, theory, theory, theory});
   }
   settle(chart);

@@ -83,8 +83,8 @@ ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind) {
   return chart.curves.emplace_back(ChartCurve{name, {}, kind});
 }
 
-ChartCurve& theory_of(Chart& chart, const std::string& curve, const std::string& name) {
-  const auto behind = std::ranges::find(chart.curves, curve, &ChartCurve::name) + 1;
+ChartCurve& theory_of(Chart& chart, const ChartCurve& curve, const std::string& name) {
+  const auto behind = chart.curves.begin() + (&curve - chart.curves.data()) + 1;
   if (behind != chart.curves.end() && behind->kind == CurveKind::theory) return *behind;
   return *chart.curves.insert(behind, {name, {}, CurveKind::theory});
 }

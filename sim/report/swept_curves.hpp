@@ -24,8 +24,8 @@ std::string other_values(const std::vector<Axis>& axes, const std::vector<std::s
 /// The curve of that name, which is added where there is none.
 ChartCurve& curve_of(Chart& chart, const std::string& name, CurveKind kind);
 
-/// The theory of the curve of that name, behind it; which is added where there is none.
-ChartCurve& theory_of(Chart& chart, const std::string& curve, const std::string& name);
+/// The theory of one of the chart's curves, behind it; which is added where there is none.
+ChartCurve& theory_of(Chart& chart, const ChartCurve& curve, const std::string& name);
 
 /// Each curve's points from left to right. Curves of none are taken out, but for those whose
 /// theory, which has their colour, stands behind them.

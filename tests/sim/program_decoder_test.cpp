@@ -227,7 +227,7 @@ TEST_F(ProgramDecoder, IsEndedByASignal) {
   Running run =
       start_program({"check", "weak.toml", "--baseline", "b.h5", "--decoder", own_sleep()});
   run.await_handler(SIGINT);
-  while (!anybody_sleeps()) ::usleep(10'000);
+  for (int tries = 0; tries < 600 && !anybody_sleeps(); ++tries) ::usleep(100'000);
   EXPECT_EQ(run.finish(SIGINT).code, 130);
   EXPECT_FALSE(anybody_sleeps());
 }
