@@ -8,7 +8,7 @@
 
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
-#include "sim/result/curve_fit.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {

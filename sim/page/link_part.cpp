@@ -20,7 +20,7 @@
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_rows.hpp"
 #include "sim/report/text_table.hpp"
-#include "sim/result/curve_fit.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/trace/trace_picture.hpp"
 

@@ -14,7 +14,7 @@
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/frame_statistics.hpp"
 #include "sim/report/text_table.hpp"
-#include "sim/result/curve_fit.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/result/unfinished.hpp"
 
@@ -138,7 +138,7 @@ bool goes_one_way(const Ranking& ranking, const ExperimentResult& result,
     });
   };
   const bool is_known =
-      axis.key == "receiver.range_m" || count({Kind::fitted, Kind::jump, Kind::unfitted}) > 0;
+      axis.key == "receiver.range_m" || count({Kind::fitted, Kind::jump, Kind::bracketed}) > 0;
   return is_known && count({Kind::not_monotone, Kind::unclear}) == 0;
 }
 

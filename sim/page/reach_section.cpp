@@ -6,6 +6,8 @@
 
 #include "sim/link/validity.hpp"
 #include "sim/report/swept_curves.hpp"
+#include "sim/result/crossing_text.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/scenario/flags.hpp"
 
 namespace sim {

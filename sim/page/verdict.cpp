@@ -11,7 +11,7 @@
 #include "sim/page/reach_section.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
-#include "sim/result/curve_fit.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/text/unit_text.hpp"
 

@@ -1,6 +1,7 @@
 #include "sim/report/report_json.hpp"
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -39,9 +40,14 @@ nlohmann::ordered_json json_coordinate(const Axis& axis, double coordinate) {
 }
 
 const char* crossing_name(Crossing::Kind kind) {
-  static constexpr std::array names{"fitted",    "jump",    "unfitted",    "all_below",
+  static constexpr std::array names{"fitted",    "jump",    "bracketed",   "all_below",
                                     "all_above", "unclear", "not_monotone"};
   return names.at(static_cast<std::size_t>(kind));
+}
+
+/// JSON has no infinity.
+nlohmann::ordered_json end_of(double end) {
+  return std::isfinite(end) ? nlohmann::ordered_json(end) : nullptr;
 }
 
 nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranking& ranking,
@@ -53,13 +59,13 @@ nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranki
   }
   const Crossing& c = row.crossing;
   const bool at_one_place =
-      c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::unfitted;
+      c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::bracketed;
   json["along"] = result.axes[ranking.abscissa].key;
   json["flr"] = ranking.flr;
   json["kind"] = crossing_name(c.kind);
   json["at"] = c.kind == Kind::fitted ? nlohmann::ordered_json(c.at) : nullptr;
-  json["low"] = at_one_place ? nlohmann::ordered_json(c.low) : nullptr;
-  json["high"] = at_one_place ? nlohmann::ordered_json(c.high) : nullptr;
+  json["low"] = at_one_place ? end_of(c.low) : nullptr;
+  json["high"] = at_one_place ? end_of(c.high) : nullptr;
   return json;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/link/validity.hpp"
+#include "sim/result/crossing_text.hpp"
 #include "sim/scenario/flags.hpp"
 
 namespace sim {
@@ -87,7 +88,7 @@ double merit(const Crossing& c, bool more_better) {
       return -infinity;
     case Kind::fitted:
     case Kind::jump:
-    case Kind::unfitted:
+    case Kind::bracketed:
       return more_better ? -c.at : c.at;
     case Kind::unclear:
     case Kind::not_monotone:

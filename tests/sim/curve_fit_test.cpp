@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -29,14 +31,15 @@ sim::ExperimentResult sweep(const std::vector<double>& at, const std::vector<std
 
 using Loss = std::function<double(double)>;
 
-sim::ExperimentResult drawn(const std::vector<double>& at, const Loss& loss, unsigned seed) {
+sim::ExperimentResult drawn(const std::vector<double>& at, const Loss& loss, unsigned seed,
+                            std::uint64_t frames = 2000) {
   std::mt19937_64 random(seed);
   std::vector<std::uint64_t> lost;
   for (const double x : at) {
-    std::binomial_distribution<std::uint64_t> draw(2000, loss(x));
+    std::binomial_distribution<std::uint64_t> draw(frames, loss(x));
     lost.push_back(draw(random));
   }
-  return sweep(at, lost, 2000);
+  return sweep(at, lost, frames);
 }
 
 double logistic(double t) { return 1 / (1 + std::exp(-t)); }
@@ -47,17 +50,19 @@ double loss_over_range(double x) { return logistic(12 * std::log(x / 10)); }
 
 TEST(Crossing, IntervalCoversTheTruth) {
   const double truth = 10 * std::exp(std::log(0.01 / 0.99) / 12);
-  int covered = 0;
+  int covered = 0, fitted = 0;
   double mean = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
     const auto c = sim::frame_loss_crossing(drawn(ranges, loss_over_range, seed));
-    ASSERT_EQ(c.kind, Kind::fitted) << seed;
+    if (c.kind != Kind::fitted) continue;  // one of twenty is taken for misfit
+    ++fitted;
     covered += c.low <= truth && truth <= c.high;
-    mean += c.at / 400;
+    mean += c.at;
   }
-  EXPECT_NEAR(mean, truth, 0.02);
-  EXPECT_GE(covered, 370);  // 380 expected of 400, standard deviation 4.4
-  EXPECT_LE(covered, 395);
+  EXPECT_GE(fitted, 360);
+  EXPECT_NEAR(mean / fitted, truth, 0.02);
+  EXPECT_GE(covered, 0.925 * fitted);  // 95 % expected, standard deviation 1.1 %
+  EXPECT_LE(covered, 0.9875 * fitted);
 }
 
 TEST(Crossing, FindsAnyLevel) {
@@ -88,6 +93,8 @@ TEST(Crossing, BracketsAJump) {
   for (const std::uint64_t between : {std::uint64_t{1000}, std::uint64_t{300}}) {
     const auto c = sim::frame_loss_crossing(sweep({1, 2, 3, 4}, {0, 0, between, 1000}));
     EXPECT_EQ(c.kind, Kind::jump);
+    EXPECT_EQ(c.at, 2.5);
+    EXPECT_NEAR(c.bound, 0.0037, 1e-4);  // Clopper-Pearson's upper end of 0 in 1000
     EXPECT_EQ(c.low, 2);
     EXPECT_EQ(c.high, 3);
   }
@@ -95,6 +102,26 @@ TEST(Crossing, BracketsAJump) {
   EXPECT_EQ(falling.kind, Kind::jump);
   EXPECT_EQ(falling.low, 2);
   EXPECT_EQ(falling.high, 3);
+}
+
+// 0 of 200 frames are no proof of less than 1 % (0.99^200 = 0.13); 0 of 400 are (0.018).
+TEST(Crossing, BracketsWhatItsFramesCannotExclude) {
+  const auto wide = sim::frame_loss_crossing(sweep({1, 2, 3, 4, 5}, {0, 0, 0, 100, 150}, 200));
+  EXPECT_EQ(wide.kind, Kind::bracketed);
+  EXPECT_EQ(wide.at, 3.5);
+  EXPECT_EQ(wide.low, 2);
+  EXPECT_EQ(wide.high, 4);
+  const auto open = sim::frame_loss_crossing(sweep({1, 2, 3}, {0, 7, 7}, 8));
+  EXPECT_EQ(open.kind, Kind::bracketed);
+  EXPECT_EQ(open.low, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(open.high, 2);
+  const auto falling = sim::frame_loss_crossing(sweep({1, 2, 3}, {7, 7, 0}, 8));
+  EXPECT_EQ(falling.low, 2);
+  EXPECT_EQ(falling.high, std::numeric_limits<double>::infinity());
+  auto demanding = sweep({1, 2, 3, 4, 5}, {0, 0, 0, 30, 25});
+  demanding.ci_level = 1 - 1e-9;
+  EXPECT_EQ(sim::frame_loss_crossing(demanding).low, 1);
+  EXPECT_EQ(sim::frame_loss_crossing(demanding).high, std::numeric_limits<double>::infinity());
 }
 
 TEST(Crossing, SaysWhenThereIsNone) {
@@ -121,14 +148,57 @@ TEST(Crossing, SaysWhenTheLossIsNotMonotone) {
 TEST(Crossing, BracketsWhatNoLogitFits) {
   const auto plateau = sweep({1, 2, 3, 4, 5, 6, 7}, {0, 100, 100, 100, 100, 100, 1000});
   const auto c = sim::frame_loss_crossing(plateau);
-  EXPECT_EQ(c.kind, Kind::unfitted);
+  EXPECT_EQ(c.kind, Kind::bracketed);
   EXPECT_EQ(c.low, 1);
   EXPECT_EQ(c.high, 2);
   // 24 frames a point: none lost is no proof of less than 1 %, but the step is plain to see.
   const auto few = sim::frame_loss_crossing(sweep({1, 2, 3, 4, 5}, {0, 0, 23, 21, 24}, 24));
-  EXPECT_EQ(few.kind, Kind::unfitted);
-  EXPECT_EQ(few.low, 2);
+  EXPECT_EQ(few.kind, Kind::bracketed);
+  EXPECT_EQ(few.at, 2.5);
+  EXPECT_TRUE(std::isinf(few.low));
   EXPECT_EQ(few.high, 3);
+}
+
+/// TSOP34856 of scenarios/choose_module.toml: a shoulder of frames that the gain control spoils
+/// stands before the cliff. Ratios of 3000 frames a point.
+const std::vector<double> shoulder_ranges{0.5, 0.6, 0.7, 0.8, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.3};
+const std::vector<double> shoulder_losses{1e-5,  1e-4,  3e-4,   0.002,  0.0037, 0.0363,
+                                          0.085, 0.147, 0.1713, 0.9467, 1};
+
+double shoulder(double x) {
+  const auto at = std::ranges::find(shoulder_ranges, x) - shoulder_ranges.begin();
+  return shoulder_losses[static_cast<std::size_t>(at)];
+}
+
+// The steep end would draw a logit curve behind the shoulder, the more surely wrong the fewer
+// frames there are to contradict it.
+TEST(Crossing, IntervalCoversTheTruthOfAShoulder) {
+  for (const std::uint64_t frames : {8, 24, 60, 120, 400, 2000}) {
+    int covered = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      const auto c = sim::frame_loss_crossing(drawn(shoulder_ranges, shoulder, seed, frames));
+      covered += c.low <= 1 && c.high >= 1.2;  // the truth is between
+    }
+    EXPECT_GE(covered, 187) << frames;  // 190 expected of 200 at least, standard deviation 3.1
+  }
+}
+
+// Of the three points a logistic curve has one degree of freedom left. The deviance of 110 is 5.2
+// (p = 0.02), that of 90 is 1.8 (p = 0.17).
+TEST(Crossing, IsFittedWhereTheCurveFits) {
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({6, 8, 10}, {2, 90, 500})).kind, Kind::fitted);
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({6, 8, 10}, {2, 110, 500})).kind, Kind::bracketed);
+  const auto with_far_ones = sweep({1, 2, 3, 6, 8, 10, 40, 50}, {0, 0, 0, 2, 110, 500, 1000, 1000});
+  EXPECT_EQ(sim::frame_loss_crossing(with_far_ones).kind, Kind::bracketed);
+}
+
+// As many frames before it as rule the level out if none of them is lost: 368 for 1 %.
+TEST(Crossing, IsNotFittedWhereFramesAreTooFew) {
+  const std::vector<double> at{5, 6, 7, 8, 9, 10, 11};
+  const auto few = sim::frame_loss_crossing(sweep(at, {0, 0, 1, 5, 18, 40, 61}, 80));
+  EXPECT_EQ(few.kind, Kind::bracketed);
+  const auto enough = sim::frame_loss_crossing(sweep(at, {0, 1, 5, 26, 88, 200, 303}, 400));
+  EXPECT_EQ(enough.kind, Kind::fitted);
 }
 
 // One of 40 frames is no crossing, on whichever side of the others it falls.
@@ -145,7 +215,7 @@ TEST(Crossing, IsNotSeenInNoise) {
 TEST(Crossing, DoesNotContradictAPoint) {
   const auto shoulder = sweep(ranges, {0, 0, 29, 43, 46, 87, 773, 800});
   const auto c = sim::frame_loss_crossing(shoulder);
-  EXPECT_EQ(c.kind, Kind::unfitted);
+  EXPECT_EQ(c.kind, Kind::bracketed);
   EXPECT_EQ(c.low, 6);
   EXPECT_EQ(c.high, 7);
 }
@@ -157,63 +227,6 @@ TEST(Crossing, LeavesOutPointsNeverReached) {
   const auto fewer = sim::frame_loss_crossing(result);
   EXPECT_EQ(fewer.kind, Kind::fitted);
   EXPECT_EQ(fewer.at, all.at);
-}
-
-TEST(CrossingSentence, SaysEachOutcome) {
-  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
-  const auto say = [&](sim::Crossing c) { return sim::crossing_sentence(axis, c); };
-  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}),
-            "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m");
-  EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
-            "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies between)");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies "
-            "between, though 1.8 % cannot be ruled out before them)");
-  EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m "
-            "(no logit curve fits the points)");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
-            "frame loss stays at most 1 % over receiver.range_m = 1 .. 5 m");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
-            "frame loss is seen to stay at most 1 % over receiver.range_m = 1 .. 5 m, though "
-            "3.8 % cannot be ruled out");
-  EXPECT_EQ(say({Kind::all_above, 1, 1, 1, 0.02}),
-            "frame loss is above 1 % over receiver.range_m = 1 m");
-  EXPECT_EQ(say({Kind::unclear}),
-            "frame loss does not clearly cross 1 % inside the sweep of receiver.range_m");
-  EXPECT_EQ(say({Kind::not_monotone}),
-            "frame loss rises and falls along receiver.range_m: no single crossing of 1 %");
-}
-
-TEST(PlaceText, HasEachAxisWithItsUnit) {
-  const std::vector<sim::Axis> axes{
-      {"receiver.range_m", "m", "distance", {2.2, 10}},
-      {"receiver.module", "", "module", {0, 1}, {"TSSP4056", "TSOP4856"}},
-      {"noise.scale", "1", "noise", {0.5}}};
-  EXPECT_EQ(sim::place_text(axes, {2.2, 1, 0.5}),
-            "receiver.range_m = 2.2 m, receiver.module = TSOP4856, noise.scale = 0.5");
-  EXPECT_EQ(sim::place_text({}, {}), "");
-}
-
-TEST(CrossingWords, SayEachOutcomeInAList) {
-  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
-  const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
-  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}), "between 7 and 8 m");
-  EXPECT_EQ(say({Kind::unfitted, 7.5, 7, 8}), "between 7 and 8 m (no logit curve fits the points)");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
-            "beyond the sweep: at most 1 % lost in 1 .. 5 m, though 3.8 % cannot be ruled out");
-  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}),
-            "short of the sweep: more than 1 % lost in all of 1 .. 5 m");
-  EXPECT_EQ(
-      say({Kind::all_above, 3, 1, 5, 0.0013}),
-      "short of the sweep: more than 1 % lost in all of 1 .. 5 m, though 0.13 % cannot be ruled "
-      "out");
-  EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
-  EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include "sim/result/crossing_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/result/place_text.hpp"
+#include "sim/text/unit_text.hpp"
+
+namespace sim {
+namespace {
+
+using Kind = Crossing::Kind;
+
+/// ", though 3.8 % cannot be ruled out": what the frames do not tell.
+std::string doubt(const Crossing& c, double level) {
+  const bool doubtful = c.kind == Kind::all_above ? c.bound < level : c.bound > level;
+  return doubtful ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
+}
+
+std::string span_text(const Crossing& c) {
+  return c.low == c.high ? fmt::format("{:g}", c.low) : fmt::format("{:g} .. {:g}", c.low, c.high);
+}
+
+std::string fitted_text(const Crossing& c) {
+  const double margin = std::max((c.high - c.low) / 2, 1e-12);
+  const int places = std::max(0, -static_cast<int>(std::floor(std::log10(margin))));
+  return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", c.at, places, c.low, places, c.high, places);
+}
+
+/// The side on which a bracket has no end, "" if it has both.
+std::string open_side(const Crossing& c) {
+  if (std::isinf(c.low)) return "below";
+  return std::isinf(c.high) ? "above" : "";
+}
+
+std::string only_end(const Crossing& c) {
+  return fmt::format("{:g}", std::isinf(c.low) ? c.high : c.low);
+}
+
+std::string too_few(const Crossing& c) {
+  return fmt::format(": too few frames to tell how far {}", open_side(c));
+}
+
+}  // namespace
+
+std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
+  const std::string range = with_unit(span_text(c), axis.unit);
+  const std::string gap = with_unit(fmt::format("{:g} and {:g}", c.low, c.high), axis.unit);
+  const double percent = level * 100;
+  switch (c.kind) {
+    case Kind::fitted:
+      return with_unit(fitted_text(c), axis.unit);
+    case Kind::jump:
+      return "between " + gap + (doubt(c, level).empty() ? "" : doubt(c, level) + " before");
+    case Kind::bracketed:
+      if (!open_side(c).empty())
+        return open_side(c) + " " + with_unit(only_end(c), axis.unit) + too_few(c);
+      return "between " + gap;
+    case Kind::all_below:
+      return fmt::format("beyond the sweep: at most {:g} % lost in {}", percent, range) +
+             doubt(c, level);
+    case Kind::all_above:
+      return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range) +
+             doubt(c, level);
+    case Kind::not_monotone:
+      return "loss rises and falls: no single value, see the table";
+    case Kind::unclear:
+      break;
+  }
+  return fmt::format("unclear: too few frames to tell its side of {:g} %", percent);
+}
+
+std::string crossing_sentence(const Axis& axis, const Crossing& c, double level) {
+  const std::string crosses = fmt::format("frame loss crosses {:g} % ", level * 100);
+  const std::string range = quantity(axis, span_text(c));
+  switch (c.kind) {
+    case Kind::fitted:
+      return crosses + "at " + quantity(axis, fitted_text(c));
+    case Kind::jump:
+      return crosses + "between " + range + " (no point lies between" +
+             (doubt(c, level).empty() ? "" : doubt(c, level) + " before them") + ")";
+    case Kind::bracketed:
+      if (!open_side(c).empty())
+        return crosses + open_side(c) + " " + quantity(axis, only_end(c)) + too_few(c);
+      return crosses + "between " + range;
+    case Kind::not_monotone:
+      return fmt::format("frame loss rises and falls along {}: no single crossing of {:g} %",
+                         axis.key, level * 100);
+    case Kind::all_below:
+      return fmt::format("frame loss {} at most {:g} % over ",
+                         doubt(c, level).empty() ? "stays" : "is seen to stay", level * 100) +
+             range + doubt(c, level);
+    case Kind::all_above:
+      return fmt::format("frame loss is above {:g} % over ", level * 100) + range + doubt(c, level);
+    case Kind::unclear:
+      break;
+  }
+  return fmt::format("frame loss does not clearly cross {:g} % inside the sweep of {}", level * 100,
+                     axis.key);
+}
+
+}  // namespace sim

@@ -1,0 +1,71 @@
+#include "sim/result/crossing_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using Kind = sim::Crossing::Kind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(CrossingSentence, SaysEachOutcome) {
+  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
+  const auto say = [&](sim::Crossing c) { return sim::crossing_sentence(axis, c); };
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}),
+            "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m");
+  EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
+            "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}),
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies between)");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies "
+            "between, though 1.8 % cannot be ruled out before them)");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}),
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
+            "frame loss crosses 1 % below receiver.range_m = 8 m: too few frames to tell how far "
+            "below");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, infinity}),
+            "frame loss crosses 1 % above receiver.range_m = 7 m: too few frames to tell how far "
+            "above");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}),
+            "frame loss stays at most 1 % over receiver.range_m = 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
+            "frame loss is seen to stay at most 1 % over receiver.range_m = 1 .. 5 m, though "
+            "3.8 % cannot be ruled out");
+  EXPECT_EQ(say({Kind::all_above, 1, 1, 1, 0.02}),
+            "frame loss is above 1 % over receiver.range_m = 1 m");
+  EXPECT_EQ(say({Kind::unclear}),
+            "frame loss does not clearly cross 1 % inside the sweep of receiver.range_m");
+  EXPECT_EQ(say({Kind::not_monotone}),
+            "frame loss rises and falls along receiver.range_m: no single crossing of 1 %");
+}
+
+TEST(CrossingWords, SayEachOutcomeInAList) {
+  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
+  const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}), "between 7 and 8 m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
+            "between 7 and 8 m, though 1.8 % cannot be ruled out before");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "between 7 and 8 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
+            "below 8 m: too few frames to tell how far below");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, infinity}),
+            "above 7 m: too few frames to tell how far above");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
+            "beyond the sweep: at most 1 % lost in 1 .. 5 m, though 3.8 % cannot be ruled out");
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}),
+            "short of the sweep: more than 1 % lost in all of 1 .. 5 m");
+  EXPECT_EQ(
+      say({Kind::all_above, 3, 1, 5, 0.0013}),
+      "short of the sweep: more than 1 % lost in all of 1 .. 5 m, though 0.13 % cannot be ruled "
+      "out");
+  EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
+  EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
+}
+
+}  // namespace

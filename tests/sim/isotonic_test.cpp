@@ -1,0 +1,52 @@
+#include "sim/result/isotonic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+TEST(IsotonicRatios, PoolNeighboursThatFall) {
+  EXPECT_EQ(sim::isotonic_ratios({{10, 1}, {10, 2}, {10, 5}}),
+            (std::vector<double>{0.1, 0.2, 0.5}));
+  // The pool of the first two falls to the third, so all three are one.
+  EXPECT_EQ(sim::isotonic_ratios({{10, 4}, {30, 8}, {60, 3}, {10, 9}}),
+            (std::vector<double>{0.15, 0.15, 0.15, 0.9}));
+  // Here the pool of the last two falls behind the first.
+  EXPECT_EQ(sim::isotonic_ratios({{10, 2}, {10, 3}, {20, 1}}),
+            (std::vector<double>{0.15, 0.15, 0.15}));
+  EXPECT_TRUE(sim::isotonic_ratios({}).empty());
+}
+
+TEST(LogLikelihood, IsTheBinomial) {
+  EXPECT_DOUBLE_EQ(sim::log_likelihood({{10, 3}, {5, 0}}, {0.2, 0.1}),
+                   3 * std::log(0.2) + 7 * std::log(0.8) + 5 * std::log(0.9));
+  EXPECT_EQ(sim::log_likelihood({{10, 0}, {5, 5}}, {0, 1}), 0);
+  EXPECT_EQ(sim::log_likelihood({{10, 1}}, {0}), -INFINITY);
+}
+
+// 0.99^367 is just above the 2.5 % of an end, 0.99^368 below.
+TEST(IsotonicCuts, AreThoseThatTheFramesAllow) {
+  const auto expect = [](const sim::LossCounts& counts, std::size_t first, std::size_t last) {
+    const sim::LevelCuts cuts = sim::isotonic_cuts(counts, 0.01, 0.95);
+    EXPECT_EQ(cuts.first, first);
+    EXPECT_EQ(cuts.last, last);
+  };
+  expect({{368, 0}, {200, 200}}, 1, 1);
+  expect({{367, 0}, {200, 200}}, 0, 1);
+  expect({{200, 0}, {184, 0}, {184, 0}, {200, 200}}, 2, 3);
+  expect({{200, 0}, {184, 0}, {183, 0}, {200, 200}}, 1, 3);
+  expect({{368, 0}, {368, 0}}, 2, 2);
+  expect({{400, 0}, {100, 0}}, 1, 2);
+  expect({{400, 20}, {400, 20}}, 0, 0);
+}
+
+// The deviance of 8 of 300 from 1 % is 5.8, less than the 7.4 that are allowed; with the 5 of 200
+// behind them it is 9.0.
+TEST(IsotonicCuts, CountNeighboursTogether) {
+  EXPECT_EQ(sim::isotonic_cuts({{400, 0}, {300, 8}, {300, 300}}, 0.01, 0.95).last, 2U);
+  EXPECT_EQ(sim::isotonic_cuts({{400, 0}, {300, 8}, {200, 5}, {300, 300}}, 0.01, 0.95).last, 2U);
+}
+
+}  // namespace
