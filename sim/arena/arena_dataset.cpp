@@ -41,7 +41,7 @@ struct CountColumn {
 const CountColumn counts[] = {
     {"n_messages", "messages that the device had to send",
      [](const SenderTally& t) { return t.messages(); }},
-    {"n_in_reach", "messages sent with light in reach all through",
+    {"n_in_reach", "messages sent with light in reach all through, or delivered without",
      [](const SenderTally& t) { return t.n_in_reach; }},
     {"n_overlapped", "of those, with another device in reach at the same time",
      [](const SenderTally& t) { return t.n_overlapped; }},

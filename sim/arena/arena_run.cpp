@@ -139,7 +139,7 @@ void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame,
   const std::uint64_t airtime = microseconds(frame.end - frame.start);
   tally.airtime_us += airtime;
   if (delivered) tally.airtime_delivered_us += airtime;
-  if (!w.air.in_reach(sender, frame)) return;
+  if (fate == FrameFate::out_of_reach) return;
   tally.airtime_in_reach_us += airtime;
   ++tally.n_in_reach;
   const bool overlapped = w.air.overlapped(sender, frame);

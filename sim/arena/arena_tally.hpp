@@ -27,7 +27,7 @@ struct Latency {
 /// Messages of one device that start within a run.
 struct SenderTally {
   std::array<std::uint64_t, frame_fates> fate{};
-  std::uint64_t n_in_reach = 0;    // sent, with light that the module hears all the way
+  std::uint64_t n_in_reach = 0;    // sent, less those out of reach
   std::uint64_t n_overlapped = 0;  // of those, with light of another device in reach
   std::uint64_t n_captured = 0;    // of those, delivered all the same
   std::uint64_t airtime_us = 0, airtime_in_reach_us = 0, airtime_delivered_us = 0;

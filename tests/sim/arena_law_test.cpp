@@ -42,7 +42,7 @@ TEST(ArenaLaws, FatesAddUp) {
     EXPECT_LE(tally.n_overlapped, tally.n_in_reach);
     EXPECT_LE(tally.n_captured, tally.n_overlapped);
     EXPECT_LE(tally.n_captured, tally[FrameFate::delivered]);
-    EXPECT_LE(tally[FrameFate::out_of_reach], tally.sent() - tally.n_in_reach);
+    EXPECT_EQ(tally[FrameFate::out_of_reach], tally.sent() - tally.n_in_reach);
     EXPECT_LE(tally[FrameFate::collision], tally.n_overlapped - tally.n_captured);
     EXPECT_LE(tally.airtime_in_reach_us, tally.airtime_us);
     EXPECT_LE(tally.airtime_delivered_us, tally.airtime_us);
