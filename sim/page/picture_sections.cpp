@@ -91,8 +91,11 @@ PageSection shares_section(const std::string& name, const ShareBars& bars) {
 }
 
 PageSection scenario_section(const std::string& command, const std::string& scenario_toml) {
-  return {
-      .heading = "The scenario", .text = "To repeat it: " + command, .preformatted = scenario_toml};
+  return {.heading = "The scenario",
+          .text = "To repeat it: " + command +
+                  "\nHere is all that ran, with what the command changed and with the parts of "
+                  "other files: saved as a file, and run, it counts the same.",
+          .preformatted = scenario_toml};
 }
 
 }  // namespace sim

@@ -46,9 +46,15 @@ function drawEach(kind, draw) {
   document.querySelectorAll(`.${kind}`).forEach((figure, i) => drawOne(figure, () => draw(figure, data[i], i)));
 }
 
-/** For browsers that print nothing of what is closed. */
+/** On paper the text that ran is whole, behind all pictures. */
 function printScenarios() {
-  document.querySelectorAll('details:has(pre)').forEach((details) => { details.open = true; });
+  document.querySelectorAll('section:has(pre)').forEach((section) => {
+    const place = document.createComment('');
+    section.querySelector('details').open = true;
+    section.replaceWith(place);
+    place.parentElement.append(section);
+    window.addEventListener('afterprint', () => place.replaceWith(section), {once: true});
+  });
 }
 
 document.querySelectorAll('table').forEach(makeLive);

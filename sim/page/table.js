@@ -4,8 +4,8 @@ const cellsOf = (row) => [...row.cells].map((cell) => cell.textContent);
 
 const isLimit = (text) => text.startsWith('<');
 
-/** "2.2 m", "< 0.1", "between 10 and 11 m"; NaN of what is no number. */
-const numberOf = (text) => parseFloat(text.replace(/^([<>]|between|beyond|short of)\s*/, ''));
+/** "2.2 m", "< 0.1", "between 10 and 11 m", "below 8 m: too few frames"; NaN of what is no number. */
+const numberOf = (text) => parseFloat(text.replace(/^([<>]|between|below|above|beyond|short of)\s*/, ''));
 
 /** Numbers by their value, and before them those of which no more is known than that they are less. */
 function compare(a, b) {

@@ -136,12 +136,15 @@ std::string loss_reasons(const ExperimentResult& result) {
 }
 
 std::string unfinished_note(const ExperimentResult& result) {
-  const auto left = std::ranges::count_if(result.points, [](const PointResult& p) {
-    return !measured(p) || p.stop == StopReason::interrupted;
+  const auto begun = std::ranges::count_if(result.points, measured);
+  const auto finished = std::ranges::count_if(result.points, [](const PointResult& p) {
+    return measured(p) && p.stop != StopReason::interrupted;
   });
-  if (left == 0) return "";
-  return fmt::format("unfinished: {} of {} points; what follows is of what was counted\n", left,
-                     result.points.size());
+  const auto all = std::ssize(result.points);
+  if (finished == all) return "";
+  return fmt::format("unfinished: {} of {} points{}; what follows is of what was counted\n",
+                     all - finished, all,
+                     begun < all ? fmt::format(", {} of them not begun", all - begun) : "");
 }
 
 }  // namespace sim

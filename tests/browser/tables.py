@@ -18,7 +18,7 @@ def cells(driver, table):
 
 def column(driver, table, index):
     """Its numbers, whether they are more than a bound first, and None for each that is no number."""
-    number = re.compile(r"(?:[<>]|between|beyond|short of)?\s*(-?\d[\d.]*(?:e[+-]?\d+)?)")
+    number = re.compile(r"(?:[<>]|between|below|above|beyond|short of)?\s*(-?\d[\d.]*(?:e[+-]?\d+)?)")
     texts = [row[index] for row in cells(driver, table)[1:]]
     return [(not text.startswith("<"), float(found[1])) if (found := number.match(text)) else None for text in texts]
 
@@ -45,7 +45,8 @@ def sort_columns(driver, table):
 
 def sort_words(driver, table):
     """As the places where loss passes 1 % are written."""
-    words = ["between 10 and 11 m", "9.2 m", "-", "beyond 64", "between 2.15 and 2.2 m", "< 0.1", "short of 0.5"]
+    words = ["between 10 and 11 m", "9.2 m", "-", "beyond 64", "between 2.15 and 2.2 m", "< 0.1", "short of 0.5",
+             "below 8 m: too few frames", "above 3 m"]
     driver.execute_script(
         """const [table, words] = arguments, body = table.tBodies[0], row = body.rows[0];
            body.replaceChildren(...words.map((text) => {

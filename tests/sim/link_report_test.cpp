@@ -23,7 +23,7 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   const PageTable& fates = *page.sections[3].table;
   EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
   EXPECT_EQ(fates.rows[1], (std::vector<std::string>{"2", "0", "0", "0", "10"}));
-  EXPECT_EQ(page.sections[0].text, "To repeat it: command");
+  EXPECT_EQ(page.sections[0].text.find("To repeat it: command\nHere is all that ran"), 0U);
   EXPECT_EQ(page.sections[0].preformatted, "text");
 }
 

@@ -126,7 +126,10 @@ TEST(UnfinishedNote, CountsWhatAStopLeft) {
   result.points = {measured_point(), measured_point(), {}};
   result.points[1].stop = sim::StopReason::interrupted;
   EXPECT_EQ(sim::unfinished_note(result),
-            "unfinished: 2 of 3 points; what follows is of what was counted\n");
+            "unfinished: 2 of 3 points, 1 of them not begun; what follows is of what was counted\n");
+  result.points.pop_back();
+  EXPECT_EQ(sim::unfinished_note(result),
+            "unfinished: 1 of 2 points; what follows is of what was counted\n");
   result.points = {measured_point()};
   EXPECT_EQ(sim::unfinished_note(result), "");
 }
