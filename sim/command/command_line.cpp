@@ -1,5 +1,7 @@
 #include "sim/command/command_line.hpp"
 
+#include <algorithm>
+
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/engine/team.hpp"
@@ -106,6 +108,17 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   return decode_command(requests.decode);
 }
 
+/// "help" and "help run" stand for "--help" and "run --help". Last word first, as CLI11 takes them.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  std::ranges::reverse(words);
+  return words;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
@@ -131,7 +144,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_check(app, requests.check);
   add_compare(app, requests.compare);
   try {
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
     throw wrong_usage(app, e);

@@ -68,12 +68,12 @@ PageTable characters_table(const TracedTrial& trial) {
 }
 
 PageTable eye_table(const TracedTrial& trial) {
-  constexpr int steps_a_bit = 8, steps = 12;
+  constexpr int steps_a_bit = 8;
   const TracedMessage message = message_of(trial);
   PageTable table{.head = {"bits since the sender's bit began", "light, at least [samples]",
                            "dark, at most [samples]", "opening [samples]"},
                   .rows = {}};
-  for (int step = 0; step <= steps; ++step) {
+  for (int step = 0; step <= steps_a_bit; ++step) {
     const double phase = static_cast<double>(step) / steps_a_bit;
     const Opening eye = opening_at(trial, message, phase);
     table.rows.push_back({fmt::format("{:g}", phase), fmt::format("{:.3g}", eye.least_light),

@@ -13,18 +13,22 @@ namespace {
 
 constexpr std::array kinds{
     ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
-    ExperimentKind{"arena", {"path.", "arena.", "devices."}},
-    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}},
+    ExperimentKind{"arena", {"path.", "arena.", "devices."}, true, "arena.runs"},
+    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, true, "arena.runs"},
     ExperimentKind{"sharedlink",
                    {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                    "device.clock_error_ppm", "device.carrier_error_ppm"}},
+                    "device.clock_error_ppm", "device.carrier_error_ppm"},
+                   true,
+                   "exchange.runs"},
     ExperimentKind{"presence",
                    {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
                     "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
                     "receiver.temperature_c", "ambient.", "noise."},
-                   false},
-    ExperimentKind{"location", {"location."}, false},
-    ExperimentKind{"listening", {"listening.", "device.", "receiver.", "led.yaw_deg"}},
+                   false,
+                   "presence.trials"},
+    ExperimentKind{"location", {"location."}, false, "location.trials"},
+    ExperimentKind{
+        "listening", {"listening.", "device.", "receiver.", "led.yaw_deg"}, true, "listening.runs"},
 };
 
 /// Of every experiment.
@@ -78,6 +82,12 @@ std::string kinds_with(std::string_view key) {
   return names;
 }
 
+std::string remedy(const ExperimentKind& kind, std::string_view key) {
+  if (key.starts_with("stop.") && !kind.amount.empty())
+    return fmt::format("set {}: --max-frames and all else of [stop] are for links", kind.amount);
+  return fmt::format("remove it, or write experiment = {} before the first table", kinds_with(key));
+}
+
 }  // namespace
 
 std::span<const ExperimentKind> experiment_kinds() { return kinds; }
@@ -89,8 +99,7 @@ void check_keys_of_experiment(const LoadedScenario& scenario) {
     if (!has(kind, key))
       throw bad_input(fmt::format("{} {}", key, place),
                       fmt::format("it means nothing in the experiment \"{}\"", name),
-                      fmt::format("remove it, or write experiment = {} before the first table",
-                                  kinds_with(key)));
+                      remedy(kind, key));
 }
 
 }  // namespace sim

@@ -11,6 +11,7 @@ struct ExperimentKind {
   std::string_view name;        // "arena"
   std::string_view tables[12];  // keys that it has besides those of all: "path.", "device.baud"
   bool has_modules = true;      // receiver modules and UARTs, with all of their keys
+  std::string_view amount{};    // the key of how much is simulated, where it is not [stop]
 };
 
 std::span<const ExperimentKind> experiment_kinds();

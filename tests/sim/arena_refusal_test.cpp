@@ -1,6 +1,8 @@
 // What an arena's scenario must not say, and the line that says so.
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
+#include "sim/scenario/experiment_kind.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace sim {
 namespace {
@@ -160,6 +162,12 @@ TEST(ArenaRefusals, UnknownNames) {
   EXPECT_EQ(line_of("experiment = \"arenas\"\n").find("experiment = \"arenas\" in x.toml:1 ("), 0u);
 }
 
+// What is said to be set instead of [stop] can be.
+TEST(ExperimentKinds, HaveTheKeyOfTheirAmount) {
+  for (const ExperimentKind& kind : experiment_kinds())
+    EXPECT_EQ(find_key(std::string(kind.amount)) == nullptr, kind.name == "link") << kind.name;
+}
+
 TEST(ArenaRefusals, KeysOfAnotherExperiment) {
   const auto expect = [](const std::string& line, const std::string& problem,
                          const std::string& experiment) {
@@ -170,8 +178,9 @@ TEST(ArenaRefusals, KeysOfAnotherExperiment) {
   const std::string nothing = " (it means nothing in the experiment ";
   expect(line_of(one, {"receiver.range_m=3"}), "receiver.range_m in --set" + nothing + "\"arena\"",
          "link");
-  expect(line_of(one + "[stop]\nmax_frames = 5\n"),
-         "stop.max_frames in x.toml:5" + nothing + "\"arena\"", "link");
+  EXPECT_EQ(line_of(one + "[stop]\nmax_frames = 5\n"),
+            "stop.max_frames in x.toml:5" + nothing +
+                "\"arena\") set arena.runs: --max-frames and all else of [stop] are for links");
   expect(line_of("[devices.a]\nx_m = 1\n"), "devices.a.x_m in x.toml:2" + nothing + "\"link\"",
          "arena");
   expect(line_of("[sweep]\narena.duration_s = [1, 2]\n"),

@@ -195,6 +195,8 @@ TEST_F(CommandLine, HelpAndVersionAreResults) {
     EXPECT_EQ(o.err, "");
     EXPECT_NE(o.out.find("Usage: cosys-sim "), std::string::npos) << o.out;
   }
+  EXPECT_EQ(program({"help"}).out, program({"--help"}).out);
+  EXPECT_EQ(program({"help", "trace"}).out, program({"trace", "--help"}).out);
   EXPECT_TRUE(program({"--version"}).out.starts_with("cosys-sim "));
 }
 

@@ -212,8 +212,9 @@ TEST(Listening, RefusesWhatItCannotHear) {
                "simulation.sample_rate_hz=200e3"}),
       "listening.air = \"cosys\" in --set with simulation.sample_rate_hz = 200000 in --set (a "
       "carrier period takes at least 4 samples) raise simulation.sample_rate_hz to 236000");
-  EXPECT_NE(refused({"stop.max_frames=8"}).find("it means nothing in the experiment \"listening\""),
-            std::string::npos);
+  EXPECT_EQ(refused({"stop.max_frames=8"}),
+            "stop.max_frames in --set (it means nothing in the experiment \"listening\") set "
+            "listening.runs: --max-frames and all else of [stop] are for links");
   EXPECT_EQ(refused({"listening.air=*"}), "accepted");
 }
 

@@ -125,8 +125,9 @@ TEST(UnfinishedNote, CountsWhatAStopLeft) {
   sim::ExperimentResult result;
   result.points = {measured_point(), measured_point(), {}};
   result.points[1].stop = sim::StopReason::interrupted;
-  EXPECT_EQ(sim::unfinished_note(result),
-            "unfinished: 2 of 3 points, 1 of them not begun; what follows is of what was counted\n");
+  EXPECT_EQ(
+      sim::unfinished_note(result),
+      "unfinished: 2 of 3 points, 1 of them not begun; what follows is of what was counted\n");
   result.points.pop_back();
   EXPECT_EQ(sim::unfinished_note(result),
             "unfinished: 1 of 2 points; what follows is of what was counted\n");
