@@ -27,9 +27,10 @@ std::string size_of(const Dataset& data) {
       sent, runs_text(data), sent - accepted);
 }
 
+constexpr double half = 0.5;
+
 /// Of each curve the longest stretch at which half of the messages or more are lost.
 std::vector<CurveSpan> half_lost_spans(const std::vector<ChartCurve>& curves) {
-  constexpr double half = 0.5;
   std::vector<CurveSpan> spans;
   for (const ChartCurve& curve : curves)
     if (const auto span = longest_span(curve, half)) spans.push_back(*span);
@@ -51,6 +52,37 @@ std::string half_lost(const Chart& chart) {
   for (const CurveSpan& span : spans) where.push_back(in_words(span, chart.x));
   return fmt::format("Half of a node's messages or more are lost at {}.\n",
                      fmt::join(where, "; at "));
+}
+
+/// "1.7 to 1.8 s (sender A)": the mean ages of a curve where most messages are heard; empty where
+/// there are none.
+std::string ages_where_heard(const ChartCurve& loss, const ChartCurve& age) {
+  std::vector<double> ages;
+  for (const ChartPoint& point : age.points) {
+    const auto lost = std::ranges::find(loss.points, point.x, &ChartPoint::x);
+    if (std::isfinite(point.y) && lost != loss.points.end() && lost->y < half)
+      ages.push_back(point.y);
+  }
+  if (ages.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(ages);
+  const std::string from = fmt::format("{:.2g}", least), to = fmt::format("{:.2g}", most);
+  const std::string span = from == to ? from + " s" : from + " to " + to + " s";
+  return age.name.empty() ? span : span + " (" + age.name + ")";
+}
+
+std::string freshness(const Chart& loss, const Chart& age) {
+  std::vector<std::string> spans;
+  for (const ChartCurve& curve : age.curves) {
+    const auto lost = std::ranges::find(loss.curves, curve.name, &ChartCurve::name);
+    if (lost == loss.curves.end()) continue;
+    const std::string span = ages_where_heard(*lost, curve);
+    if (!span.empty()) spans.push_back(span);
+  }
+  if (spans.empty()) return "";
+  return fmt::format(
+      "Where more than half of them are heard, its values are so old at the other on average: "
+      "{}.\n",
+      fmt::join(spans, "; "));
 }
 
 /// Of a single point what becomes of each node's messages.
@@ -143,21 +175,26 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                                        .title = "Message loss",
                                                        .label = "message loss ratio",
                                                        .logarithmic = true});
+  const std::optional<Chart> age = swept_chart(data, {.name = "age_mean_s",
+                                                      .title = "Age of values at the other node",
+                                                      .label = "mean age [s]"});
   if (loss) part.verdict += half_lost(*loss);
+  if (loss && age) part.verdict += freshness(*loss, *age);
   add_chart(part, loss);
-  add_chart(part, swept_chart(data, {.name = "age_mean_s",
-                                     .title = "Age of values at the other node",
-                                     .label = "mean age [s]"}));
+  add_chart(part, age);
 }
 
-std::vector<DatasetColumn> columns() {
+std::vector<DatasetColumn> columns(const Dataset& data) {
   return {{"n_messages", "messages"},
           {"n_accepted", "accepted"},
           {"message_loss", "message loss"},
           {"ber", "BER"},
           {"age_mean_s", "mean age [s]"},
           {"age_p95_s", "95 % of ages [s]"},
-          {"unknown_share", "nothing known"},
+          {"unknown_share", "nothing known [%]",
+           [unknown = DatasetCells(data, "unknown_share")](std::size_t cell) {
+             return std::isnan(unknown[cell]) ? "-" : fmt::format("{:.1f}", 100 * unknown[cell]);
+           }},
           {"n_queries", "questions"},
           {"n_queries_answered", "answered"},
           {"n_queries_timed_out", "timed out"},
@@ -173,7 +210,7 @@ ReportPart exchange_part(const std::string& name, const StoredDataset& stored) {
   part.verdict += missing_points(stored);
   if (find_variable(data, "n_rejected") != nullptr)
     part.sections.push_back(shares_section("refusals", refusals(data)));
-  add_closing(part, data, columns());
+  add_closing(part, data, columns(data));
   return part;
 }
 

@@ -114,6 +114,13 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
       page,
       "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 40, "
       "where the sweep ends.</p>");
+  const Json& ages = counted["variables"]["age_mean_s"]["values"];
+  expect_has(page,
+             fmt::format("<p>Where more than half of them are heard, its values are so old at the "
+                         "other on average: {:.2g} s (sender A); {:.2g} s (sender B).</p>",
+                         ages[0].get<double>(), ages[1].get<double>()));
+  const Json& unknown = counted["variables"]["unknown_share"]["values"];
+  expect_has(page, fmt::format("<td>{:.1f}</td>", 100 * unknown[0].get<double>()));
   expect_has(page, ">sender A</text>");
   expect_has(page, ">sender B</text>");
   expect_has(page, ">refused for another reason</text>");
