@@ -1,8 +1,10 @@
 #include "sim/arena/arena_part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -51,6 +53,28 @@ std::string causes_of(const Dataset& data) {
     text += fmt::format("{}{} {} %", text.empty() ? "Of those lost: " : ", ", words,
                         percent(count / lost));
   return text.empty() ? text : text + ".\n";
+}
+
+/// Of a single point how soon each device is heard, the soonest first; of a sweep how soon any is.
+std::string first_heard(const Dataset& data) {
+  if (!data.axes.empty())
+    return extremes(data, "total_latency_mean_s", "The mean time until a message is delivered",
+                    " s");
+  constexpr std::size_t most = 8;
+  const DatasetCells time(data, "latency_mean_s"), runs(data, "n_runs_heard");
+  const Dataset::Dimension& devices = dimension_named(data, "device");
+  if (time.size() != devices.size() || devices.size() > most) return "";
+  std::vector<std::pair<double, std::string>> known;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    if (std::isfinite(time[i]))
+      known.emplace_back(
+          time[i], fmt::format("{} after {:.2g} s ({} of {} runs)", value_text(devices, i), time[i],
+                               runs.text(i), data.n_runs));
+  if (known.empty()) return "";
+  std::ranges::stable_sort(known, {}, [](const auto& one) { return one.first; });
+  std::vector<std::string> words;
+  for (const auto& [after, text] : known) words.push_back(text);
+  return fmt::format("First heard on average: {}.\n", fmt::join(words, ", "));
 }
 
 /// Rows of the devices where there is one point, else of the points.
@@ -138,8 +162,8 @@ ReportPart part_of_messages(const std::string& name, StoredDataset stored,
   Dataset& data = stored.data;
   add_message_sums(data);
   ReportPart part{name, data.title, size_of(data)};
-  part.verdict +=
-      extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) + missing_points(stored);
+  part.verdict += extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) +
+                  first_heard(data) + missing_points(stored);
   add_charts(part, data);
   add_maps(part, stored);
   part.sections.push_back(shares_section("fates", shares_of(data, tables.fates)));

@@ -175,9 +175,9 @@ void add_charts(ReportPart& part, const Dataset& data) {
                                                        .title = "Message loss",
                                                        .label = "message loss ratio",
                                                        .logarithmic = true});
-  const std::optional<Chart> age = swept_chart(data, {.name = "age_mean_s",
-                                                      .title = "Age of values at the other node",
-                                                      .label = "mean age [s]"});
+  const std::optional<Chart> age = swept_chart(
+      data,
+      {.name = "age_mean_s", .title = "Age of values at the other node", .label = "mean age [s]"});
   if (loss) part.verdict += half_lost(*loss);
   if (loss && age) part.verdict += freshness(*loss, *age);
   add_chart(part, loss);

@@ -20,7 +20,8 @@ std::string size_of(const Dataset& data) {
   const std::string hours = fmt::format("{:.3g}", DatasetCells(data, "line_h").sum());
   const double accepted = DatasetCells(data, "n_frames_false").sum();
   return fmt::format(
-      "{} listened to{}; {:.0f} message{} accepted though the device sent none{}.\n",
+      "{} listened to{}; {:.0f} message{} accepted though the device itself "
+      "sent none{}.\n",
       hours == "1" ? "1 hour of line was" : hours + " hours of line were",
       data.axes.empty() ? "" : fmt::format(" at {} points", measured_points(data).size()), accepted,
       accepted == 1 ? " was" : "s were",

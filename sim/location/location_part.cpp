@@ -211,9 +211,11 @@ void add_charts(ReportPart& part, const Dataset& data) {
 ReportPart location_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of(data)};
-  part.verdict += extremes(data, "rmse_m", "The rms error of the located ones", " m") +
-                  extremes(data, "error_over_bound", "That error over its Cramer-Rao bound") +
-                  missing_points(stored);
+  part.verdict +=
+      extremes(data, "rmse_m", "The rms error of the located ones", " m") +
+      extremes(data, "error_over_bound",
+               "That error over its Cramer-Rao bound, the least of any unbiased estimate,") +
+      extremes(data, "coverage", "The coverage of the 95 % ellipse") + missing_points(stored);
   part.first.push_back(map_of(stored));
   add_charts(part, data);
   part.sections.push_back(shares_section("outcomes", outcomes_of(data)));

@@ -1,8 +1,11 @@
 #include "sim/page/experiment_part.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "sim/page/dataset_cells.hpp"
+#include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
 #include "sim/report/outside_report.hpp"
 
@@ -16,6 +19,14 @@ DatasetColumn outside_points(const Dataset& data) {
           }};
 }
 
+std::string marked_points(const Dataset& data) {
+  const DatasetCells masks(data, outside_name);
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < masks.size(); ++i) marked += masks.count(i) != 0;
+  if (marked == 0) return "";
+  return marked_line(masks.size(), {fmt::format("{} {}", marked, outside_words)});
+}
+
 }  // namespace
 
 void add_chart(ReportPart& part, std::optional<Chart> chart) {
@@ -23,6 +34,7 @@ void add_chart(ReportPart& part, std::optional<Chart> chart) {
 }
 
 void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColumn> columns) {
+  part.verdict += marked_points(data);
   const std::string notes = outside_notes(data);
   if (!notes.empty()) columns.push_back(outside_points(data));
   part.sections.push_back(

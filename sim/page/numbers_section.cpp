@@ -63,18 +63,21 @@ PageSection numbers_section(const ExperimentResult& result) {
   return {.heading = "All numbers", .text = mark_notes(result), .table = table_of(result)};
 }
 
+std::string marked_line(std::size_t points, const std::vector<std::string>& marks) {
+  if (marks.empty()) return "";
+  return fmt::format("Marked in the table of all numbers: of {} point{} {}.\n", points,
+                     points == 1 ? "" : "s", fmt::join(marks, " and "));
+}
+
 std::string marked_points(const ExperimentResult& result) {
   const auto outside = std::ranges::count_if(
       result.points, [](const PointResult& point) { return point.outside != 0; });
   const auto alarming = std::ranges::count_if(
       result.points, [](const PointResult& point) { return point.alarms != 0; });
   std::vector<std::string> marks;
-  if (outside > 0) marks.push_back(fmt::format("{} outside of what a model is valid for", outside));
+  if (outside > 0) marks.push_back(fmt::format("{} {}", outside, outside_words));
   if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));
-  if (marks.empty()) return "";
-  return fmt::format("Marked in the table of all numbers: of {} point{} {}.\n",
-                     result.points.size(), result.points.size() == 1 ? "" : "s",
-                     fmt::join(marks, " and "));
+  return marked_line(result.points.size(), marks);
 }
 
 }  // namespace sim

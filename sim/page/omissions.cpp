@@ -48,7 +48,7 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
   add(s.noise.scale > 0, "noise", {"noise.scale=0"});
   add(s.module.agc_attack_db_per_ms > 0, "the module's automatic gain control",
       {"module.agc_attack_db_per_ms=0"});
-  add(s.module.emin_mw_per_m2 > 0, "half of the module's threshold",
+  add(s.module.emin_mw_per_m2 > 0, "half of the module's threshold (twice as sensitive)",
       {fmt::format("module.emin_mw_per_m2={}", s.module.emin_mw_per_m2 / 2)});
   add(is_on(s.ambient), "ambient light",
       {"ambient.irradiance_w_per_m2=0", "ambient.daylight_lux=0", "ambient.tungsten_lux=0"});

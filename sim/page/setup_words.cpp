@@ -27,6 +27,11 @@ bool is_zero(const std::string& value) {
   return value == "0" || (value.starts_with("0 ") && !value.starts_with("0 .. "));
 }
 
+/// "A, B" or "A .. M (13 values)": of a part that is swept.
+bool are_several(const std::string& part) {
+  return part.find(", ") != std::string::npos || part.find(" .. ") != std::string::npos;
+}
+
 /// ", in 0.6 W/m2 of ambient light"; empty in the dark.
 std::string ambient_words(const std::vector<Setting>& settings) {
   std::vector<std::string> lights;
@@ -62,7 +67,9 @@ std::string place_words(const std::vector<Setting>& settings) {
 
 std::string setup_words(const std::vector<Setting>& settings) {
   const auto value = [&](const char* key) { return value_of(settings, key); };
-  return fmt::format("{} hears \"{}\" at {} on a carrier of {} {}.\n", value("receiver.module"),
+  const std::string module = value("receiver.module");
+  return fmt::format("{}{} hears \"{}\" at {} on a carrier of {} {}.\n",
+                     are_several(module) ? "Each of " : "", module,
                      message_text(value("device.message")), value("device.baud"),
                      value("device.carrier_hz"), place_words(settings));
 }

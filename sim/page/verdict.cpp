@@ -45,17 +45,20 @@ std::string size_of(const ExperimentResult& result) {
                      more);
 }
 
-/// "TSSP4056, TSSP96056": those that reach farthest, where all are compared with each other.
-std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking) {
+/// "TSSP4056 (between 12 and 14 m)": those that reach farthest, where all are compared with each
+/// other.
+std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking,
+                                 const std::vector<Reach>& reaches) {
   std::vector<std::string> names;
   const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
   if (!ranking.best_first || !std::ranges::all_of(ranking.others, is_text)) return names;
-  for (const RowCrossing& row : ranking.rows) {
+  for (std::size_t place = 0; place < ranking.rows.size(); ++place) {
+    const RowCrossing& row = ranking.rows[place];
     if (row.place != 1) continue;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < ranking.others.size(); ++i)
       texts.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
-    names.push_back(fmt::format("{}", fmt::join(texts, " with ")));
+    names.push_back(fmt::format("{} ({})", fmt::join(texts, " with "), reaches[place].words));
   }
   return names;
 }
@@ -64,9 +67,10 @@ std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& 
 std::string reach_of(const ExperimentResult& result) {
   const Ranking ranking = rank(result);
   if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
-  std::vector<std::string> best = best_of(result, ranking);
+  const std::vector<Reach> reaches = reaches_of(result, ranking);
+  std::vector<std::string> best = best_of(result, ranking, reaches);
   if (best.size() == ranking.rows.size()) best.clear();
-  return reach_line(reaches_of(result, ranking), best);
+  return reach_line(reaches, best);
 }
 
 /// "1.5 [0.3, 4.3] %"

@@ -113,15 +113,15 @@ std::string listening_answer(double hours, std::int64_t frames, std::int64_t und
 }
 
 TEST(ListeningAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {
-  EXPECT_EQ(
-      listening_answer(1, 0, 0),
-      "1 hour of line was listened to; 0 messages were accepted though the device sent none.\n"
-      "The rate of false accepts is < 3.7 an hour.\n");
-  EXPECT_EQ(
-      listening_answer(1, 900, 21),
-      "1 hour of line was listened to; 0 messages were accepted though the device sent none, and "
-      "21 though it sent another.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
-      "The rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(listening_answer(1, 0, 0),
+            "1 hour of line was listened to; 0 messages were accepted though the device itself "
+            "sent none.\n"
+            "The rate of false accepts is < 3.7 an hour.\n");
+  EXPECT_EQ(listening_answer(1, 900, 21),
+            "1 hour of line was listened to; 0 messages were accepted though the device itself "
+            "sent none, and "
+            "21 though it sent another.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
+            "The rate of false accepts is < 3.7 an hour.\n");
   EXPECT_EQ(listening_answer(0.5, 0, 0).find("0.5 hours of line were listened to;"), 0U);
 }
 

@@ -23,6 +23,9 @@ TEST_F(ExperimentReport, OfAnArenaShowsWhoWasHeardWhere) {
                          "were left out in silent spells.</p>",
                          sum(counted, "n_messages") - silent, delivered, silent));
   expect_has(page, "<p>Of those lost: out of reach ");
+  const Json& first = counted["variables"]["latency_mean_s"]["values"];
+  expect_has(page, fmt::format("<p>First heard on average: near after {:.2g} s (2 of 2 runs).</p>",
+                               first[1].get<double>()));
   expect_has(page, "<h2>Where messages were heard</h2>");
   expect_has(page, "<td>near</td><td>1.5</td><td>0</td>");
   expect_has(page, "&lt;b&gt;");
@@ -39,6 +42,7 @@ TEST_F(ExperimentReport, OfASweptArenaHasAMapOfEachPoint) {
   const auto near = static_cast<std::size_t>(names[0] == "near" ? 0 : 1);
   ASSERT_NE(cell(counted, "n_delivered", 0, near), cell(counted, "n_delivered", 1, near));
   const std::string page = report({"a.h5", "--svg", "p"});
+  expect_has(page, "<p>The mean time until a message is delivered is ");
   const char* const maps[] = {"p/map.svg", "p/map-2.svg"};
   const char* const places[] = {"1.5", "30"};
   for (std::size_t point = 0; point < 2; ++point) {
@@ -170,6 +174,7 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
   expect_has(page, "<p>Locating was tried 16 times at 2 points: located ");
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
+  expect_has(page, "<p>The coverage of the 95 % ellipse is ");
   const std::string map = content(path("p/map.svg"));
   for (const std::size_t point : {0U, 1U}) {
     EXPECT_EQ(occurrences(map, fmt::format("<path class=\"curve{}\"", point + 1)), 2U)
@@ -192,7 +197,7 @@ TEST_F(ExperimentReport, OfListeningSaysHowOftenSomethingWasAccepted) {
                            "air = \"cosys\"\n");
   const std::string page = report({"n.h5"});
   ASSERT_GT(sum(counted, "n_frames_false"), 0);
-  expect_has(page, fmt::format("{} messages were accepted though the device sent none.</p>",
+  expect_has(page, fmt::format("{} messages were accepted though the device itself sent none.</p>",
                                sum(counted, "n_frames_false")));
   for (const char* impossible : {"sent another", "ndetected error", "accepted as sent"})
     EXPECT_EQ(page.find(impossible), std::string::npos) << impossible;

@@ -93,12 +93,18 @@ TEST_F(MessageTables, OfASweepHaveTheSumsOfEachPoint) {
 TEST_F(MessageTables, SayWhichPointLeavesTheRangeOfAModel) {
   const std::string near = std::regex_replace(arena, std::regex("x_m = 1.5"), "x_m = 1.01");
   run("a", near);
-  const std::vector<Row> points = table_under(report({"a.h5"}), "All numbers");
+  const std::string page = report({"a.h5"});
+  expect_has(page,
+             "<p>Marked in the table of all numbers: of 1 point 1 outside of what a model is "
+             "valid for.</p>");
+  const std::vector<Row> points = table_under(page, "All numbers");
   ASSERT_EQ(points.size(), 1U);
   ASSERT_TRUE(points[0].contains("outside"));
   EXPECT_EQ(points[0].at("outside").find("! "), 0U);
   run("b", arena);
-  EXPECT_FALSE(table_under(report({"b.h5"}), "All numbers")[0].contains("outside"));
+  const std::string far = report({"b.h5"});
+  EXPECT_EQ(far.find("Marked in the table"), std::string::npos);
+  EXPECT_FALSE(table_under(far, "All numbers")[0].contains("outside"));
 }
 
 TEST_F(MessageTables, OfAGuardHoldWhatRunPrints) {

@@ -21,6 +21,14 @@ TEST(SetupWords, SayWhoHearsWhatFromWhere) {
       "at 50 mA, 1 .. 20 m (20 values) away, in 0.6 W/m2 of ambient light.\n");
 }
 
+TEST(SetupWords, SayThatEachOfSeveralModulesHears) {
+  EXPECT_EQ(words_of("[sweep]\nreceiver.module = [\"TSSP4056\", \"TSOP4856\"]\n")
+                .find("Each of TSSP4056, TSOP4856 hears \"IND"),
+            0U);
+  EXPECT_EQ(words_of("[sweep]\nreceiver.module = \"*\"\n").find("Each of GP1UX51QS .. TSSP96056 ("),
+            0U);
+}
+
 TEST(SetupWords, NameEveryLightThatShines) {
   EXPECT_NE(words_of("ambient.irradiance_w_per_m2 = 0\n").find(" away, in the dark.\n"),
             std::string::npos);

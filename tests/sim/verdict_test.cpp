@@ -94,12 +94,15 @@ TEST(Verdict, SaysHowFarEachOfAFewLinksReaches) {
 
 TEST(Verdict, NamesTheLinksThatComeFirst) {
   const std::string one = verdict_of(modules_of({near, far, near, near, dead}), {});
-  EXPECT_NE(one.find("\nOf 5 links B comes first. How far each reaches is listed below.\nOne "
+  EXPECT_NE(one.find("\nOf 5 links B (between 2 and 3 m) comes first. How far each reaches is "
+                     "listed below.\nOne "
                      "point is looked at closer: at receiver.module = "),
             std::string::npos)
       << one;
   const std::string two = verdict_of(modules_of({far, far, near, near, near}), {});
-  EXPECT_NE(two.find("\nOf 5 links A, B come first. "), std::string::npos) << two;
+  EXPECT_NE(two.find("\nOf 5 links A (between 2 and 3 m), B (between 2 and 3 m) come first. "),
+            std::string::npos)
+      << two;
   const std::string all = verdict_of(modules_of({far, far, far, far, far}), {});
   EXPECT_NE(all.find("\n5 links. How far each reaches is listed below.\n"), std::string::npos)
       << all;
