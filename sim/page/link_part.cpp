@@ -143,8 +143,9 @@ ReportPart link_part(const LinkReport& link) {
   part.settings = link.settings;
   part.scenario = scenario_section(result.command, result.scenario_toml);
   add_ranking(part, result);
-  part.charts = result_charts(result);
-  add_maps(part, result);
+  const ExperimentResult drawn = best_first(result);
+  part.charts = result_charts(drawn);
+  add_maps(part, drawn);
   part.sections.push_back(fates_section(result));
   part.sections.back().text += link.why_no_trial;
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));

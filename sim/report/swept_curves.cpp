@@ -71,9 +71,10 @@ std::string other_values(const std::vector<Axis>& axes, const std::vector<std::s
                          const std::vector<double>& coordinates) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (std::ranges::find(over, i) == over.end())
-      parts.push_back(
-          fmt::format("{} = {}", axes[i].key, coordinate_text(axes[i], coordinates[i])));
+    if (std::ranges::find(over, i) == over.end()) {
+      const std::string value = coordinate_text(axes[i], coordinates[i]);
+      parts.push_back(axes[i].is_text() ? value : axes[i].key + " = " + value);
+    }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -22,13 +22,25 @@ std::size_t index_of(const Axis& axis, double value) {
   return static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
 }
 
+/// Numbers grow upward, texts are read downward.
+std::vector<std::string> row_texts(const Axis& axis) {
+  std::vector<std::string> texts = value_texts(axis);
+  if (axis.is_text()) std::ranges::reverse(texts);
+  return texts;
+}
+
+std::size_t row_of(const Axis& axis, double value) {
+  const std::size_t index = index_of(axis, value);
+  return axis.is_text() ? axis.values.size() - 1 - index : index;
+}
+
 HeatMap empty_map(const Axis& across, const Axis& up) {
   return {.title = {},
           .description = {},
           .x_label = axis_name(across),
           .y_label = axis_name(up),
           .columns = value_texts(across),
-          .rows = value_texts(up),
+          .rows = row_texts(up),
           .values = {up.values.size(), std::vector<double>(across.values.size(), std::nan(""))},
           .texts = {up.values.size(), std::vector<std::string>(across.values.size(), "-")}};
 }
@@ -86,7 +98,7 @@ std::vector<HeatMap> swept_maps(const std::vector<Axis>& axes, const std::vector
     HeatMap* map = map_of(maps, title_of(axes, over, at, title), across, up);
     if (map == nullptr) continue;
     map->description = fmt::format("{} over {} and {}", what, across.key, up.key);
-    const std::size_t row = index_of(up, at[over[1]]), column = index_of(across, at[over[0]]);
+    const std::size_t row = row_of(up, at[over[1]]), column = index_of(across, at[over[0]]);
     map->values[row][column] = values[i].ratio;
     map->texts[row][column] = values[i].text;
   }

@@ -218,6 +218,29 @@ Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   return ranking;
 }
 
+ExperimentResult best_first(const ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (!ranking.best_first || ranking.others.size() != 1) return result;
+  const std::size_t named = ranking.others.front();
+  const Axis& axis = result.axes[named];
+  if (ranking.rows.size() != axis.values.size()) return result;  // some were not reached
+  std::vector<std::size_t> from;                                 // which value stands at each place
+  for (const RowCrossing& row : ranking.rows)
+    from.push_back(static_cast<std::size_t>(row.others.front()));
+  std::size_t stride = 1;  // from a value's points to the next value's
+  for (std::size_t i = named + 1; i < result.axes.size(); ++i)
+    stride *= result.axes[i].values.size();
+  ExperimentResult sorted = result;
+  for (std::size_t place = 0; place < from.size(); ++place)
+    sorted.axes[named].labels[place] = axis.labels[from[place]];
+  for (std::size_t i = 0; i < sorted.points.size(); ++i) {
+    const std::size_t place = i / stride % from.size();
+    sorted.points[i] = result.points[i - place * stride + from[place] * stride];
+    sorted.points[i].coordinates[named] = axis.values[place];
+  }
+  return sorted;
+}
+
 std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking) {
   if (ranking.rows.empty()) return "";
   if (!ranking.others.empty()) return list(result, ranking);

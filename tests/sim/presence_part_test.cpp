@@ -39,18 +39,17 @@ TEST(PresencePart, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
 
 TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
   expect_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
-             "from 3 to 4, where the sweep ends (presence.detector = goertzel), but at "
-             "receiver.range_m [m] from 1, where the sweep begins, to 2 (presence.detector = "
+             "from 3 to 4, where the sweep ends (goertzel), but at "
+             "receiver.range_m [m] from 1, where the sweep begins, to 2 ("
              "synchronous).\n");
   expect_has(answer(std::vector<double>(8, 1)),
              "from 1, where the sweep begins, to 4, where the sweep ends, by both.\n");
 }
 
 TEST(PresencePart, NamesTheOneOfThreeThatNoticesItElsewhere) {
-  expect_has(
-      answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
-             "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
-      ", but at receiver.range_m [m] from 3 to 4, where the sweep ends (presence.detector = ");
+  expect_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
+                    "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
+             ", but at receiver.range_m [m] from 3 to 4, where the sweep ends (");
 }
 
 TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
@@ -63,15 +62,14 @@ TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
 
 TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
   expect_has(answer({1, 1, 1, 0, 1, 0, 0, 0}),
-             "from 1, where the sweep begins, to 3 (presence.detector = goertzel), but only at "
-             "receiver.range_m [m] 1, where the sweep begins (presence.detector = synchronous).\n");
+             "from 1, where the sweep begins, to 3 (goertzel), but only at "
+             "receiver.range_m [m] 1, where the sweep begins (synchronous).\n");
 }
 
 TEST(PresencePart, SaysHowManyNoticeItNowhere) {
-  expect_has(
-      answer({1, 1, 1, 0, 0, 0, 0, 0}),
-      "from 1, where the sweep begins, to 3 (presence.detector = goertzel), but nowhere by 1 "
-      "of 2.\n");
+  expect_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
+             "from 1, where the sweep begins, to 3 (goertzel), but nowhere by 1 "
+             "of 2.\n");
   expect_has(answer(std::vector<double>(8, 0.5)), "at no point that was simulated is the device");
 }
 

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#include "sim/scenario/sweep.hpp"
 
 namespace {
 
@@ -85,6 +88,38 @@ TEST(Ranking, EachRowIsTheCrossingOfItsOwnSweep) {
     EXPECT_EQ(row.crossing.at, expected.at) << name_of(row);
     EXPECT_EQ(row.crossing.high, expected.high) << name_of(row);
   }
+}
+
+// Wherever the axis of texts stands, and with numbers that fall.
+TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
+  const sim::Axis falling{"receiver.range_m", "m", "distance", {4, 3, 2, 1}};
+  Losses reversed = losses;
+  for (auto& row : reversed) std::ranges::reverse(row);
+  const auto check = [](const sim::ExperimentResult& result, std::size_t text, std::size_t number) {
+    const sim::ExperimentResult sorted = sim::best_first(result);
+    EXPECT_EQ(sorted.axes[text].labels,
+              (std::vector<std::string>{"far", "jump", "fitted-part", "short", "odd", "dead"}));
+    ASSERT_EQ(sorted.points.size(), result.points.size());
+    for (std::size_t i = 0; i < sorted.points.size(); ++i) {
+      const sim::PointResult& p = sorted.points[i];
+      EXPECT_EQ(p.coordinates, sim::point_coordinates(sorted.axes, i));
+      const std::string& name =
+          sorted.axes[text].labels[static_cast<std::size_t>(p.coordinates[text])];
+      const auto row = std::ranges::find(names, name) - names.begin();
+      const auto column = static_cast<std::size_t>(p.coordinates[number]) - 1;
+      EXPECT_EQ(p.tally.n_frames_lost, losses[static_cast<std::size_t>(row)][column]) << name;
+    }
+  };
+  check(grid(modules(names), falling, reversed), 0, 1);
+  sim::ExperimentResult last = turned(grid(modules(names), range, losses));
+  std::ranges::sort(last.points, {}, &sim::PointResult::coordinates);
+  check(last, 1, 0);
+}
+
+TEST(BestFirst, LeavesOthersAsTheyAre) {
+  const sim::Axis current{"led.current_ma", "mA", "current", {10, 20, 50, 100, 200, 300}};
+  const auto numbers = grid(current, range, losses);
+  EXPECT_EQ(sim::best_first(numbers).axes[0].values, numbers.axes[0].values);
 }
 
 TEST(Ranking, TextsMayBeTheLastAxis) {

@@ -84,7 +84,7 @@ TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
   const Chart chart = result_charts(result)[1];
   EXPECT_TRUE(chart.x.logarithmic) << "over two decades";
   ASSERT_EQ(chart.curves.size(), 2U);
-  EXPECT_EQ(chart.curves[1].name, "receiver.module = B");
+  EXPECT_EQ(chart.curves[1].name, "B");
   EXPECT_EQ(chart.curves[1].points.size(), 3U);
 }
 
@@ -148,7 +148,7 @@ TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
   result.points[1].tally = {};
   const std::vector<HeatMap> maps = result_maps(result);
   ASSERT_EQ(maps.size(), 2U);
-  EXPECT_EQ(maps[0].title, "Map of frame loss, receiver.module = A");
+  EXPECT_EQ(maps[0].title, "Map of frame loss, A");
   EXPECT_EQ(maps[1].columns, (std::vector<std::string>{"1", "2", "3"}));
   EXPECT_EQ(maps[1].rows, (std::vector<std::string>{"0", "100"}));
   EXPECT_EQ(maps[1].values[1][2], 0.4);
