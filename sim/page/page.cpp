@@ -146,21 +146,23 @@ std::string data_of(const Page& page) {
   return data_html("charts", charts) + data_html("trials", trials);
 }
 
-/// "Bit errors" as bit-errors.
-std::string file_name(const std::string& title) {
+}  // namespace
+
+std::string picture_name(const std::string& title) {
   std::string name;
-  for (const char c : title)
-    name += std::isalnum(static_cast<unsigned char>(c)) != 0
-                ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
-                : '-';
+  for (const char c : title) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0)
+      name += static_cast<char>(std::tolower(byte));
+    else if (!name.ends_with('-'))
+      name += '-';
+  }
   return name;
 }
 
-}  // namespace
-
 PagePicture picture_of(Chart chart) {
   std::string svg = chart_as_svg(chart);
-  return {file_name(chart.title), chart.description, std::move(svg), std::move(chart)};
+  return {picture_name(chart.title), chart.description, std::move(svg), std::move(chart)};
 }
 
 std::string page_as_html(const Page& page) {

@@ -24,6 +24,9 @@ struct PagePicture {
   std::optional<Chart> live = {};  // the same, for the script to draw
 };
 
+/// "Bit errors" as the name of a file, without its ending: "bit-errors".
+std::string picture_name(const std::string& title);
+
 PagePicture picture_of(Chart chart);
 
 /// A trial with every tap, and the same as a still picture.

@@ -49,6 +49,16 @@ void add_chart(std::vector<Chart>& charts, Chart chart) {
   std::ranges::move(chart.curves, std::back_inserter(same->curves));
 }
 
+/// Whose a section is, in its heading and in the names of the files that its pictures become.
+void name_section(PageSection& section, const std::string& name) {
+  section.heading = name + ": " + section.heading;
+  const auto name_picture = [&](PagePicture& picture) {
+    picture.name = picture_name(name + " " + picture.name);
+  };
+  if (section.picture) name_picture(*section.picture);
+  if (section.trial) name_picture(section.trial->still);
+}
+
 void say_whose(ReportPart& part) {
   std::string verdict;
   std::istringstream lines(part.verdict);
@@ -56,7 +66,7 @@ void say_whose(ReportPart& part) {
   part.verdict = verdict;
   part.scenario.heading = part.name + ": " + part.scenario.heading;
   for (auto* sections : {&part.first, &part.sections})
-    for (PageSection& section : *sections) section.heading = part.name + ": " + section.heading;
+    for (PageSection& section : *sections) name_section(section, part.name);
   for (Chart& chart : part.charts)
     for (ChartCurve& curve : chart.curves) curve.name = part.name + ", " + curve.name;
 }

@@ -93,7 +93,10 @@ TEST_F(ReportCommand, ComparesResultsInOnePicture) {
 TEST_F(ReportCommand, SaysWhoseAPictureIsThatOneResultAloneHas) {
   run("one", "receiver.range_m = [1, 11]");
   run("two", "led.current_ma = [50, 100]");
-  const std::string page = report({"one.h5", "two.h5"});
+  const std::string page = report({"one.h5", "two.h5", "--svg", "p"});
+  for (const char* name :
+       {"one-frame-loss", "two-frame-loss", "one-fates", "two-fates", "one-trial"})
+    EXPECT_TRUE(std::filesystem::exists(path(fmt::format("p/{}.svg", name)))) << name;
   for (const char* heading : {"one: Frame loss", "two: Frame loss", "two: Bit errors"})
     EXPECT_EQ(occurrences(page, fmt::format("<h2>{}</h2>", heading)), 1U) << heading;
 }

@@ -131,7 +131,7 @@ TEST_F(ReportGnuplot, ShowsTextsOfUsersAsTheyAre) {
   const Outcome o = program(command);
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_FALSE(files().contains("stolen"));
-  const std::string trial = tool("pdftotext", {"-layout", "trial.pdf", "-"});
+  const std::string trial = tool("pdftotext", {"-layout", "near-trial.pdf", "-"});
   EXPECT_NE(trial.find("IND\u2423\";\u2423system('touch\u2423stolen')\u2423{/Bold"),
             std::string::npos)
       << trial;
