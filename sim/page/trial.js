@@ -188,7 +188,7 @@ function rowsOf(trial) {
                 of('integrator_samples'), of('agc_gain')].filter((members) => members.length > 0).map(row);
   rows[0].marks = trial.sent;
   rows[0].bits = sentBits(trial);
-  rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], colours: [pinColour],
+  rows.push({title: "receiver's pin, 0 is light", range: [-0.1, 1.1], levels: [0, 1], colours: [pinColour],
              see: (view) => seenWire(trial, view), draw: () => {}, marks: trial.read, bits: readBits(trial)});
   return rows;
 }
@@ -250,7 +250,7 @@ function plotOf(figure, row, sync, whole, follow) {
     scales: {x: {time: false, range: (u, from, to) => [from, to]}, y: {range: row.range}},
     axes: [{...axisOf({}), size: 34, space: 90,
             values: (u, seconds) => labelsOf(seconds.map((value) => value * 1e3))},
-           {...axisOf({}), size: 70, space: 18}],
+           {...axisOf({}), size: 70, space: 18, ...(row.levels && {splits: () => row.levels})}],
     padding: [row.marks.length > 0 ? 16 : 4, 8, 0, 0],
     series: [{}, ...row.colours.map((colour, k) => (
       {stroke: () => shadeOf(colour), width: k > 0 ? 2 : 1, points: {show: false}}))],

@@ -119,7 +119,7 @@ void add_taps(TrialView& view, const TracedTrial& trial, const Stretch& whole,
               const Stretch& detail) {
   for (const Tap& tap : analogue_taps()) {
     const std::vector<float>& samples = trial.taps.*tap.samples;
-    if (is_recorded(samples))
+    if (tells_something(trial, tap.samples))
       view.taps.push_back({tap.name, tap.long_name, printed(tap.unit), values_of(samples, whole),
                            values_of(samples, detail)});
   }

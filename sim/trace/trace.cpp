@@ -39,8 +39,9 @@ dsp::LogicTrace pin_of(const Link& link, std::uint32_t trial, const Transmission
 
 std::span<const Tap> analogue_taps() { return all_taps; }
 
-bool is_recorded(std::span<const float> samples) {
-  return !samples.empty() && !std::isnan(samples.front());
+bool tells_something(const TracedTrial& trial, std::vector<float> Recording::*samples) {
+  if (samples == &Recording::agc_gain && !trial.has_slow_agc) return false;
+  return !(trial.taps.*samples).empty() && !std::isnan((trial.taps.*samples).front());
 }
 
 TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
@@ -51,6 +52,7 @@ TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   traced.carrier = carrier_of(link);
   traced.baud = link.device_baud;
   traced.delay = link.delay;
+  traced.has_slow_agc = link.module.agc_attack_db_per_ms > 0;
   traced.rx =
       link.decisions ? decided_pin(link, trial, sent) : pin_of(link, trial, sent, traced.taps);
   traced.tx = std::move(sent.line);

@@ -27,6 +27,7 @@ struct TracedTrial {
   dsp::Hertz sample_rate;
   dsp::Hertz carrier{}, baud{};  // the device's true ones
   dsp::Seconds delay{};  // constant part, light to pin: ideal receivers decide at a bit's end
+  bool has_slow_agc = true;  // or its tap stands still
   TraceOrigin origin{};
 };
 
@@ -48,7 +49,8 @@ struct Tap {
 };
 std::span<const Tap> analogue_taps();
 
-/// Whether there is anything in a tap: of matched receivers only the light is recorded.
-bool is_recorded(std::span<const float> samples);
+/// Whether there is anything to be seen in a tap: of matched receivers only the light is recorded,
+/// and a part of fixed gain has no AGC.
+bool tells_something(const TracedTrial& trial, std::vector<float> channel::Recording::*samples);
 
 }  // namespace sim

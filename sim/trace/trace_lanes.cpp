@@ -79,7 +79,7 @@ std::vector<Lane> tap_lanes(const TracedTrial& trial) {
     Lane lane{.names = each.names, .greatest = 0};
     for (const TapCurve& curve : each.curves) {
       const std::vector<float>& samples = trial.taps.*curve.samples;
-      if (!is_recorded(samples)) continue;
+      if (!tells_something(trial, curve.samples)) continue;
       cover(lane, samples);
       lane.curves.push_back({wave_of(trial, samples), curve.style});
     }

@@ -35,6 +35,7 @@ TEST_F(ReportCommand, ShowsTheFirstTrialThatIsMisread) {
   const std::string page = report({"edge.h5"});
   EXPECT_NE(page.find("; 1 of them were lost: frame loss ratio "), std::string::npos);
   EXPECT_EQ(occurrences(page, "<h2>Trial 0 of point 0</h2>"), 0U);
+  EXPECT_EQ(occurrences(page, "slow AGC"), 0U) << "it has none";
   EXPECT_EQ(occurrences(page, " of point 0</h2>"), 1U);
 }
 
@@ -42,6 +43,7 @@ TEST_F(ReportCommand, DescribesOfIdealReceiversWhatTheyHave) {
   run("edge", "receiver.range_m = [1, 11]");
   const std::string module = report({"edge.h5"});
   EXPECT_EQ(occurrences(module, "before and behind the band-pass"), 3U) << "picture, caption";
+  EXPECT_GT(occurrences(module, "by slow AGC"), 0U);
   run("ideal", "receiver.ebn0_db = [2, 4]",
       {"--set", "receiver.module=ideal-coherent", "--set", "simulation.warmup_messages=0"});
   const std::string ideal = report({"ideal.h5"});

@@ -50,6 +50,14 @@ TEST(TrialView, HasTheTapsThatWereRecordedOnTheMessagesTime) {
   EXPECT_NEAR(view.first_s, -0.01, 1 / rate);
 }
 
+TEST(TrialView, HasAGainOnlyOfModulesWithASlowAgc) {
+  TracedTrial trial = trial_of("OK\n", "OK\n");
+  trial.taps.agc_gain = std::vector<float>(trial.taps.irradiance.size(), 1);
+  EXPECT_EQ(view_of(trial).taps.back().key, "agc_gain");
+  trial.has_slow_agc = false;
+  EXPECT_EQ(view_of(trial).taps.back().key, "integrator_samples");
+}
+
 TEST(TrialView, LosesNoSpikeWhereItKeepsFewerValues) {
   TracedTrial trial = trial_of("OK\n", "OK\n");
   trial.taps.irradiance[sample_at(0.1234)] = 9;
