@@ -26,7 +26,7 @@ struct TracedTrial {
   channel::Recording taps;  // empty where no samples are made (sim/scenario/fidelity)
   dsp::Hertz sample_rate;
   dsp::Hertz carrier{}, baud{};  // the device's true ones
-  dsp::Seconds delay{};  // constant part, light to pin: ideal receivers decide at a bit's end
+  dsp::Seconds delay{};      // constant part, light to pin: ideal receivers decide at a bit's end
   bool has_slow_agc = true;  // or its tap stands still
   TraceOrigin origin{};
 };

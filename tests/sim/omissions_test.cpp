@@ -24,11 +24,13 @@ TEST(Omissions, FindTheGainControlOfTheQuickstart) {
   std::vector<std::string> names;
   for (const Omission& o : found.omissions) names.push_back(o.without);
   EXPECT_EQ(names, (std::vector<std::string>{"", "noise", "the module's automatic gain control",
-                                             "half of the module's threshold (twice as sensitive)", "ambient light"}));
+                                             "half of the module's threshold (twice as sensitive)",
+                                             "ambient light"}));
   std::vector<std::string> limits;
   for (const Omission& o : limits_of(found)) limits.push_back(o.without);
-  EXPECT_EQ(limits, (std::vector<std::string>{"the module's automatic gain control",
-                                              "ambient light", "half of the module's threshold (twice as sensitive)"}))
+  EXPECT_EQ(limits,
+            (std::vector<std::string>{"the module's automatic gain control", "ambient light",
+                                      "half of the module's threshold (twice as sensitive)"}))
       << "what carries farthest comes first";
   ASSERT_TRUE(found.along);
   EXPECT_EQ(found.along->key, "receiver.range_m");
@@ -91,7 +93,8 @@ TEST(Omissions, AreTriedWithFewerLongFrames) {
   EXPECT_EQ(found.omissions.front().tally.n_frames, 20) << "of ten million samples each";
   EXPECT_FALSE(found.along) << "they would take minutes";
   for (const Omission& o : found.omissions)
-    EXPECT_NE(o.without, "half of the module's threshold (twice as sensitive)") << "an envelope has no such one";
+    EXPECT_NE(o.without, "half of the module's threshold (twice as sensitive)")
+        << "an envelope has no such one";
 }
 
 }  // namespace
