@@ -175,18 +175,15 @@ std::optional<Fit> fit_logit(const Observations& all, bool logarithmic) {
 /// By the deviance (McCullagh & Nelder 1989, section 4.4.3). Points at which the fit expects no
 /// frame either lost or received lend it no freedom.
 bool fits(const Fit& fit, const Observations& all) {
-  const LossCounts counts = counts_of(all);
-  std::vector<double> observed;
-  double freedom = -2;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    observed.push_back(counts[i].ratio());
-    const double expected = counts[i].frames * fit.loss(i);
-    freedom += std::min(expected, counts[i].frames - expected) > 0.5;
+  double freedom = -2, deviance = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const LossCount& count = all[i].count;
+    const double expected = count.frames * fit.loss(i);
+    freedom += std::min(expected, count.frames - expected) > 0.5;
+    deviance += 2 * (log_likelihood(count, count.ratio()) - log_likelihood(count, fit.loss(i)));
   }
-  const auto fitted = arma::conv_to<std::vector<double>>::from(fit.loss);
-  const double deviance = 2 * (log_likelihood(counts, observed) - log_likelihood(counts, fitted));
-  const boost::math::chi_squared expected_deviance(std::max(1.0, freedom));
-  return cdf(complement(expected_deviance, std::max(0.0, deviance))) >= least_fit;
+  const boost::math::chi_squared by_chance(std::max(1.0, freedom));
+  return cdf(complement(by_chance, std::max(0.0, deviance))) >= least_fit;
 }
 
 /// Whether so many frames stand before the crossing that, were none of them lost, the level could

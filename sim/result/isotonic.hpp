@@ -15,12 +15,13 @@ struct LossCount {
 /// In the direction in which the loss rises; frames > 0.
 using LossCounts = std::vector<LossCount>;
 
-/// The ratios of greatest likelihood among those that never fall (Barlow, Bartholomew, Bremner &
-/// Brunk 1972, section 1.2: pool adjacent violators).
-std::vector<double> isotonic_ratios(const LossCounts& counts);
-
 /// Natural logarithm of the binomial likelihood, without its constant part.
-double log_likelihood(const LossCounts& counts, const std::vector<double>& ratios);
+double log_likelihood(const LossCount& count, double ratio);
+
+/// Of the first 0, 1, 2... points the greatest log-likelihood that ratios have which never fall and
+/// are at most `cap` (Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2: pool adjacent
+/// violators; cut off at the cap it is still the greatest).
+std::vector<double> isotonic_likelihoods(const LossCounts& counts, double cap);
 
 /// The points before `first` are below the level, those from `last` on are at or above it, for
 /// certain at the interval's confidence: first = 0 and last = size are the open ends.

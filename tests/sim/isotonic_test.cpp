@@ -7,23 +7,38 @@
 
 namespace {
 
-TEST(IsotonicRatios, PoolNeighboursThatFall) {
-  EXPECT_EQ(sim::isotonic_ratios({{10, 1}, {10, 2}, {10, 5}}),
-            (std::vector<double>{0.1, 0.2, 0.5}));
-  // The pool of the first two falls to the third, so all three are one.
-  EXPECT_EQ(sim::isotonic_ratios({{10, 4}, {30, 8}, {60, 3}, {10, 9}}),
-            (std::vector<double>{0.15, 0.15, 0.15, 0.9}));
-  // Here the pool of the last two falls behind the first.
-  EXPECT_EQ(sim::isotonic_ratios({{10, 2}, {10, 3}, {20, 1}}),
-            (std::vector<double>{0.15, 0.15, 0.15}));
-  EXPECT_TRUE(sim::isotonic_ratios({}).empty());
+TEST(LogLikelihood, IsTheBinomial) {
+  EXPECT_DOUBLE_EQ(sim::log_likelihood({10, 3}, 0.2), 3 * std::log(0.2) + 7 * std::log(0.8));
+  EXPECT_EQ(sim::log_likelihood({10, 0}, 0), 0);
+  EXPECT_EQ(sim::log_likelihood({5, 5}, 1), 0);
+  EXPECT_EQ(sim::log_likelihood({10, 1}, 0), -INFINITY);
 }
 
-TEST(LogLikelihood, IsTheBinomial) {
-  EXPECT_DOUBLE_EQ(sim::log_likelihood({{10, 3}, {5, 0}}, {0.2, 0.1}),
-                   3 * std::log(0.2) + 7 * std::log(0.8) + 5 * std::log(0.9));
-  EXPECT_EQ(sim::log_likelihood({{10, 0}, {5, 5}}, {0, 1}), 0);
-  EXPECT_EQ(sim::log_likelihood({{10, 1}}, {0}), -INFINITY);
+/// Of all counts at these ratios.
+double likelihood(const sim::LossCounts& counts, const std::vector<double>& ratios) {
+  double sum = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) sum += sim::log_likelihood(counts[i], ratios[i]);
+  return sum;
+}
+
+TEST(IsotonicLikelihoods, ArePooledWhereRatiosFall) {
+  const auto expect = [](const sim::LossCounts& counts, const std::vector<double>& ratios) {
+    EXPECT_DOUBLE_EQ(sim::isotonic_likelihoods(counts, 1).back(), likelihood(counts, ratios));
+  };
+  expect({{10, 1}, {10, 2}, {10, 5}}, {0.1, 0.2, 0.5});
+  expect({{10, 4}, {30, 8}, {60, 3}, {10, 9}}, {0.15, 0.15, 0.15, 0.9});
+  expect({{10, 2}, {10, 3}, {20, 1}}, {0.15, 0.15, 0.15});  // the last two fall behind the first
+  expect({}, {});
+}
+
+TEST(IsotonicLikelihoods, AreOfEachBeginningAndEndAtTheCap) {
+  const sim::LossCounts counts{{10, 4}, {30, 8}, {60, 3}, {10, 9}};
+  const std::vector<double> likelihoods = sim::isotonic_likelihoods(counts, 0.5);
+  ASSERT_EQ(likelihoods.size(), 5U);
+  EXPECT_EQ(likelihoods[0], 0);
+  EXPECT_DOUBLE_EQ(likelihoods[1], likelihood({counts[0]}, {0.4}));
+  EXPECT_DOUBLE_EQ(likelihoods[2], likelihood({counts[0], counts[1]}, {0.3, 0.3}));
+  EXPECT_DOUBLE_EQ(likelihoods[4], likelihood(counts, {0.15, 0.15, 0.15, 0.5}));
 }
 
 // 0.99^367 is just above the 2.5 % of an end, 0.99^368 below.
