@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace sim {
 namespace {
@@ -37,8 +36,9 @@ class Pools {
 /// From the other end, where what was received only rises.
 LossCounts mirrored(const LossCounts& counts) {
   LossCounts received;
-  for (const LossCount& each : std::views::reverse(counts))
+  for (const LossCount& each : counts)
     received.push_back({each.frames, each.frames - each.lost});
+  std::ranges::reverse(received);
   return received;
 }
 
