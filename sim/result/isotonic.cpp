@@ -36,8 +36,7 @@ class Pools {
 /// From the other end, where what was received only rises.
 LossCounts mirrored(const LossCounts& counts) {
   LossCounts received;
-  for (const LossCount& each : counts)
-    received.push_back({each.frames, each.frames - each.lost});
+  for (const LossCount& each : counts) received.push_back({each.frames, each.frames - each.lost});
   std::ranges::reverse(received);
   return received;
 }
