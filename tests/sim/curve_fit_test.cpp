@@ -173,7 +173,7 @@ double shoulder(double x) {
 // The steep end would draw a logit curve behind the shoulder, the more surely wrong the fewer
 // frames there are to contradict it.
 TEST(Crossing, IntervalCoversTheTruthOfAShoulder) {
-  for (const std::uint64_t frames : {8, 24, 60, 120, 400, 2000}) {
+  for (const std::uint64_t frames : {8U, 24U, 60U, 120U, 400U, 2000U}) {
     int covered = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
       const auto c = sim::frame_loss_crossing(drawn(shoulder_ranges, shoulder, seed, frames));
