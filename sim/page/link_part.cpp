@@ -85,8 +85,7 @@ void add_maps(ReportPart& part, const ExperimentResult& result) {
     part.sections.push_back(map_section("frame-loss-map", map));
 }
 
-void add_ranking(ReportPart& part, const ExperimentResult& result) {
-  const Ranking ranking = rank(result);
+void add_ranking(ReportPart& part, const ExperimentResult& result, const Ranking& ranking) {
   part.reaches = reaches_of(result, ranking);
   if (ranking.rows.size() > 1) part.first.push_back(reach_section(result, ranking));
 }
@@ -142,8 +141,9 @@ ReportPart link_part(const LinkReport& link) {
       setup_words(link.settings) + verdict_of(result, link.omissions) + marked_points(result)};
   part.settings = link.settings;
   part.scenario = scenario_section(result.command, result.scenario_toml);
-  add_ranking(part, result);
-  const ExperimentResult drawn = best_first(result);
+  const Ranking ranking = rank(result);
+  add_ranking(part, result, ranking);
+  const ExperimentResult drawn = best_first(result, ranking);
   part.charts = result_charts(drawn);
   add_maps(part, drawn);
   part.sections.push_back(fates_section(result));

@@ -66,6 +66,9 @@ nlohmann::ordered_json json_crossing(const ExperimentResult& result, const Ranki
   json["at"] = c.kind == Kind::fitted ? nlohmann::ordered_json(c.at) : nullptr;
   json["low"] = at_one_place ? end_of(c.low) : nullptr;
   json["high"] = at_one_place ? end_of(c.high) : nullptr;
+  const bool has_bound =
+      c.kind == Kind::jump || c.kind == Kind::all_below || c.kind == Kind::all_above;
+  json["not_ruled_out"] = has_bound ? nlohmann::ordered_json(c.bound) : nullptr;
   return json;
 }
 

@@ -13,10 +13,13 @@ namespace {
 
 using Kind = Crossing::Kind;
 
-/// ", though 3.8 % cannot be ruled out": what the frames do not tell.
-std::string doubt(const Crossing& c, double level) {
+/// ", though 3.8 % cannot be ruled out": what the frames do not tell; of a jump with its place.
+std::string doubt(const Axis& axis, const Crossing& c, double level) {
   const bool doubtful = c.kind == Kind::all_above ? c.bound < level : c.bound > level;
-  return doubtful ? fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100) : "";
+  if (!doubtful) return "";
+  const std::string text = fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100);
+  if (c.kind != Kind::jump) return text;
+  return text + " at " + with_unit(fmt::format("{:g}", c.bound_at), axis.unit);
 }
 
 std::string span_text(const Crossing& c) {
@@ -53,17 +56,17 @@ std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
     case Kind::fitted:
       return with_unit(fitted_text(c), axis.unit);
     case Kind::jump:
-      return "between " + gap + (doubt(c, level).empty() ? "" : doubt(c, level) + " before");
+      return "between " + gap + doubt(axis, c, level);
     case Kind::bracketed:
       if (!open_side(c).empty())
         return open_side(c) + " " + with_unit(only_end(c), axis.unit) + too_few(c);
       return "between " + gap;
     case Kind::all_below:
       return fmt::format("beyond the sweep: at most {:g} % lost in {}", percent, range) +
-             doubt(c, level);
+             doubt(axis, c, level);
     case Kind::all_above:
       return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range) +
-             doubt(c, level);
+             doubt(axis, c, level);
     case Kind::not_monotone:
       return "loss rises and falls: no single value, see the table";
     case Kind::unclear:
@@ -79,8 +82,7 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
     case Kind::jump:
-      return crosses + "between " + range + " (no point lies between" +
-             (doubt(c, level).empty() ? "" : doubt(c, level) + " before them") + ")";
+      return crosses + "between " + range + " (no point lies between" + doubt(axis, c, level) + ")";
     case Kind::bracketed:
       if (!open_side(c).empty())
         return crosses + open_side(c) + " " + quantity(axis, only_end(c)) + too_few(c);
@@ -90,10 +92,11 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
                          axis.key, level * 100);
     case Kind::all_below:
       return fmt::format("frame loss {} at most {:g} % over ",
-                         doubt(c, level).empty() ? "stays" : "is seen to stay", level * 100) +
-             range + doubt(c, level);
+                         doubt(axis, c, level).empty() ? "stays" : "is seen to stay", level * 100) +
+             range + doubt(axis, c, level);
     case Kind::all_above:
-      return fmt::format("frame loss is above {:g} % over ", level * 100) + range + doubt(c, level);
+      return fmt::format("frame loss is above {:g} % over ", level * 100) + range +
+             doubt(axis, c, level);
     case Kind::unclear:
       break;
   }

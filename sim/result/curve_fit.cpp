@@ -106,16 +106,16 @@ std::pair<const Observation&, const Observation&> step_of(const Observations& al
           all[std::min(last_good + 1, all.size() - 1)]};
 }
 
-double middle_of_step(const Observations& all, double level) {
-  const auto [before, behind] = step_of(all, level);
-  return (before.x + behind.x) / 2;
+double middle_of(const std::pair<const Observation&, const Observation&>& step) {
+  return (step.first.x + step.second.x) / 2;
 }
 
 Crossing jump(const Observations& all, double level, double ci_level) {
-  const auto [before, behind] = step_of(all, level);
+  const auto step = step_of(all, level);
+  const auto& [before, behind] = step;
   const auto [low, high] = std::minmax(before.x, behind.x);
   const double bound = clopper_pearson(before.count.lost, before.count.frames, ci_level).high;
-  return {Kind::jump, middle_of_step(all, level), low, high, bound};
+  return {Kind::jump, middle_of(step), low, high, bound, before.x};
 }
 
 /// Of a loss that was seen to pass the level for certain.
@@ -128,7 +128,7 @@ Crossing bracket(const Observations& all, double level, double ci_level) {
   if (cuts.first > 0) before = all[cuts.first - 1].x;
   if (cuts.last < all.size()) behind = all[cuts.last].x;
   const auto [low, high] = std::minmax(before, behind);
-  return {Kind::bracketed, middle_of_step(all, level), low, high};
+  return {Kind::bracketed, middle_of(step_of(all, level)), low, high};
 }
 
 struct Fit {
@@ -186,13 +186,13 @@ bool fits(const Fit& fit, const Observations& all) {
   return cdf(complement(by_chance, std::max(0.0, deviance))) >= least_fit;
 }
 
-/// Whether so many frames stand before the crossing that, were none of them lost, the level could
-/// be ruled out: with fewer its place would be guessed from far greater losses.
-bool looked_for(const Observations& all, double at, double level, double ci_level) {
-  const bool upward = all.front().x < all.back().x;
+/// Whether so many frames are shortly before the crossing, where the fit expects a tenth of the
+/// level or more, that they would rule the level out if none of them were lost: with fewer its
+/// place would be guessed from far greater losses.
+bool looked_for(const Fit& fit, const Observations& all, double level, double ci_level) {
   double frames = 0;
-  for (const Observation& o : all)
-    if ((o.x < at) == upward) frames += o.count.frames;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (level / 10 <= fit.loss(i) && fit.loss(i) < level) frames += all[i].count.frames;
   return frames >= std::log((1 - ci_level) / 2) / std::log1p(-level);
 }
 
@@ -211,12 +211,11 @@ Crossing crossing_of(const Fit& fit, double level, double ci_level) {
 Crossing fitted_crossing(const Observations& all, double level, double ci_level) {
   const bool logarithmic = std::ranges::all_of(all, [](const auto& o) { return o.x > 0; });
   const std::optional<Fit> fit = fit_logit(all, logarithmic);
-  if (!fit || !fits(*fit, all)) return {};
+  if (!fit || !fits(*fit, all) || !looked_for(*fit, all, level, ci_level)) return {};
   Crossing c = crossing_of(*fit, level, ci_level);
   if (logarithmic) c = {c.kind, std::exp(c.at), std::exp(c.low), std::exp(c.high)};
   const auto [first, last] = std::minmax(all.front().x, all.back().x);
-  const bool inside = first <= c.at && c.at <= last;
-  return inside && looked_for(all, c.at, level, ci_level) ? c : Crossing{};
+  return first <= c.at && c.at <= last ? c : Crossing{};
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ struct Crossing {
   /// `at` is the middle of the step that was seen, where nothing is fitted.
   double at = 0, low = 0, high = 0;
   /// Of all_below the largest upper end of the points' intervals, of all_above the least lower end;
-  /// of a jump the upper end at the last point before it.
-  double bound = 0;
+  /// of a jump the upper end at the last point before it, which is at `bound_at`.
+  double bound = 0, bound_at = 0;
 };
 
 /// For an experiment with exactly one axis; points never reached are left out. Intervals are those

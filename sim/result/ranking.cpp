@@ -218,13 +218,13 @@ Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   return ranking;
 }
 
-ExperimentResult best_first(const ExperimentResult& result) {
-  const Ranking ranking = rank(result);
+ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranking) {
   if (!ranking.best_first || ranking.others.size() != 1) return result;
   const std::size_t named = ranking.others.front();
   const Axis& axis = result.axes[named];
-  if (ranking.rows.size() != axis.values.size()) return result;  // some were not reached
-  std::vector<std::size_t> from;                                 // which value stands at each place
+  const bool are_all_ranked = ranking.rows.size() == axis.values.size();
+  if (!are_all_ranked) return result;
+  std::vector<std::size_t> from;  // which value stands at each place
   for (const RowCrossing& row : ranking.rows)
     from.push_back(static_cast<std::size_t>(row.others.front()));
   std::size_t stride = 1;  // from a value's points to the next value's

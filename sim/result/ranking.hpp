@@ -48,9 +48,9 @@ std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named 
 /// Empty for weighted results.
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question = {});
 
-/// The same result with the values of its one axis of texts in the order of the ranking, where that
-/// goes best first and all other axes are that of the loss; else as it is.
-ExperimentResult best_first(const ExperimentResult& result);
+/// The same result with the values of its axis of texts in the order of its ranking, where that
+/// goes best first and there is no axis but these texts and that of the loss; else as it is.
+ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranking);
 
 /// The ranking in words, one line a row; empty where there is nothing to say.
 std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking);

@@ -17,11 +17,11 @@ TEST(CrossingSentence, SaysEachOutcome) {
             "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m");
   EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
             "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}),
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies between)");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies "
-            "between, though 1.8 % cannot be ruled out before them)");
+            "between, though 1.8 % cannot be ruled out at 7 m)");
   EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m");
   EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
@@ -47,9 +47,9 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
   const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
   EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003}), "between 7 and 8 m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018}),
-            "between 7 and 8 m, though 1.8 % cannot be ruled out before");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}), "between 7 and 8 m");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
+            "between 7 and 8 m, though 1.8 % cannot be ruled out at 7 m");
   EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "between 7 and 8 m");
   EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
             "below 8 m: too few frames to tell how far below");

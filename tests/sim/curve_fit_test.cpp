@@ -50,19 +50,21 @@ double loss_over_range(double x) { return logistic(12 * std::log(x / 10)); }
 
 TEST(Crossing, IntervalCoversTheTruth) {
   const double truth = 10 * std::exp(std::log(0.01 / 0.99) / 12);
-  int covered = 0, fitted = 0;
+  int covered = 0, fitted = 0, covered_by_fit = 0;
   double mean = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
     const auto c = sim::frame_loss_crossing(drawn(ranges, loss_over_range, seed));
+    const bool covers = c.low <= truth && truth <= c.high;
+    covered += covers;
     if (c.kind != Kind::fitted) continue;  // one of twenty is taken for misfit
     ++fitted;
-    covered += c.low <= truth && truth <= c.high;
+    covered_by_fit += covers;
     mean += c.at;
   }
+  EXPECT_GE(covered, 370);  // 380 expected of 400, standard deviation 4.4
   EXPECT_GE(fitted, 360);
   EXPECT_NEAR(mean / fitted, truth, 0.02);
-  EXPECT_GE(covered, 0.925 * fitted);  // 95 % expected, standard deviation 1.1 %
-  EXPECT_LE(covered, 0.9875 * fitted);
+  EXPECT_LE(covered_by_fit, 0.9875 * fitted);
 }
 
 TEST(Crossing, FindsAnyLevel) {
@@ -94,12 +96,14 @@ TEST(Crossing, BracketsAJump) {
     const auto c = sim::frame_loss_crossing(sweep({1, 2, 3, 4}, {0, 0, between, 1000}));
     EXPECT_EQ(c.kind, Kind::jump);
     EXPECT_EQ(c.at, 2.5);
+    EXPECT_EQ(c.bound_at, 2);
     EXPECT_NEAR(c.bound, 0.0037, 1e-4);  // Clopper-Pearson's upper end of 0 in 1000
     EXPECT_EQ(c.low, 2);
     EXPECT_EQ(c.high, 3);
   }
   const auto falling = sim::frame_loss_crossing(sweep({1, 2, 3, 4}, {1000, 1000, 0, 0}));
   EXPECT_EQ(falling.kind, Kind::jump);
+  EXPECT_EQ(falling.bound_at, 3);
   EXPECT_EQ(falling.low, 2);
   EXPECT_EQ(falling.high, 3);
 }
@@ -183,6 +187,25 @@ TEST(Crossing, IntervalCoversTheTruthOfAShoulder) {
   }
 }
 
+// TSSP4056 of scenarios/quickstart.toml at the end of its reach, ratios of 6000 frames a point. Its
+// lower tail is heavier than a logistic curve's, which 100 frames a point do not contradict.
+TEST(Crossing, IntervalCoversTheTruthOfAHeavyTail) {
+  const std::vector<double> at{11.9, 12, 12.1, 12.2, 12.3, 12.4, 12.5, 12.6};
+  const std::vector<double> losses{1e-6, 1e-5, 3e-4, 0.0077, 0.0728, 0.4552, 0.9742, 1};
+  const auto loss = [&](double x) {
+    return losses[static_cast<std::size_t>(std::ranges::find(at, x) - at.begin())];
+  };
+  constexpr double truth = 12.215;  // 12.214 [12.208, 12.220] of 8000 frames a point about it
+  for (const std::uint64_t frames : {60U, 100U, 200U, 400U, 2000U}) {
+    int covered = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      const auto c = sim::frame_loss_crossing(drawn(at, loss, seed, frames));
+      covered += c.low <= truth && truth <= c.high;
+    }
+    EXPECT_GE(covered, 187) << frames;
+  }
+}
+
 // Of the three points a logistic curve has one degree of freedom left. The deviance of 110 is 5.2
 // (p = 0.02), that of 90 is 1.8 (p = 0.17).
 TEST(Crossing, IsFittedWhereTheCurveFits) {
@@ -192,7 +215,7 @@ TEST(Crossing, IsFittedWhereTheCurveFits) {
   EXPECT_EQ(sim::frame_loss_crossing(with_far_ones).kind, Kind::bracketed);
 }
 
-// As many frames before it as rule the level out if none of them is lost: 368 for 1 %.
+// As many frames shortly before it as rule the level out if none of them is lost: 368 for 1 %.
 TEST(Crossing, IsNotFittedWhereFramesAreTooFew) {
   const std::vector<double> at{5, 6, 7, 8, 9, 10, 11};
   const auto few = sim::frame_loss_crossing(sweep(at, {0, 0, 1, 5, 18, 40, 61}, 80));

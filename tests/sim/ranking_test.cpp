@@ -96,7 +96,7 @@ TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
   Losses reversed = losses;
   for (auto& row : reversed) std::ranges::reverse(row);
   const auto check = [](const sim::ExperimentResult& result, std::size_t text, std::size_t number) {
-    const sim::ExperimentResult sorted = sim::best_first(result);
+    const sim::ExperimentResult sorted = sim::best_first(result, sim::rank(result));
     EXPECT_EQ(sorted.axes[text].labels,
               (std::vector<std::string>{"far", "jump", "fitted-part", "short", "odd", "dead"}));
     ASSERT_EQ(sorted.points.size(), result.points.size());
@@ -117,9 +117,12 @@ TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
 }
 
 TEST(BestFirst, LeavesOthersAsTheyAre) {
+  auto weighted = grid(modules(names), range, losses);
+  for (sim::PointResult& p : weighted.points) p.tally.weighted.n_groups = 1;
+  EXPECT_EQ(sim::best_first(weighted, sim::rank(weighted)).axes[0].labels, names);
   const sim::Axis current{"led.current_ma", "mA", "current", {10, 20, 50, 100, 200, 300}};
   const auto numbers = grid(current, range, losses);
-  EXPECT_EQ(sim::best_first(numbers).axes[0].values, numbers.axes[0].values);
+  EXPECT_EQ(sim::best_first(numbers, sim::rank(numbers)).axes[0].values, numbers.axes[0].values);
 }
 
 TEST(Ranking, TextsMayBeTheLastAxis) {

@@ -106,17 +106,17 @@ TEST_F(ReportCommand, SaysWhoseAPictureIsThatOneResultAloneHas) {
 TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
   run("many", "receiver.module = [\"TSOP4856\", \"TSSP4056\"]\nreceiver.range_m = [1, 5, 40]");
   const std::string page = report({"many.h5"});
-  const std::string doubt = "m, though 21 % cannot be ruled out before";
+  const std::string doubt = "m, though 21 % cannot be ruled out at ";
   EXPECT_NE(page.find("<p>Frame loss passes 1 % along receiver.range_m at: receiver.module = "
                       "TSSP4056: between 5 and 40 " +
-                      doubt + "; receiver.module = TSOP4856: between 1 and 5 " + doubt +
-                      ".</p>\n<p>One point is looked at closer: at receiver.module = TSSP4056, "
+                      doubt + "5 m; receiver.module = TSOP4856: between 1 and 5 " + doubt +
+                      "1 m.</p>\n<p>One point is looked at closer: at receiver.module = TSSP4056, "
                       "receiver.range_m = 40 m, "),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>1</td><td>TSSP4056</td><td>between 5 and 40 " + doubt +
-                      "</td></tr>\n"
+                      "5 m</td></tr>\n"
                       "<tr><td>2</td><td>TSOP4856</td><td>between 1 and 5 " +
-                      doubt + "</td></tr>"),
+                      doubt + "1 m</td></tr>"),
             std::string::npos);
   EXPECT_NE(page.find("<th scope=\"col\">receiver.range_m at which frame loss passes 1 %</th>"),
             std::string::npos);

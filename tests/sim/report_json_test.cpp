@@ -62,7 +62,12 @@ TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
      "kind": "all_below", "at": null, "low": null, "high": null},
     {"receiver.module": "TSOP4856", "along": "receiver.range_m", "flr": 0.01,
      "kind": "jump", "at": null, "low": 1.0, "high": 2.0}])");
-  EXPECT_EQ(json["crossings"], expected);
+  auto crossings = json["crossings"];
+  for (auto& crossing : crossings) {
+    EXPECT_NEAR(crossing["not_ruled_out"].get<double>(), 0.0037, 1e-4) << "0 of 1000";
+    crossing.erase("not_ruled_out");
+  }
+  EXPECT_EQ(crossings, expected);
 }
 
 TEST(Json, TextsCountInTheDigest) {
