@@ -55,11 +55,22 @@ std::string causes_of(const Dataset& data) {
   return text.empty() ? text : text + ".\n";
 }
 
+/// How soon any device is heard; points where none ever is have no time.
+std::string first_of_any(const Dataset& data) {
+  const DatasetCells time(data, "total_latency_mean_s");
+  std::size_t unheard = 0;
+  for (const std::size_t point : measured_points(data))
+    unheard += point < time.size() && std::isnan(time[point]);
+  return extremes(data, "total_latency_mean_s", "The mean time until the first message is heard",
+                  " s") +
+         (unheard > 0 ? fmt::format("At {} of {} points none is ever heard.\n", unheard,
+                                    measured_points(data).size())
+                      : "");
+}
+
 /// Of a single point how soon each device is heard, the soonest first; of a sweep how soon any is.
 std::string first_heard(const Dataset& data) {
-  if (!data.axes.empty())
-    return extremes(data, "total_latency_mean_s", "The mean time until a message is delivered",
-                    " s");
+  if (!data.axes.empty()) return first_of_any(data);
   constexpr std::size_t most = 8;
   const DatasetCells time(data, "latency_mean_s"), runs(data, "n_runs_heard");
   const Dataset::Dimension& devices = dimension_named(data, "device");

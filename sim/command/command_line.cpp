@@ -109,10 +109,13 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
 }
 
 /// "help" and "help run" stand for "--help" and "run --help". Last word first, as CLI11 takes them.
-std::vector<std::string> words_of(int argc, char** argv) {
+std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
+    const std::vector<std::string> commands = names_of(app.get_subcommands({}));
+    if (!words.empty() && std::ranges::find(commands, words.front()) == commands.end())
+      throw not_known(app, words.front());
     words.emplace_back("--help");
   }
   std::ranges::reverse(words);
@@ -144,7 +147,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_check(app, requests.check);
   add_compare(app, requests.compare);
   try {
-    app.parse(words_of(argc, argv));
+    app.parse(words_of(app, argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
     throw wrong_usage(app, e);

@@ -152,7 +152,7 @@ ReportPart presence_part(const std::string& name, const StoredDataset& stored) {
               {{"n_trials", "windows"},
                {"irradiance_mw_per_m2", "irradiance [mW/m2]"},
                {"photocurrent_na", "photocurrent [nA]"},
-               {"signal", "signal [noise]"},
+               {"signal", "statistic of the light [noise]"},
                {"noise_in_steps", "noise [steps of the ADC]"},
                {"clipped", "samples clipped"}});
   return part;

@@ -217,7 +217,8 @@ std::vector<Omission> limits_of(const Omissions& omissions) {
 
 std::string half_loss_text(const HalfLoss& half) {
   const char* const sides[] = {"", "beyond ", "short of "};
-  return fmt::format("{}{:.3g}", sides[static_cast<std::size_t>(half.kind)], half.at);
+  const double two_digits = std::stod(fmt::format("{:.1e}", half.at));
+  return fmt::format("{}{:g}", sides[static_cast<std::size_t>(half.kind)], two_digits);
 }
 
 }  // namespace sim

@@ -42,7 +42,7 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
 /// first, as far as that is known.
 std::vector<Omission> limits_of(const Omissions& omissions);
 
-/// "21", "beyond 64", "short of 0.1"
+/// "21", "beyond 64", "short of 0.1": a third digit is more than some tens of frames tell.
 std::string half_loss_text(const HalfLoss& half);
 
 }  // namespace sim

@@ -12,23 +12,32 @@ namespace sim {
 namespace {
 
 constexpr std::array kinds{
-    ExperimentKind{"link", {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
-    ExperimentKind{"arena", {"path.", "arena.", "devices."}, true, "arena.runs"},
-    ExperimentKind{"guard", {"path.", "arena.", "devices.", "guard."}, true, "arena.runs"},
-    ExperimentKind{"sharedlink",
-                   {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                    "device.clock_error_ppm", "device.carrier_error_ppm"},
-                   true,
-                   "exchange.runs"},
-    ExperimentKind{"presence",
-                   {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
-                    "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                    "receiver.temperature_c", "ambient.", "noise."},
-                   false,
-                   "presence.trials"},
-    ExperimentKind{"location", {"location."}, false, "location.trials"},
+    ExperimentKind{.name = "link",
+                   .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
     ExperimentKind{
-        "listening", {"listening.", "device.", "receiver.", "led.yaw_deg"}, true, "listening.runs"},
+        .name = "arena", .tables = {"path.", "arena.", "devices."}, .amount = "arena.runs"},
+    ExperimentKind{.name = "guard",
+                   .tables = {"path.", "arena.", "devices.", "guard."},
+                   .amount = "arena.runs"},
+    ExperimentKind{
+        .name = "sharedlink",
+        .tables = {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                   "device.clock_error_ppm", "device.carrier_error_ppm"},
+        .amount = "exchange.runs"},
+    ExperimentKind{
+        .name = "presence",
+        .tables = {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
+                   "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
+                   "receiver.temperature_c", "ambient.", "noise."},
+        .has_modules = false,
+        .amount = "presence.trials"},
+    ExperimentKind{.name = "location",
+                   .tables = {"location."},
+                   .has_modules = false,
+                   .amount = "location.trials"},
+    ExperimentKind{.name = "listening",
+                   .tables = {"listening.", "device.", "receiver.", "led.yaw_deg"},
+                   .amount = "listening.runs"},
 };
 
 /// Of every experiment.

@@ -44,6 +44,15 @@ TEST(FrameFates, AFarDeviceIsOutOfReach) {
   EXPECT_GT(tally.airtime_us, 0u);
 }
 
+// Noise lifts light that is a little less than the module hears: what it delivers was in reach.
+TEST(FrameFates, WhatIsDeliveredFromBelowReachWasInReach) {
+  const SenderTally tally = tally_of(device("a", "12.4"));
+  ASSERT_GT(tally[FrameFate::out_of_reach], 0u);
+  ASSERT_GT(tally[FrameFate::delivered], 0u);
+  EXPECT_EQ(tally.n_in_reach, tally.sent() - tally[FrameFate::out_of_reach]);
+  EXPECT_GE(tally.airtime_in_reach_us, tally.airtime_delivered_us);
+}
+
 // README: a TSOP4856 hears a device to 2.2 m, where its slow AGC ends the link; at 1 m it does not.
 TEST(FrameFates, ASlowAgcKillsFromTwoMetresOn) {
   const std::string pauses = "interval_min_ms = 600\ninterval_max_ms = 1200";

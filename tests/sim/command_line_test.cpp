@@ -29,6 +29,7 @@ TEST_F(CommandLine, RefusesWhatItCannotRead) {
       {"run", "r.h5"}, bad_input,
       "r.h5 (it is an HDF5 file, not a scenario) give the .toml; with --resume it goes on "
       "with its result");
+  expect_refused({"help", "rnu"}, bad_input, "rnu (no such command) did you mean run?");
   expect_refused({"rnu"}, bad_input, "rnu (no such command) did you mean run?");
   expect_refused({"run"}, bad_input, "SCENARIO is required (wrong usage) see cosys-sim run --help");
   expect_refused({"run", "s.toml", "--thread", "2"}, bad_input,

@@ -42,7 +42,9 @@ TEST_F(ExperimentReport, OfASweptArenaHasAMapOfEachPoint) {
   const auto near = static_cast<std::size_t>(names[0] == "near" ? 0 : 1);
   ASSERT_NE(cell(counted, "n_delivered", 0, near), cell(counted, "n_delivered", 1, near));
   const std::string page = report({"a.h5", "--svg", "p"});
-  expect_has(page, "<p>The mean time until a message is delivered is ");
+  expect_has(page, "<p>The mean time until the first message is heard is ");
+  ASSERT_EQ(cell(counted, "n_delivered", 1, near), 0);
+  expect_has(page, "<p>At 1 of 2 points none is ever heard.</p>");
   const char* const maps[] = {"p/map.svg", "p/map-2.svg"};
   const char* const places[] = {"1.5", "30"};
   for (std::size_t point = 0; point < 2; ++point) {

@@ -131,20 +131,20 @@ TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
   Omissions omissions{
       "", {omission("", 90), omission("noise", 89), omission("the lamp", 3), omission("gain", 5)}};
   omissions.along = result.axes[0];
-  omissions.omissions[0].half = HalfLoss{HalfLoss::Kind::between, 1.83};
+  omissions.omissions[0].half = HalfLoss{HalfLoss::Kind::between, 183.4};
   omissions.omissions[1].half = HalfLoss{HalfLoss::Kind::between, 1.9};
-  omissions.omissions[2].half = HalfLoss{HalfLoss::Kind::between, 2.913};
+  omissions.omissions[2].half = HalfLoss{HalfLoss::Kind::between, 291.3};
   omissions.omissions[3].half = HalfLoss{HalfLoss::Kind::not_yet, 64};
   EXPECT_EQ(limit_names(omissions), (std::vector<std::string>{"gain", "the lamp"}))
       << "what carries farthest comes first";
   EXPECT_NE(verdict_of(result, omissions)
                 .find("of 100 frames sent again 90 are lost, 5 without gain, 3 without the lamp.\n"
-                      "Half of the frames are lost at about receiver.range_m = 1.83 m as it is, "
-                      "beyond 64 m without gain, 2.91 m without the lamp.\n"),
+                      "Half of the frames are lost at about receiver.range_m = 180 m as it is, "
+                      "beyond 64 m without gain, 290 m without the lamp.\n"),
             std::string::npos)
       << verdict_of(result, omissions);
   omissions.omissions[2].half.reset();
-  EXPECT_NE(verdict_of(result, omissions).find("= 1.83 m as it is, beyond 64 m without gain.\n"),
+  EXPECT_NE(verdict_of(result, omissions).find("= 180 m as it is, beyond 64 m without gain.\n"),
             std::string::npos)
       << verdict_of(result, omissions);
   const ReportPart part = link_part({"file", result, omissions});
