@@ -17,9 +17,9 @@ using Kind = Crossing::Kind;
 std::string doubt(const Axis& axis, const Crossing& c, double level) {
   const bool doubtful = c.kind == Kind::all_above ? c.bound < level : c.bound > level;
   if (!doubtful) return "";
-  const std::string text = fmt::format(", though {:.2g} % cannot be ruled out", c.bound * 100);
-  if (c.kind != Kind::jump) return text;
-  return text + " at " + with_unit(fmt::format("{:g}", c.bound_at), axis.unit);
+  const std::string at = with_unit(fmt::format("{:g}", c.bound_at), axis.unit);
+  return fmt::format(", though {:.2g} % cannot be ruled out{}", c.bound * 100,
+                     c.kind == Kind::jump ? " at " + at : "");
 }
 
 std::string span_text(const Crossing& c) {
