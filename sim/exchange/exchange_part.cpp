@@ -38,7 +38,7 @@ std::vector<CurveSpan> half_lost_spans(const std::vector<ChartCurve>& curves) {
 }
 
 /// Where all curves have the same stretch it is said once.
-std::string half_lost(const Chart& chart) {
+std::string half_lost(const Chart& chart, const Axis& x) {
   std::vector<CurveSpan> spans = half_lost_spans(chart.curves);
   if (spans.empty()) return "At no point that was measured is half of the messages lost.\n";
   const bool are_alike = std::ranges::all_of(spans, [&](const CurveSpan& span) {
@@ -49,7 +49,7 @@ std::string half_lost(const Chart& chart) {
     spans.front().curve.clear();
   }
   std::vector<std::string> where;
-  for (const CurveSpan& span : spans) where.push_back(in_words(span, chart.x));
+  for (const CurveSpan& span : spans) where.push_back(in_words(span, x));
   return fmt::format("Half of a node's messages or more are lost at {}.\n",
                      fmt::join(where, "; at "));
 }
@@ -178,7 +178,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
   const std::optional<Chart> age = swept_chart(
       data,
       {.name = "age_mean_s", .title = "Age of values at the other node", .label = "mean age [s]"});
-  if (loss) part.verdict += half_lost(*loss);
+  if (loss) part.verdict += half_lost(*loss, *widest_axis(data));
   if (loss && age) part.verdict += freshness(*loss, *age);
   add_chart(part, loss);
   add_chart(part, age);

@@ -51,7 +51,7 @@ std::optional<CurveSpan> narrowest_other(const std::vector<CurveSpan>& spans,
 }
 
 /// The widest of the curves, and how that of the others is less.
-std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxis& x) {
+std::string detected_where(const std::vector<ChartCurve>& curves, const Axis& x) {
   std::vector<CurveSpan> spans;
   for (const ChartCurve& curve : curves)
     if (const auto span = longest_span(curve, surely)) spans.push_back(*span);
@@ -64,9 +64,10 @@ std::string detected_where(const std::vector<ChartCurve>& curves, const ChartAxi
   std::string text = fmt::format("the device is noticed in 90 % of the windows or more at {}",
                                  in_words(widest, x));
   if (is_for_all && spans.size() > 1)
-    text += spans.size() == 2 ? ", by both" : fmt::format(", by all {}", spans.size());
+    text += spans.size() == 2 ? ", in both cases" : fmt::format(", in all {} cases", spans.size());
   else if (spans.size() < curves.size())
-    text += fmt::format(", but nowhere by {} of {}", curves.size() - spans.size(), curves.size());
+    text +=
+        fmt::format(", but nowhere in {} of {} cases", curves.size() - spans.size(), curves.size());
   else if (other)
     text += fmt::format(", but {}at {}", other->length() < widest.length() ? "only " : "",
                         in_words(*other, x));
@@ -106,8 +107,9 @@ std::string detection_words(const Dataset& data, const std::optional<Chart>& swe
   const std::optional<std::size_t> alarm = strictest_alarm(alarms);
   if (!alarm) return "";
   const std::string false_alarm = "false_alarm = " + value_text(alarms, *alarm);
-  const std::string detected = swept ? detected_where(strictest(*swept, false_alarm), swept->x)
-                                     : detected_shares(data, *alarm, alarms.size());
+  const std::string detected =
+      swept ? detected_where(strictest(*swept, false_alarm), *widest_axis(data))
+            : detected_shares(data, *alarm, alarms.size());
   return detected.empty() ? "" : fmt::format("With {} {}", false_alarm, detected);
 }
 

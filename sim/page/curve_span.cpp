@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/place_text.hpp"
+#include "sim/text/unit_text.hpp"
+
 namespace sim {
 
 std::optional<CurveSpan> longest_span(const ChartCurve& curve, double least) {
@@ -20,14 +23,14 @@ std::optional<CurveSpan> longest_span(const ChartCurve& curve, double least) {
   return longest;
 }
 
-std::string in_words(const CurveSpan& span, const ChartAxis& x) {
+std::string in_words(const CurveSpan& span, const Axis& x) {
   const std::string of = span.curve.empty() ? "" : " (" + span.curve + ")";
   const char* const begins = span.is_at_first ? ", where the sweep begins" : "";
   const char* const ends = span.is_at_last ? ", where the sweep ends" : "";
-  if (span.from == span.to)
-    return fmt::format("{} {:g}{}{}{}", x.label, span.from, begins, ends, of);
-  return fmt::format("{} from {:g}{}{} to {:g}{}{}", x.label, span.from, begins,
-                     span.is_at_first ? "," : "", span.to, ends, of);
+  if (span.from == span.to) return quantity(x, fmt::format("{:g}", span.from)) + begins + ends + of;
+  return fmt::format("{} from {:g}{}{} to {}{}{}", x.key, span.from, begins,
+                     span.is_at_first ? "," : "", with_unit(fmt::format("{:g}", span.to), x.unit),
+                     ends, of);
 }
 
 }  // namespace sim

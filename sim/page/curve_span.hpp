@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/picture/chart.hpp"
+#include "sim/scenario/axis.hpp"
 
 namespace sim {
 
@@ -19,7 +20,7 @@ struct CurveSpan {
 /// The longest stretch at which a curve, whose points are in order, is at `least` or more.
 std::optional<CurveSpan> longest_span(const ChartCurve& curve, double least);
 
-/// "receiver.range_m [m] from 2 to 13, where the sweep ends (base)"
-std::string in_words(const CurveSpan& span, const ChartAxis& x);
+/// "receiver.range_m from 2 to 13 m, where the sweep ends (base)"
+std::string in_words(const CurveSpan& span, const Axis& x);
 
 }  // namespace sim

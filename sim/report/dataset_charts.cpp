@@ -86,6 +86,11 @@ Chart empty_chart(const DrawnVariable& drawn, const ChartAxis& x) {
 
 }  // namespace
 
+const Axis* widest_axis(const Dataset& data) {
+  const std::vector<std::size_t> widest = widest_axes(data.axes);
+  return widest.empty() ? nullptr : &data.axes[widest.front()];
+}
+
 std::optional<Chart> swept_chart(const Dataset& data, const DrawnVariable& drawn) {
   const Dataset::Variable* variable = find_variable(data, drawn.name);
   const std::vector<std::size_t> widest = widest_axes(data.axes);

@@ -18,8 +18,11 @@ struct DrawnVariable {
   std::string theory{};  // a variable of the same shape, drawn dashed; empty: none
 };
 
-/// A curve for each combination of the other axes' values and of the variable's dimensions. Nothing
-/// where no number was swept, or the dataset has no such variable.
+/// The swept number with the most values; null where none was swept.
+const Axis* widest_axis(const Dataset& data);
+
+/// Over the widest axis a curve for each combination of the other axes' values and of the
+/// variable's dimensions. Nothing where no number was swept, or the dataset has no such variable.
 std::optional<Chart> swept_chart(const Dataset& data, const DrawnVariable& drawn);
 
 /// Over the variable's one dimension, of numbers, a curve a point. Nothing where there is no such

@@ -116,10 +116,9 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
                                "of them the other did not accept.</p>",
                                sent, sent - sum(counted, "n_accepted")));
   expect_has(page, "<h2>Message loss</h2>");
-  expect_has(
-      page,
-      "<p>Half of a node's messages or more are lost at receiver.range_m [m] from 12.5 to 40, "
-      "where the sweep ends.</p>");
+  expect_has(page,
+             "<p>Half of a node's messages or more are lost at receiver.range_m from 12.5 to 40 m, "
+             "where the sweep ends.</p>");
   const Json& ages = counted["variables"]["age_mean_s"]["values"];
   expect_has(page,
              fmt::format("<p>Where more than half of them are heard, its values are so old at the "
@@ -146,7 +145,7 @@ TEST_F(ExperimentReport, OfPresenceDrawsDetectionAndRoc) {
   expect_has(page, "<p>150 windows with and 150 without light were judged at 3 points.</p>");
   expect_has(page,
              "With false_alarm = 0.001 the device is noticed in 90 % of the windows or more at "
-             "receiver.range_m [m] from 40, where the sweep begins, to 50.</p>");
+             "receiver.range_m from 40, where the sweep begins, to 50 m.</p>");
   expect_has(page, "<h2>Detection</h2>");
   expect_has(page, "<h2>Receiver operating characteristic (ROC)</h2>");
   expect_has(page, ">receiver.range_m = 400</text>");
@@ -164,7 +163,7 @@ TEST_F(ExperimentReport, OfPresenceComparesDetectors) {
   const std::string equal = answer("[40, 50, 400]");
   expect_has(
       equal,
-      "or more at receiver.range_m [m] from 40, where the sweep begins, to 50, by both.</p>");
+      "or more at receiver.range_m from 40, where the sweep begins, to 50 m, in both cases.</p>");
   expect_has(answer("[300, 400]"), "at no point that was simulated is the device noticed in 90 %");
 }
 

@@ -34,22 +34,22 @@ void expect_has(const std::string& answer, const std::string& text) {
 
 TEST(PresencePart, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
   expect_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}),
-             "at receiver.range_m [m] from 2 to 3, by both.\n");
+             "at receiver.range_m from 2 to 3 m, in both cases.\n");
 }
 
 TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
   expect_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
-             "from 3 to 4, where the sweep ends (goertzel), but at "
-             "receiver.range_m [m] from 1, where the sweep begins, to 2 ("
+             "from 3 to 4 m, where the sweep ends (goertzel), but at "
+             "receiver.range_m from 1, where the sweep begins, to 2 m ("
              "synchronous).\n");
   expect_has(answer(std::vector<double>(8, 1)),
-             "from 1, where the sweep begins, to 4, where the sweep ends, by both.\n");
+             "from 1, where the sweep begins, to 4 m, where the sweep ends, in both cases.\n");
 }
 
 TEST(PresencePart, NamesTheOneOfThreeThatNoticesItElsewhere) {
   expect_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
                     "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
-             ", but at receiver.range_m [m] from 3 to 4, where the sweep ends (");
+             ", but at receiver.range_m from 3 to 4 m, where the sweep ends (");
 }
 
 TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
@@ -62,14 +62,14 @@ TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
 
 TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
   expect_has(answer({1, 1, 1, 0, 1, 0, 0, 0}),
-             "from 1, where the sweep begins, to 3 (goertzel), but only at "
-             "receiver.range_m [m] 1, where the sweep begins (synchronous).\n");
+             "from 1, where the sweep begins, to 3 m (goertzel), but only at "
+             "receiver.range_m = 1 m, where the sweep begins (synchronous).\n");
 }
 
 TEST(PresencePart, SaysHowManyNoticeItNowhere) {
   expect_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
-             "from 1, where the sweep begins, to 3 (goertzel), but nowhere by 1 "
-             "of 2.\n");
+             "from 1, where the sweep begins, to 3 m (goertzel), but nowhere in 1 "
+             "of 2 cases.\n");
   expect_has(answer(std::vector<double>(8, 0.5)), "at no point that was simulated is the device");
 }
 
