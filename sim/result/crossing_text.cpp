@@ -82,7 +82,7 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::fitted:
       return crosses + "at " + quantity(axis, fitted_text(c));
     case Kind::jump:
-      return crosses + "between " + range + " (no point lies between" + doubt(axis, c, level) + ")";
+      return crosses + "between " + range + ", two neighbours in the sweep" + doubt(axis, c, level);
     case Kind::bracketed:
       if (!open_side(c).empty())
         return crosses + open_side(c) + " " + quantity(axis, only_end(c)) + too_few(c);

@@ -18,10 +18,11 @@ TEST(CrossingSentence, SaysEachOutcome) {
   EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
             "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies between)");
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m, two neighbours in the "
+            "sweep");
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
-            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m (no point lies "
-            "between, though 1.8 % cannot be ruled out at 7 m)");
+            "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m, two neighbours in the "
+            "sweep, though 1.8 % cannot be ruled out at 7 m");
   EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m");
   EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),

@@ -212,8 +212,9 @@ TEST(Ranking, OfOneAxisIsOneSentence) {
   sim::ExperimentResult result;
   result.axes = {range};
   for (const double x : range.values) result.points.push_back(point({x}, x < 3 ? 0 : 1000));
-  EXPECT_EQ(lines(result),
-            "frame loss crosses 1 % between receiver.range_m = 2 .. 3 m (no point lies between)\n");
+  EXPECT_EQ(
+      lines(result),
+      "frame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two neighbours in the sweep\n");
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {

@@ -18,8 +18,8 @@ TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
                                                  point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
                                        {});
   EXPECT_EQ(words.find("4000 frames were simulated at 4 points; 1200 of them were lost.\n"), 0U);
-  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m (no point "
-                       "lies between).\n"),
+  EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two "
+                       "neighbours in the sweep.\n"),
             std::string::npos)
       << words;
   EXPECT_NE(
