@@ -62,10 +62,10 @@ PageSection fates_section(const ExperimentResult& result) {
 }
 
 PageTable table_of(const Omissions& omissions) {
-  PageTable table{.head = {"without", "frames", "lost", "FLR"}, .rows = {}};
+  PageTable table{.head = {"the link", "frames", "lost", "FLR"}, .rows = {}};
   if (omissions.along) table.head.push_back("half lost at " + axis_name(*omissions.along));
   for (const Omission& o : omissions.omissions) {
-    table.rows.push_back({o.without.empty() ? "nothing: the link as it is" : o.without,
+    table.rows.push_back({o.change.empty() ? "as it is" : o.change,
                           std::to_string(o.tally.n_frames), std::to_string(o.tally.n_frames_lost),
                           estimate_text(frame_loss_ratio(o.tally, 0.95))});
     if (omissions.along) table.rows.back().push_back(o.half ? half_loss_text(*o.half) : "-");

@@ -27,8 +27,8 @@ constexpr std::uint64_t fewest_for_half = 50;  // affordable ones: else it takes
 constexpr double most_samples = 2e8;           // without one trouble
 
 struct Trouble {
-  std::string name;
-  std::vector<std::string> overrides;  // that take it away
+  std::string change;                  // "without noise"
+  std::vector<std::string> overrides;  // that make it
 };
 
 bool is_on(const AmbientSettings& ambient) {
@@ -42,22 +42,24 @@ bool has_wrong_clock(const Scenario& s) {
 
 std::vector<Trouble> troubles_of(const Scenario& s) {
   std::vector<Trouble> troubles;
-  const auto add = [&](bool is_there, std::string name, std::vector<std::string> overrides) {
-    if (is_there) troubles.push_back({std::move(name), std::move(overrides)});
+  const auto add = [&](bool is_there, std::string change, std::vector<std::string> overrides) {
+    if (is_there) troubles.push_back({std::move(change), std::move(overrides)});
   };
-  add(s.noise.scale > 0, "noise", {"noise.scale=0"});
-  add(s.module.agc_attack_db_per_ms > 0, "the module's automatic gain control",
+  add(s.noise.scale > 0, "without noise", {"noise.scale=0"});
+  add(s.module.agc_attack_db_per_ms > 0, "without the module's automatic gain control",
       {"module.agc_attack_db_per_ms=0"});
-  add(s.module.emin_mw_per_m2 > 0, "half of the module's threshold (twice as sensitive)",
+  add(s.module.emin_mw_per_m2 > 0, "with half of the module's threshold",
       {fmt::format("module.emin_mw_per_m2={}", s.module.emin_mw_per_m2 / 2)});
-  add(is_on(s.ambient), "ambient light",
+  add(is_on(s.ambient), "without ambient light",
       {"ambient.irradiance_w_per_m2=0", "ambient.daylight_lux=0", "ambient.tungsten_lux=0"});
-  add(has_wrong_clock(s), "errors of the clocks",
+  add(has_wrong_clock(s), "without errors of the clocks",
       {"device.clock_error_ppm=0", "uart.clock_error_ppm=0", "device.start_jitter_us=0"});
-  add(s.device.carrier_error_ppm != 0, "the carrier's error", {"device.carrier_error_ppm=0"});
-  add(s.receiver.supply_ripple_mv > 0, "ripple on the supply", {"receiver.supply_ripple_mv=0"});
+  add(s.device.carrier_error_ppm != 0, "without the carrier's error",
+      {"device.carrier_error_ppm=0"});
+  add(s.receiver.supply_ripple_mv > 0, "without ripple on the supply",
+      {"receiver.supply_ripple_mv=0"});
   for (const auto& [name, settings] : s.disturbances)
-    add(true, fmt::format("the disturbance {} ({})", name, settings.kind),
+    add(true, fmt::format("without the disturbance {} ({})", name, settings.kind),
         {fmt::format("disturbance.{}.irradiance_w_per_m2=0", name)});
   return troubles;
 }
@@ -187,9 +189,9 @@ Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& resu
   for (const Trouble& trouble : troubles) {
     if (workers.interrupted()) break;
     const auto tally = rerun.tally(std::min(most_frames, affordable), trouble.overrides);
-    if (!tally && trouble.name.empty()) return {};
+    if (!tally && trouble.change.empty()) return {};
     if (!tally) continue;
-    found.omissions.push_back({trouble.name, *tally});
+    found.omissions.push_back({trouble.change, *tally});
     if (seek_half && !sets(trouble, found.along->key))
       found.omissions.back().half =
           half_loss_of(rerun, trouble, *found.along,
@@ -205,8 +207,8 @@ std::vector<Omission> limits_of(const Omissions& omissions) {
   constexpr double level = 0.95;
   std::vector<Omission> limits;
   for (const Omission& o : omissions.omissions)
-    if (!o.without.empty() && frame_loss_ratio(o.tally, level).high <
-                                  frame_loss_ratio(omissions.omissions.front().tally, level).low)
+    if (!o.change.empty() && frame_loss_ratio(o.tally, level).high <
+                                 frame_loss_ratio(omissions.omissions.front().tally, level).low)
       limits.push_back(o);
   const auto gain = [&](const Omission& o) {
     return o.half ? std::abs(std::log(o.half->at / omissions.omissions.front().half->at)) : 0;

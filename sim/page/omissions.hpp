@@ -14,7 +14,7 @@
 namespace sim {
 
 struct Omission {
-  std::string without;  // "noise"; empty: nothing is left out
+  std::string change;  // "without noise"; empty: the link as it is
   Tally tally;
   std::optional<HalfLoss> half{};  // along Omissions::along, unless that is what is left out
 };
@@ -38,8 +38,8 @@ const PointResult* failing_point(const ExperimentResult& result);
 Omissions leave_out(const LoadedScenario& scenario, const ExperimentResult& result,
                     const Workers& workers);
 
-/// What the loss is clearly less without, at 95 %: "the gain control". What carries farthest comes
-/// first, as far as that is known.
+/// The changes with which the loss is clearly less, at 95 %. What carries farthest comes first, as
+/// far as that is known.
 std::vector<Omission> limits_of(const Omissions& omissions);
 
 /// "21", "beyond 64", "short of 0.1": a third digit is more than some tens of frames tell.

@@ -99,15 +99,14 @@ std::string where_it_fails(const ExperimentResult& result) {
 }
 
 /// ", 3 without noise".
-std::string counts_without(const std::vector<Omission>& limits) {
+std::string counts_with(const std::vector<Omission>& limits) {
   std::string text;
-  for (const Omission& o : limits)
-    text += fmt::format(", {} without {}", o.tally.n_frames_lost, o.without);
+  for (const Omission& o : limits) text += fmt::format(", {} {}", o.tally.n_frames_lost, o.change);
   return text;
 }
 
 /// How much farther the link would go.
-std::string halves_without(const Omissions& omissions, const std::vector<Omission>& limits) {
+std::string halves_with(const Omissions& omissions, const std::vector<Omission>& limits) {
   if (!omissions.along) return "";
   const auto text = [&](const Omission& o) {
     return with_unit(half_loss_text(*o.half), omissions.along->unit);
@@ -115,7 +114,7 @@ std::string halves_without(const Omissions& omissions, const std::vector<Omissio
   std::string words = fmt::format("Half of the frames are lost at about {} = {} as it is",
                                   omissions.along->key, text(omissions.omissions.front()));
   for (const Omission& o : limits)
-    if (o.half) words += fmt::format(", {} without {}", text(o), o.without);
+    if (o.half) words += fmt::format(", {} {}", text(o), o.change);
   return words + ".\n";
 }
 
@@ -125,14 +124,14 @@ std::string what_limits(const Omissions& omissions) {
   const std::vector<Omission> limits = limits_of(omissions);
   if (!limits.empty())
     return fmt::format("What limits it there: of {} frames sent again {} are lost{}.\n",
-                       whole.n_frames, whole.n_frames_lost, counts_without(limits)) +
-           halves_without(omissions, limits);
+                       whole.n_frames, whole.n_frames_lost, counts_with(limits)) +
+           halves_with(omissions, limits);
   std::vector<std::string> all;
   for (const Omission& o : omissions.omissions)
-    if (!o.without.empty()) all.push_back(o.without);
+    if (!o.change.empty()) all.push_back(o.change);
   return fmt::format(
-      "What limits it there: none of these alone. Leaving out {} does not clearly lower the "
-      "loss: it is several together, or light too weak for what the receiver needs.\n",
+      "What limits it there: nothing alone. Run again {}, it does not clearly lose less: it is "
+      "several together, or light too weak for what the receiver needs.\n",
       fmt::join(all, ", or "));
 }
 

@@ -22,15 +22,15 @@ TEST(Omissions, FindTheGainControlOfTheQuickstart) {
   const Omissions found = leave_out(scenario, result, {2, &never});
   EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
   std::vector<std::string> names;
-  for (const Omission& o : found.omissions) names.push_back(o.without);
-  EXPECT_EQ(names, (std::vector<std::string>{"", "noise", "the module's automatic gain control",
-                                             "half of the module's threshold (twice as sensitive)",
-                                             "ambient light"}));
+  for (const Omission& o : found.omissions) names.push_back(o.change);
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "", "without noise", "without the module's automatic gain control",
+                       "with half of the module's threshold", "without ambient light"}));
   std::vector<std::string> limits;
-  for (const Omission& o : limits_of(found)) limits.push_back(o.without);
-  EXPECT_EQ(limits,
-            (std::vector<std::string>{"the module's automatic gain control", "ambient light",
-                                      "half of the module's threshold (twice as sensitive)"}))
+  for (const Omission& o : limits_of(found)) limits.push_back(o.change);
+  EXPECT_EQ(limits, (std::vector<std::string>{"without the module's automatic gain control",
+                                              "without ambient light",
+                                              "with half of the module's threshold"}))
       << "what carries farthest comes first";
   ASSERT_TRUE(found.along);
   EXPECT_EQ(found.along->key, "receiver.range_m");
@@ -65,7 +65,7 @@ TEST(Omissions, FindNoHalfAlongTheKeyThatIsLeftOut) {
       scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
   ASSERT_TRUE(found.along);
   EXPECT_EQ(found.along->key, "disturbance.lamp.irradiance_w_per_m2");
-  EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
+  EXPECT_EQ(found.omissions.back().change, "without the disturbance lamp (fluorescent)");
   EXPECT_FALSE(found.omissions.back().half);
   EXPECT_TRUE(found.omissions.front().half);
 }
@@ -78,7 +78,7 @@ TEST(Omissions, NameADisturbanceAsTheScenarioDoes) {
   const Omissions found = leave_out(
       scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
   ASSERT_FALSE(found.omissions.empty());
-  EXPECT_EQ(found.omissions.back().without, "the disturbance lamp (fluorescent)");
+  EXPECT_EQ(found.omissions.back().change, "without the disturbance lamp (fluorescent)");
 }
 
 TEST(Omissions, AreTriedWithFewerLongFrames) {
@@ -93,8 +93,7 @@ TEST(Omissions, AreTriedWithFewerLongFrames) {
   EXPECT_EQ(found.omissions.front().tally.n_frames, 20) << "of ten million samples each";
   EXPECT_FALSE(found.along) << "they would take minutes";
   for (const Omission& o : found.omissions)
-    EXPECT_NE(o.without, "half of the module's threshold (twice as sensitive)")
-        << "an envelope has no such one";
+    EXPECT_NE(o.change, "with half of the module's threshold") << "an envelope has no such one";
 }
 
 }  // namespace

@@ -116,26 +116,27 @@ TEST(Verdict, LooksCloserAtTheLinkThatComesFirst) {
   EXPECT_EQ(failing_point(alone)->coordinates, (std::vector<double>{0, 2}));
 }
 
-Omission omission(const std::string& without, std::uint64_t lost) {
-  return {without, point_of(0, 100, lost).tally};
+Omission omission(const std::string& change, std::uint64_t lost) {
+  return {change, point_of(0, 100, lost).tally};
 }
 
 std::vector<std::string> limit_names(const Omissions& omissions) {
   std::vector<std::string> names;
-  for (const Omission& o : limits_of(omissions)) names.push_back(o.without);
+  for (const Omission& o : limits_of(omissions)) names.push_back(o.change);
   return names;
 }
 
 TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
   const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
-  Omissions omissions{
-      "", {omission("", 90), omission("noise", 89), omission("the lamp", 3), omission("gain", 5)}};
+  Omissions omissions{"",
+                      {omission("", 90), omission("without noise", 89),
+                       omission("without the lamp", 3), omission("without gain", 5)}};
   omissions.along = result.axes[0];
   omissions.omissions[0].half = HalfLoss{HalfLoss::Kind::between, 183.4};
   omissions.omissions[1].half = HalfLoss{HalfLoss::Kind::between, 1.9};
   omissions.omissions[2].half = HalfLoss{HalfLoss::Kind::between, 291.3};
   omissions.omissions[3].half = HalfLoss{HalfLoss::Kind::not_yet, 64};
-  EXPECT_EQ(limit_names(omissions), (std::vector<std::string>{"gain", "the lamp"}))
+  EXPECT_EQ(limit_names(omissions), (std::vector<std::string>{"without gain", "without the lamp"}))
       << "what carries farthest comes first";
   EXPECT_NE(verdict_of(result, omissions)
                 .find("of 100 frames sent again 90 are lost, 5 without gain, 3 without the lamp.\n"
@@ -157,18 +158,20 @@ TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
 
 TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
   const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
-  const Omissions some{
-      "", {omission("", 90), omission("noise", 85), omission("the lamp", 3), omission("gain", 60)}};
-  EXPECT_EQ(limit_names(some), (std::vector<std::string>{"the lamp", "gain"}));
+  const Omissions some{"",
+                       {omission("", 90), omission("without noise", 85),
+                        omission("without the lamp", 3), omission("without gain", 60)}};
+  EXPECT_EQ(limit_names(some), (std::vector<std::string>{"without the lamp", "without gain"}));
   EXPECT_NE(verdict_of(result, some)
                 .find("\nWhat limits it there: of 100 frames sent again 90 are "
                       "lost, 3 without the lamp, 60 without gain.\n"),
             std::string::npos);
-  const Omissions none{"", {omission("", 90), omission("noise", 85), omission("gain", 90)}};
+  const Omissions none{
+      "", {omission("", 90), omission("without noise", 85), omission("without gain", 90)}};
   EXPECT_NE(
       verdict_of(result, none)
-          .find("\nWhat limits it there: none of these alone. Leaving out noise, or gain does "
-                "not clearly lower the loss: it is several together, or light too weak for what "
+          .find("\nWhat limits it there: nothing alone. Run again without noise, or without gain, "
+                "it does not clearly lose less: it is several together, or light too weak for what "
                 "the receiver needs.\n"),
       std::string::npos);
 }
