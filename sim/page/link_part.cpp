@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "sim/counting/statistics.hpp"
@@ -13,6 +14,7 @@
 #include "sim/page/setup_words.hpp"
 #include "sim/page/trial_tables.hpp"
 #include "sim/page/verdict.hpp"
+#include "sim/picture/svg.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/report_table.hpp"
@@ -80,9 +82,16 @@ PageSection limits_section(const Omissions& omissions) {
           .table = table_of(omissions)};
 }
 
+/// More curves than there are hues hide each other: a map of them is looked at first.
+bool hide_each_other(const Chart& chart) {
+  const auto theories = std::ranges::count(chart.curves, CurveKind::theory, &ChartCurve::kind);
+  return chart.curves.size() > curve_hues + static_cast<std::size_t>(theories);
+}
+
 void add_maps(ReportPart& part, const ExperimentResult& result) {
+  const bool come_first = std::ranges::any_of(part.charts, hide_each_other);
   for (const HeatMap& map : result_maps(result))
-    part.sections.push_back(map_section("frame-loss-map", map));
+    (come_first ? part.first : part.sections).push_back(map_section("frame-loss-map", map));
 }
 
 void add_ranking(ReportPart& part, const ExperimentResult& result, const Ranking& ranking) {

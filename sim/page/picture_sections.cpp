@@ -23,14 +23,19 @@ std::string value_text(double value) {
                                                                : fmt::format("{:.3g}", value);
 }
 
+/// The name of a lone curve would say nothing.
 PageTable table_of(const Chart& chart) {
-  PageTable table{.head = {"curve", chart.x.label, chart.y.label}, .rows = {}};
+  const bool are_several = chart.curves.size() > 1;
+  PageTable table{.head = {chart.x.label, chart.y.label}, .rows = {}};
+  if (are_several) table.head.insert(table.head.begin(), "curve");
   for (const ChartCurve& curve : chart.curves)
-    for (const ChartPoint& point : curve.points)
-      table.rows.push_back({curve.name, fmt::format("{:.6g}", point.x),
-                            has_interval(curve, point)
-                                ? estimate_text({point.y, point.low, point.high})
-                                : value_text(point.y)});
+    for (const ChartPoint& point : curve.points) {
+      table.rows.push_back(
+          {fmt::format("{:.6g}", point.x), has_interval(curve, point)
+                                               ? estimate_text({point.y, point.low, point.high})
+                                               : value_text(point.y)});
+      if (are_several) table.rows.back().insert(table.rows.back().begin(), curve.name);
+    }
   return table;
 }
 

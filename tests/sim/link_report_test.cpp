@@ -27,6 +27,20 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   EXPECT_EQ(page.sections[0].preformatted, "text");
 }
 
+TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
+  const LinkReport link{"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}};
+  const PageTable alone = *page_of({link_part(link)}).sections[2].table;
+  EXPECT_EQ(alone.head,
+            (std::vector<std::string>{"receiver.range_m [m]", "frame loss ratio (FLR)"}));
+  EXPECT_EQ(alone.rows[1][0], "2");
+  LinkReport other = link;
+  other.name = "other";
+  const Page both = page_of({link_part(link), link_part(other)});
+  const auto loss = std::ranges::find(both.sections, "Frame loss", &PageSection::heading);
+  EXPECT_EQ(loss->table->head[0], "curve");
+  EXPECT_EQ(loss->table->rows[1][0], "file, simulated");
+}
+
 TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   const ExperimentResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
   const ExperimentResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
@@ -115,6 +129,36 @@ TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
   EXPECT_EQ(part.verdict.find("Marked"), std::string::npos) << part.verdict;
   const PageSection& numbers = part.sections.back();
   EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
+}
+
+/// So many modules at 1 and 2 m, with theory.
+std::vector<std::string> headings_of(std::size_t modules) {
+  ExperimentResult result = sweep_of({});
+  Axis names{"receiver.module", "", "", {}};
+  for (std::size_t i = 0; i < modules; ++i) {
+    names.values.push_back(static_cast<double>(i));
+    names.labels.push_back(std::to_string(i));
+    for (const double x : {1.0, 2.0}) {
+      result.points.push_back(point_of(x, 10, 5));
+      result.points.back().coordinates = {names.values.back(), x};
+      result.points.back().operating.ber_theory = 0.1;
+    }
+  }
+  result.axes[0].values = {1, 2};
+  result.axes.insert(result.axes.begin(), names);
+  std::vector<std::string> headings;
+  for (const PageSection& section : page_of({link_part({"file", result, {}})}).sections)
+    headings.push_back(section.heading);
+  return headings;
+}
+
+TEST(Report, HasTheMapAboveMoreCurvesThanCanBeToldApart) {
+  const auto map_comes_first = [](const std::vector<std::string>& headings) {
+    return std::ranges::find(headings, "Map of frame loss") <
+           std::ranges::find(headings, "Frame loss");
+  };
+  EXPECT_FALSE(map_comes_first(headings_of(6)));
+  EXPECT_TRUE(map_comes_first(headings_of(7)));
 }
 
 TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {

@@ -103,8 +103,8 @@ TEST(ChartSection, HasCountsAsTheyAreInItsTable) {
   Chart chart = chart_named("edges");
   chart.curves[0].points = {{1, 1561, 1561, 1561}, {2, 0.12345, 0.12345, 0.12345}};
   const PageSection section = chart_section(chart);
-  EXPECT_EQ(section.table->rows[0][2], "1561");
-  EXPECT_EQ(section.table->rows[1][2], "0.123");
+  EXPECT_EQ(section.table->rows[0][1], "1561");
+  EXPECT_EQ(section.table->rows[1][1], "0.123");
 }
 
 }  // namespace
