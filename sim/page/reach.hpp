@@ -17,8 +17,8 @@ struct Reach {
 /// "How far each reaches"; along a key that is no distance more is not farther.
 std::string reach_heading(const std::string& along);
 
-/// A line: of a few links how far each reaches, of more which come first, if that is known. At
-/// least one, all along one key.
+/// A line: of a few links how far each reaches, of more which come first, or if that is not known
+/// the two ends of their order. At least one, all along one key.
 std::string reach_line(const std::vector<Reach>& reaches, const std::vector<std::string>& first);
 
 /// The same as a table, best first.

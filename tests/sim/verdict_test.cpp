@@ -108,6 +108,19 @@ TEST(Verdict, NamesTheLinksThatComeFirst) {
       << all;
 }
 
+// Values of a number are compared as they are, not named as parts that one buys.
+TEST(Verdict, OfManyValuesOfANumberSaysTheFirstAndTheLast) {
+  ExperimentResult result = modules_of({far, far, near, near, dead});
+  result.axes[0] = {"led.current_ma", "mA", "", {0, 1, 2, 3, 4}};
+  const std::string words = verdict_of(result, {});
+  EXPECT_NE(
+      words.find("\nOf 5 links 2 (between 2 and 3 m) come first, led.current_ma = 4 mA (short "
+                 "of the sweep: more than 1 % lost in all of 1 .. 3 m) last. How far each "
+                 "reaches is listed below.\n"),
+      std::string::npos)
+      << words;
+}
+
 // The first loses 60 % at 2 m, which is nearer to half than what the second ever loses.
 TEST(Verdict, LooksCloserAtTheLinkThatComesFirst) {
   const ExperimentResult result = modules_of({{0, 600, 1000}, {0, 0, 900}});
