@@ -10,24 +10,34 @@
 namespace sim {
 namespace {
 
-std::ptrdiff_t count_of(const std::vector<Reach>& reaches, double merit) {
-  return std::ranges::count(reaches, merit, &Reach::merit);
+constexpr std::size_t few = 4;  // links that are named one by one
+
+/// "led.current_ma = 20 mA (between 2 and 3 m)", of a few that stand equal all, of more how many.
+std::string standing_at(const std::vector<Reach>& reaches, double merit) {
+  std::vector<std::string> equal;
+  for (const Reach& reach : reaches)
+    if (reach.merit == merit) equal.push_back(fmt::format("{} ({})", reach.link, reach.words));
+  if (equal.size() <= few) return fmt::format("{}", fmt::join(equal, ", "));
+  const Reach& one = *std::ranges::find(reaches, merit, &Reach::merit);
+  return fmt::format("{} of them ({})", equal.size(), one.words);
 }
 
-/// "led.current_ma = 20 mA (between 2 and 3 m)", or how many stand equal.
-std::string standing_at(const std::vector<Reach>& reaches, double merit) {
-  const Reach& one = *std::ranges::find(reaches, merit, &Reach::merit);
-  const auto equal = count_of(reaches, merit);
-  return fmt::format("{} ({})", equal == 1 ? one.link : std::to_string(equal), one.words);
+/// "5 links", or "5 links that are counted far enough (of 17)".
+std::string links_of(const std::vector<Reach>& reaches) {
+  const auto told = std::ranges::count(reaches, true, &Reach::is_told);
+  if (told == std::ssize(reaches)) return fmt::format("{} links", told);
+  return fmt::format("{} links that are counted far enough (of {})", told, reaches.size());
 }
 
 /// The two ends of their order; empty where all stand equal.
-std::string ends_of(const std::vector<Reach>& reaches) {
+std::string ends_of(std::vector<Reach> reaches) {
+  const std::string links = links_of(reaches);
+  std::erase_if(reaches, [](const Reach& reach) { return !reach.is_told; });
+  if (reaches.empty()) return "";
   const auto [worst, best] = std::ranges::minmax(reaches, {}, &Reach::merit);
   if (worst.merit == best.merit) return "";
-  return fmt::format(
-      "Of {} links {} come{} first, {} last. ", reaches.size(), standing_at(reaches, best.merit),
-      count_of(reaches, best.merit) == 1 ? "s" : "", standing_at(reaches, worst.merit));
+  return fmt::format("First of {}: {}; last: {}. ", links, standing_at(reaches, best.merit),
+                     standing_at(reaches, worst.merit));
 }
 
 }  // namespace
@@ -37,7 +47,6 @@ std::string reach_heading(const std::string& along) {
 }
 
 std::string reach_line(const std::vector<Reach>& reaches, const std::vector<std::string>& first) {
-  constexpr std::size_t few = 4;
   const std::string along = reaches.front().along;
   if (reaches.size() <= few) {
     std::vector<std::string> each;
@@ -49,7 +58,7 @@ std::string reach_line(const std::vector<Reach>& reaches, const std::vector<std:
     const std::string ends = ends_of(reaches);
     return (ends.empty() ? fmt::format("{} links. ", reaches.size()) : ends) + listed;
   }
-  return fmt::format("Of {} links {} come{} first. {}", reaches.size(), fmt::join(first, ", "),
+  return fmt::format("Of {} {} come{} first. {}", links_of(reaches), fmt::join(first, ", "),
                      first.size() == 1 ? "s" : "", listed);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/link/validity.hpp"
+#include "sim/page/numbers_section.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/result/crossing_text.hpp"
 #include "sim/result/place_text.hpp"
@@ -22,9 +23,24 @@ std::vector<std::string> head_of(const ExperimentResult& result, const Ranking& 
   return head;
 }
 
+std::string crossing_of(const ExperimentResult& result, const Ranking& ranking,
+                        const RowCrossing& row) {
+  return crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+}
+
+/// In a sentence.
+std::string reach_words(const ExperimentResult& result, const Ranking& ranking,
+                        const RowCrossing& row) {
+  std::string words = crossing_of(result, ranking, row);
+  if (row.outside == 0) return words;
+  return fmt::format("{}, {}: {}", words, outside_words,
+                     raised_names(validity_limits(), row.outside));
+}
+
+/// In a table, with its mark.
 std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
                        const RowCrossing& row) {
-  std::string words = crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+  std::string words = crossing_of(result, ranking, row);
   if (row.outside == 0) return words;
   return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
 }
@@ -42,7 +58,8 @@ std::vector<Reach> reaches_of(const ExperimentResult& result, const Ranking& ran
   std::vector<Reach> reaches;
   for (const RowCrossing& row : ranking.rows)
     reaches.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
-                       reach_text(result, ranking, row), row.merit});
+                       reach_words(result, ranking, row), row.merit,
+                       row.crossing.kind != Crossing::Kind::unfinished});
   return reaches;
 }
 
@@ -50,7 +67,7 @@ PageSection reach_section(const ExperimentResult& result, const Ranking& ranking
   PageTable table{.head = head_of(result, ranking), .rows = {}, .is_answer = true};
   for (const RowCrossing& row : ranking.rows) {
     std::vector<std::string> cells;
-    if (ranking.best_first) cells.push_back(std::to_string(row.place));
+    if (ranking.best_first) cells.push_back(row.place == 0 ? "-" : std::to_string(row.place));
     for (std::size_t i = 0; i < ranking.others.size(); ++i)
       cells.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
     cells.push_back(reach_text(result, ranking, row));

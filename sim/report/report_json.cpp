@@ -40,8 +40,8 @@ nlohmann::ordered_json json_coordinate(const Axis& axis, double coordinate) {
 }
 
 const char* crossing_name(Crossing::Kind kind) {
-  static constexpr std::array names{"fitted",    "jump",    "bracketed",   "all_below",
-                                    "all_above", "unclear", "not_monotone"};
+  static constexpr std::array names{"fitted",    "jump",    "bracketed",    "all_below",
+                                    "all_above", "unclear", "not_monotone", "unfinished"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -42,6 +42,11 @@ std::string only_end(const Crossing& c) {
   return fmt::format("{:g}", std::isinf(c.low) ? c.high : c.low);
 }
 
+std::string not_told(const Axis& axis, const Crossing& c) {
+  if (std::isnan(c.low)) return "not counted yet";
+  return "not told yet: counted at " + with_unit(span_text(c), axis.unit) + " alone";
+}
+
 std::string too_few(const Crossing& c) {
   return fmt::format(": too few frames to tell how far {}", open_side(c));
 }
@@ -69,6 +74,8 @@ std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
              doubt(axis, c, level);
     case Kind::not_monotone:
       return "loss rises and falls: no single value, see the table";
+    case Kind::unfinished:
+      return not_told(axis, c);
     case Kind::unclear:
       break;
   }
@@ -97,6 +104,9 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
     case Kind::all_above:
       return fmt::format("frame loss is above {:g} % over ", level * 100) + range +
              doubt(axis, c, level);
+    case Kind::unfinished:
+      return fmt::format("where frame loss crosses {:g} % along {} is {}", level * 100, axis.key,
+                         not_told(axis, c));
     case Kind::unclear:
       break;
   }

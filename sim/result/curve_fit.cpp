@@ -70,6 +70,19 @@ Crossing whole_sweep(Kind kind, const Observations& all) {
   return {kind, (low + high) / 2, low, high};
 }
 
+Crossing nothing_counted(const ExperimentResult& result) {
+  if (result.points.empty()) return {};
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return {Kind::unfinished, unknown, unknown, unknown};
+}
+
+/// Whether points that were never reached lie beyond those that were: a sweep that is not done.
+bool goes_on(const ExperimentResult& result, const Crossing& counted) {
+  return std::ranges::any_of(result.points, [&](const PointResult& p) {
+    return p.coordinates.at(0) < counted.low || p.coordinates.at(0) > counted.high;
+  });
+}
+
 Crossing below_throughout(const Observations& all, double ci_level) {
   Crossing c = whole_sweep(Kind::all_below, all);
   for (const Observation& o : all)
@@ -225,9 +238,15 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   const Observations all = observations_of(result);
   const auto is_bad = [=](const Observation& o) { return o.ratio() > level; };
   if (!rises_throughout(all)) return {Kind::not_monotone};
-  if (all.empty()) return {};
-  if (std::ranges::none_of(all, is_bad)) return below_throughout(all, result.ci_level);
-  if (std::ranges::all_of(all, is_bad)) return above_throughout(all, result.ci_level);
+  if (all.empty()) return nothing_counted(result);
+  const bool none_is = std::ranges::none_of(all, is_bad),
+             all_are = std::ranges::all_of(all, is_bad);
+  if (none_is || all_are) {
+    const Crossing counted = whole_sweep(Kind::unfinished, all);
+    if (goes_on(result, counted)) return counted;
+  }
+  if (none_is) return below_throughout(all, result.ci_level);
+  if (all_are) return above_throughout(all, result.ci_level);
 
   const bool sure_of_it = surely_crossed(all, level);
   if (separated(all)) return sure_of_it ? jump(all, level, result.ci_level) : Crossing{};

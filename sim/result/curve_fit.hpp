@@ -16,6 +16,7 @@ struct Crossing {
     all_above,     // no crossing: above the level at every point, from low to high
     unclear,       // points on both sides of the level, but not told apart
     not_monotone,  // the loss goes up and down beyond its intervals: no single crossing
+    unfinished,  // all on one side from low to high (NaN: none), but beyond nothing is counted yet
   };
   Kind kind = Kind::unclear;
   /// `at` is the middle of the step that was seen, where nothing is fitted.
@@ -25,7 +26,8 @@ struct Crossing {
   double bound = 0, bound_at = 0;
 };
 
-/// For an experiment with exactly one axis; points never reached are left out. Intervals are those
+/// For an experiment with exactly one axis; points never reached are left out,
+/// as long as they do not go beyond those that were. Intervals are those
 /// of the result's ci_level.
 Crossing frame_loss_crossing(const ExperimentResult& result, double level = 0.01);
 

@@ -80,11 +80,13 @@ bool more_is_better(const ExperimentResult& result, std::size_t abscissa) {
 
 double merit(const Crossing& c, bool more_better) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double almost = std::numeric_limits<double>::max();
+  constexpr double almost = std::numeric_limits<double>::max();  // beyond all crossings
   switch (c.kind) {
     case Kind::all_below:
       return infinity;
     case Kind::all_above:
+      return -almost;
+    case Kind::unfinished:
       return -infinity;
     case Kind::fitted:
     case Kind::jump:
@@ -94,7 +96,7 @@ double merit(const Crossing& c, bool more_better) {
     case Kind::not_monotone:
       break;
   }
-  return -almost;
+  return -almost / 2;
 }
 
 /// What a row is sorted by: values of the axes of numbers stand as in the grid, within each the
@@ -132,6 +134,8 @@ void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
     const bool tie = i > begin && standing(ranking.rows[i - 1]).equals(now);
     ranking.rows[i].place = tie ? ranking.rows[i - 1].place : i - begin + 1;
   }
+  for (RowCrossing& row : ranking.rows)
+    if (row.crossing.kind == Kind::unfinished) row.place = 0;
 }
 
 /// What the table marks at points of the row.
@@ -186,7 +190,7 @@ std::string list(const ExperimentResult& result, const Ranking& ranking) {
   text += without_end_blanks(std::move(head));
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
     const RowCrossing& row = ranking.rows[i];
-    text += place(std::to_string(row.place));
+    text += place(row.place == 0 ? "-" : std::to_string(row.place));
     for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
     text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + mark(row) + "\n";
   }

@@ -17,7 +17,7 @@ struct RowCrossing {
   Crossing crossing;
   std::uint64_t outside;  // limits of validity that any of its points leaves
   double merit = 0;       // larger is better, also between rankings along one key
-  std::size_t place = 0;  // from 1, the same for equals; 0: not sorted
+  std::size_t place = 0;  // from 1, the same for equals; 0: none, not sorted or unfinished
 };
 
 /// What is asked: along which axis the loss passes which level.
@@ -43,9 +43,9 @@ std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named 
 
 /// Of a sweep without an axis of numbers the ranking is empty. Sorted rows: first those that never
 /// pass the level, then by the crossing (its middle, where only a bracket is known), the one that
-/// is reached last first; then those of which no crossing can be told, and last those beyond the
-/// level at all points. Of equals the ones that no limit of validity flags come first.
-/// Empty for weighted results.
+/// is reached last first; then those of which no crossing can be told, those beyond the level at
+/// all points, and last, without a place, those that are not counted far enough. Of equals the ones
+/// that no limit of validity flags come first. Empty for weighted results.
 Ranking rank(const ExperimentResult& result, const CrossingQuestion& question = {});
 
 /// The same result with the values of its axis of texts in the order of its ranking, where that

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -40,6 +41,12 @@ TEST(CrossingSentence, SaysEachOutcome) {
             "frame loss is above 1 % over receiver.range_m = 1 m");
   EXPECT_EQ(say({Kind::unclear}),
             "frame loss does not clearly cross 1 % inside the sweep of receiver.range_m");
+  EXPECT_EQ(
+      say({Kind::unfinished, 2, 1, 3}),
+      "where frame loss crosses 1 % along receiver.range_m is not told yet: counted at 1 .. 3 "
+      "m alone");
+  EXPECT_EQ(say({Kind::unfinished, std::nan(""), std::nan(""), std::nan("")}),
+            "where frame loss crosses 1 % along receiver.range_m is not counted yet");
   EXPECT_EQ(say({Kind::not_monotone}),
             "frame loss rises and falls along receiver.range_m: no single crossing of 1 %");
 }
@@ -65,6 +72,8 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
       say({Kind::all_above, 3, 1, 5, 0.0013}),
       "short of the sweep: more than 1 % lost in all of 1 .. 5 m, though 0.13 % cannot be ruled "
       "out");
+  EXPECT_EQ(say({Kind::unfinished, 2, 1, 3}), "not told yet: counted at 1 .. 3 m alone");
+  EXPECT_EQ(say({Kind::unfinished, std::nan(""), std::nan(""), std::nan("")}), "not counted yet");
   EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
   EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }

@@ -243,6 +243,27 @@ TEST(Crossing, DoesNotContradictAPoint) {
   EXPECT_EQ(c.high, 7);
 }
 
+TEST(Crossing, IsUnfinishedWhereWhatLiesBeyondIsNotCounted) {
+  auto good = sweep({1, 2, 3}, {0, 0, 0});
+  add_point(good, 2.5, 0, 0);
+  EXPECT_EQ(sim::frame_loss_crossing(good).kind, Kind::all_below) << "both ends are counted";
+  add_point(good, 4, 0, 0);
+  const auto c = sim::frame_loss_crossing(good);
+  EXPECT_EQ(c.kind, Kind::unfinished);
+  EXPECT_EQ(c.low, 1);
+  EXPECT_EQ(c.high, 3);
+  auto bad = sweep({2, 3}, {1000, 1000});
+  add_point(bad, 1, 0, 0);
+  EXPECT_EQ(sim::frame_loss_crossing(bad).kind, Kind::unfinished);
+  auto untouched = sweep({}, {});
+  add_point(untouched, 1, 0, 0);
+  EXPECT_EQ(sim::frame_loss_crossing(untouched).kind, Kind::unfinished);
+  auto passed = sweep({1, 2}, {0, 1000});
+  add_point(passed, 3, 0, 0);
+  EXPECT_EQ(sim::frame_loss_crossing(passed).kind, Kind::jump)
+      << "what lies beyond changes nothing";
+}
+
 TEST(Crossing, LeavesOutPointsNeverReached) {
   auto result = drawn(ranges, loss_over_range, 5);
   const auto all = sim::frame_loss_crossing(result);

@@ -208,6 +208,22 @@ TEST(Ranking, EachCombinationOfTheOtherAxesIsARow) {
             "   2              1200  near             between 1 and 2 m\n");
 }
 
+// An interrupted run counts the near points of all, or of some, alone.
+TEST(Ranking, GivesWhatIsNotCountedFarEnoughNoPlace) {
+  sim::ExperimentResult result =
+      grid(modules({"begun", "never", "dead", "done"}), range,
+           {{0, 0, 0, 0}, {0, 0, 0, 0}, {1000, 1000, 1000, 1000}, {0, 1000, 1000, 1000}});
+  for (std::size_t untouched = 2; untouched < 8; ++untouched)
+    result.points[untouched].tally = sim::Tally{};
+  EXPECT_EQ(lines(result),
+            "receiver.range_m at which frame loss passes 1 %, best first:\n"
+            "      receiver.module\n"
+            "   1  done             between 1 and 2 m\n"
+            "   2  dead             short of the sweep: more than 1 % lost in all of 1 .. 4 m\n"
+            "   -  begun            not told yet: counted at 1 .. 2 m alone\n"
+            "   -  never            not counted yet\n");
+}
+
 TEST(Ranking, OfOneAxisIsOneSentence) {
   sim::ExperimentResult result;
   result.axes = {range};

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "lossy_sweep.hpp"
+#include "sim/link/validity.hpp"
 #include "sim/page/link_part.hpp"
 #include "sim/page/omissions.hpp"
 #include "sim/page/page.hpp"
@@ -113,11 +114,47 @@ TEST(Verdict, OfManyValuesOfANumberSaysTheFirstAndTheLast) {
   ExperimentResult result = modules_of({far, far, near, near, dead});
   result.axes[0] = {"led.current_ma", "mA", "", {0, 1, 2, 3, 4}};
   const std::string words = verdict_of(result, {});
+  EXPECT_NE(words.find("\nFirst of 5 links: led.current_ma = 0 mA (between 2 and 3 m), "
+                       "led.current_ma = 1 mA (between 2 and 3 m); last: led.current_ma = 4 mA "
+                       "(short of the sweep: more than 1 % lost in all of 1 .. 3 m). How far each "
+                       "reaches is listed below.\n"),
+            std::string::npos)
+      << words;
+}
+
+TEST(Verdict, SaysHowManyStandEqualWhereTheyAreMany) {
+  ExperimentResult result = modules_of({far, far, far, far, far, near, near});
+  result.axes[0] = {"led.current_ma", "mA", "", {0, 1, 2, 3, 4, 5, 6}};
+  for (std::size_t i = 18; i < 21; ++i) result.points[i].tally = Tally{};
+  const std::string words = verdict_of(result, {});
   EXPECT_NE(
-      words.find("\nOf 5 links 2 (between 2 and 3 m) come first, led.current_ma = 4 mA (short "
-                 "of the sweep: more than 1 % lost in all of 1 .. 3 m) last. How far each "
-                 "reaches is listed below.\n"),
+      words.find("\nFirst of 6 links that are counted far enough (of 7): 5 of them (between 2 "
+                 "and 3 m); last: led.current_ma = 5 mA (between 1 and 2 m). "),
       std::string::npos)
+      << words;
+}
+
+TEST(Verdict, ComparesLinksThatAreCountedFarEnoughAlone) {
+  ExperimentResult result = modules_of({near, far, near, far, dead});
+  result.points[11].tally = Tally{};
+  for (std::size_t i = 12; i < 15; ++i) result.points[i].tally = Tally{};
+  result.points[10].tally = result.points[9].tally;
+  const std::string words = verdict_of(result, {});
+  EXPECT_NE(
+      words.find("\nOf 3 links that are counted far enough (of 5) B (between 2 and 3 m) comes "
+                 "first. "),
+      std::string::npos)
+      << words;
+}
+
+TEST(Verdict, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
+  ExperimentResult result = modules_of({far, near, near, near, near});
+  result.points[0].outside = 1;
+  const std::string name = validity_limits()[0].name, words = verdict_of(result, {});
+  EXPECT_NE(words.find("Of 5 links A (between 2 and 3 m, outside of what a model is valid "
+                       "for: " +
+                       name + ") comes first. "),
+            std::string::npos)
       << words;
 }
 
