@@ -133,6 +133,10 @@ function told(point) {
 /** Several theories have one line in the legend; their values stand beside those of their curves. */
 const hasSeveralTheories = (chart) => chart.curves.filter((curve) => curve.kind === 'theory').length > 1;
 
+/** Marks stand alone where a theory goes through them, so that its line is seen. */
+const hasLine = (chart, curve) => curve.kind !== 'measured'
+  || !chart.curves.some((other) => other.kind === 'theory' && other.colour === curve.colour);
+
 /** Where the theory of a curve is that has no line of its own. */
 const theoryOf = (chart, curve) => (curve.kind === 'theory' || !hasSeveralTheories(chart) ? -1
   : chart.curves.findIndex((other) => other.kind === 'theory' && other.colour === curve.colour));
@@ -144,6 +148,7 @@ function seriesOf(chart, rows) {
     stroke: () => colourOf(curve),
     dash: dashOf(curve),
     points: {show: curve.kind === 'measured' && !shapeOf(curve)},
+    ...(!hasLine(chart, curve) && {paths: () => null}),
     ...(curve.kind === 'bars' && {paths: uPlot.paths.bars({size: [0.6, 60]}), fill: () => colourOf(curve)}),
     value: (plot, value, series, i) => {
       const theory = rows[theoryOf(chart, curve)];
@@ -158,18 +163,20 @@ function hideTheory(plot, chart, i, {show}) {
   if (theory >= 0 && plot.series[theory + 1].show !== show) plot.setSeries(theory + 1, {show});
 }
 
-function swatchOf(curve) {
+function swatchOf(chart, curve) {
   const style = `stroke: ${colourOf(curve)}; stroke-dasharray: ${(dashOf(curve) || ['none']).join(' ')}`;
   const shape = curve.kind === 'measured' && shapeOf(curve);
   const places = shape && shape.map(([x, y]) => [x + 18, y + 6]).join(' ');
-  const mark = shape ? `<polygon points="${places}" style="fill: ${colourOf(curve)}"/>` : '';
-  return `<svg viewBox="0 0 36 12" aria-hidden="true"><line x2="36" y1="6" y2="6" style="${style}"/>${mark}</svg>`;
+  const disc = hasLine(chart, curve) ? '' : `<circle cx="18" cy="6" r="2.5" style="fill: ${colourOf(curve)}"/>`;
+  const mark = shape ? `<polygon points="${places}" style="fill: ${colourOf(curve)}"/>` : disc;
+  const line = hasLine(chart, curve) ? `<line x2="36" y1="6" y2="6" style="${style}"/>` : '';
+  return `<svg viewBox="0 0 36 12" aria-hidden="true">${line}${mark}</svg>`;
 }
 
 /** Lines of the curves' colours, dashes and marks in the legend. */
 function drawSwatches(plot, chart) {
   const markers = [...plot.root.querySelectorAll('.u-marker')].slice(1);  // the first is that of x
-  chart.curves.forEach((curve, i) => { markers[i].innerHTML = swatchOf(curve); });
+  chart.curves.forEach((curve, i) => { markers[i].innerHTML = swatchOf(chart, curve); });
 }
 
 /** Curves are hidden and shown by their names in the legend, by the keyboard too. */

@@ -226,12 +226,20 @@ std::string mark_at(double x, double y, std::size_t colour) {
   return fmt::format("M{:.2f} {:.2f}{}", x, y, shapes[colour / curve_hues % shapes.size()]);
 }
 
-void draw_curve(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve,
-                std::size_t colour) {
+/// Then its marks stand alone, so that the theory's line is seen.
+bool has_theory(const Chart& chart, std::size_t curve) {
+  const auto next = curve + 1;
+  return next < chart.curves.size() && chart.curves[next].kind == CurveKind::theory &&
+         chart.curves[curve].kind == CurveKind::measured;
+}
+
+void draw_curve(SvgDrawing& drawing, const Paper& paper, const Chart& chart, std::size_t i) {
+  const ChartCurve& curve = chart.curves[i];
+  const std::size_t colour = colour_of(chart, i);
   const std::string style =
       curve_style(colour) + (curve.kind == CurveKind::theory ? " theory" : "");
   if (curve.kind == CurveKind::bars) return draw_bars(drawing, paper, curve);
-  drawing.path(line_through(curve, paper), style);
+  if (!has_theory(chart, i)) drawing.path(line_through(curve, paper), style);
   if (curve.kind != CurveKind::measured) return;
   for (const ChartPoint& point : curve.points) {
     draw_interval(drawing, paper, point, style);
@@ -248,6 +256,7 @@ bool has_several_theories(const Chart& chart) {
 struct LegendLine {
   std::string words, style;
   std::optional<std::size_t> marked_as{};  // a colour
+  bool has_line = true;
 };
 
 std::vector<LegendLine> legend_of(const Chart& chart) {
@@ -258,6 +267,7 @@ std::vector<LegendLine> legend_of(const Chart& chart) {
     if (curve.kind != CurveKind::theory) {
       lines.push_back({curve.name, curve_style(colour)});
       if (curve.kind == CurveKind::measured) lines.back().marked_as = colour;
+      lines.back().has_line = !has_theory(chart, i);
     } else if (!has_several_theories(chart)) {
       lines.push_back({curve.name, curve_style(colour) + " theory"});
     }
@@ -269,7 +279,7 @@ std::vector<LegendLine> legend_of(const Chart& chart) {
 void draw_legend(SvgDrawing& drawing, const std::vector<LegendLine>& lines) {
   double y = legend_top;
   for (const LegendLine& line : lines) {
-    drawing.line({left, y - 4}, {left + 25, y - 4}, line.style);
+    if (line.has_line) drawing.line({left, y - 4}, {left + 25, y - 4}, line.style);
     if (line.marked_as)
       drawing.path(mark_at(left + 12.5, y - 4, *line.marked_as), line.style + " dot");
     drawing.text({left + 32, y}, line.words, "");
@@ -299,8 +309,7 @@ std::string chart_as_svg(const Chart& chart) {
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
   draw_level(drawing, chart, paper);
-  for (std::size_t i = 0; i < chart.curves.size(); ++i)
-    draw_curve(drawing, paper, chart.curves[i], colour_of(chart, i));
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) draw_curve(drawing, paper, chart, i);
   draw_legend(drawing, legend);
   return drawing.finished();
 }

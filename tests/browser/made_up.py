@@ -32,13 +32,13 @@ CHART = {
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
                curve("square", 7, [point(1, 1)]), curve("triangle", 13, [point(1, 1)]),
-               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (1, 7, 13))]}
+               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (0, 7, 13))]}
 
 
-# Two decades of room for marks between powers of ten; the level is far below all points.
+# Two decades of room for marks between powers of ten; the level is far below all points, whose theory is one alone.
 LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
                "y": {**CHART["y"], "level": {"at": 0.01, "text": "1 %"}},
-               "curves": [curve("c", 0, [point(0.2, 0.5), point(20, 1)])]}
+               "curves": [curve("c", 1, [point(0.2, 0.5), point(20, 1)]), curve("law", 1, [point(20, 1)], "theory")]}
 
 
 # One abscissa, below the least of a linear axis.
@@ -96,11 +96,12 @@ def look_at_legend(driver, chart):
     """Curves look different, and none is dashed; of several theories one line tells."""
     looks = driver.execute_script(
         """return [...arguments[0].querySelectorAll('.u-series:not(.folded) .u-marker svg')].map((svg) => [
-             getComputedStyle(svg.querySelector('line')).stroke + (svg.querySelector('polygon')?.outerHTML ?? ''),
-             getComputedStyle(svg.querySelector('line')).strokeDasharray])""", chart)
+             svg.innerHTML, [...svg.querySelectorAll('line')].map((line) => getComputedStyle(line).strokeDasharray)])""",
+        chart)
     measured = [one for one in CHART["curves"] if one["kind"] == "measured"]
     expect(len({look for look, _ in looks}) == len(measured), f"curves look the same in the legend: {looks}")
-    expect({dashes for _, dashes in looks} == {"none"}, f"what was measured is dashed: {looks}")
+    lines = [dashes for _, dashes in looks]
+    expect(lines == [["none"], [], [], []], f"the legend has lines over theories, or dashes what was measured: {lines}")
     expect(chart.find_element(By.CLASS_NAME, "dashed").text == "dashed: theory", "it is not said what is dashed")
     ActionChains(driver).move_to_element(chart.find_element(By.CLASS_NAME, "u-over")).perform()
     values = [value.text for value in chart.find_elements(By.CLASS_NAME, "u-value")]
@@ -122,7 +123,7 @@ def look_at_narrow_legends(driver):
            };
            return [...document.querySelectorAll('.u-series:not(.folded)')].filter((row) => {
              const label = row.querySelector('.u-label');
-             return ![...row.querySelectorAll('.u-marker:has(line), .u-value')].every((part) => within(part, label));
+             return ![...row.querySelectorAll('.u-marker:has(line, circle, polygon), .u-value')].every((part) => within(part, label));
            }).map((row) => row.textContent);""")
     expect(not torn, f"in a narrow window these fall apart: {torn}")
 
@@ -150,7 +151,10 @@ def look_at_long_heads(driver):
 
 def look_at_logarithmic_marks(driver, report):
     chart = open_changed(driver, report, LOGARITHMIC)
-    written = texts(driver, chart.find_element(By.TAG_NAME, "canvas"))
+    canvas = chart.find_element(By.TAG_NAME, "canvas")
+    ink = driver.execute_script(INK, canvas, chart.find_element(By.CLASS_NAME, "u-over"))
+    expect(any(ink) and not ink[len(ink) // 2], "points of a theory have a line over it")
+    written = texts(driver, canvas)
     expect("1 %" in [one["text"] for one in written], "a level below all points is not seen")
     labels = lower_labels(written)
     expect(labels == ["0.2", "0.5", "1", "2", "5", "10", "20"], f"two decades are marked {labels}")

@@ -163,6 +163,16 @@ TEST(Chart, HasItsFirstAndLastPointOffItsEdges) {
   }
 }
 
+TEST(Chart, HasNoLineOverTheTheoryOfItsPoints) {
+  Chart chart = chart_of({{1, 0.1, 0.1, 0.1}, {2, 0.2, 0.2, 0.2}}, true);
+  EXPECT_EQ(occurrences(chart_as_svg(chart), "class=\"curve1\""), 2U) << "curve and legend";
+  chart.curves.push_back({"theory", chart.curves[0].points, CurveKind::theory});
+  const std::string svg = chart_as_svg(chart);
+  EXPECT_EQ(occurrences(svg, "class=\"curve1\""), 0U) << svg;
+  EXPECT_EQ(occurrences(svg, "class=\"curve1 dot\""), 3U) << "points and legend";
+  EXPECT_EQ(occurrences(svg, "class=\"curve1 theory\""), 2U) << "curve and legend";
+}
+
 TEST(Chart, DrawsBarsUpFromZero) {
   Chart chart = chart_of({{1, 4, 4, 4}, {2, 2, 2, 2}}, false);
   chart.curves[0].kind = CurveKind::bars;
@@ -276,10 +286,15 @@ TEST(Chart, TellsManyCurvesApartByColourAndMarkAndDashesTheoryAlone) {
     chart.curves.push_back({fmt::format("m{}, theory", i), {{1, 1}, {2, 2}}, CurveKind::theory});
   }
   const std::string text = chart_as_svg(chart);
-  const std::regex lines("<path class=\"(curve[0-9]+)( theory)?\" d=\"M[^h]*\"/>");
+  std::erase_if(chart.curves, [](const ChartCurve& c) { return c.kind == CurveKind::theory; });
+  const std::string bare = chart_as_svg(chart);
+  const std::regex lines("<path class=\"(curve[0-9]+)\" d=\"M[^h]*\"/>");
+  const std::regex dashed("<path class=\"(curve[0-9]+) theory\" d=\"M[^h]*\"/>");
   std::vector<std::string> measured, theory;
-  for (std::sregex_iterator i(text.begin(), text.end(), lines), end; i != end; ++i)
-    ((*i)[2].matched ? theory : measured).push_back((*i)[1]);
+  for (std::sregex_iterator i(bare.begin(), bare.end(), lines), end; i != end; ++i)
+    measured.push_back((*i)[1]);
+  for (std::sregex_iterator i(text.begin(), text.end(), dashed), end; i != end; ++i)
+    theory.push_back((*i)[1]);
   ASSERT_EQ(measured.size(), 18U);
   EXPECT_EQ(theory, measured) << "each theory has the colour of its curve";
   const std::regex marks("<path class=\"(curve[0-9]+) dot\" d=\"M[-0-9.]+ [-0-9.]+([^\"]*)\"/>");
