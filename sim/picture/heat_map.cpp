@@ -111,7 +111,7 @@ void draw_legend(SvgDrawing& drawing, bool has_contour) {
   }
   if (!has_contour) return;
   drawing.path(fmt::format("M{} {}h{}", legend_left, y + patch / 2, patch), "contour");
-  drawing.text({legend_left + patch + 8, y + patch - 3}, "passes 1 %", "");
+  drawing.text({legend_left + patch + 8, y + patch - 3}, "found to pass 1 %", "");
 }
 
 }  // namespace
