@@ -69,6 +69,7 @@ Lane light_lane(const TracedTrial& trial, const std::vector<float>& keyed) {
   Lane lane{.names = {"light"}, .greatest = 0, .curves = {{wave_of(trial, samples), "light"}}};
   cover(lane, samples);
   lane.names.push_back(fmt::format("to {:.3g} mW/m2", lane.greatest));
+  lane.names.emplace_back("noise included");
   settle(lane);
   return lane;
 }

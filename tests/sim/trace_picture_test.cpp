@@ -67,6 +67,7 @@ TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {
       static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value), 0.25F);
   trial.taps.irradiance[4800] = 12.5F;
   EXPECT_NE(sim::trace_as_picture(trial).find("to 12.5 mW/m2"), std::string::npos);
+  EXPECT_NE(sim::trace_as_picture(trial).find("noise included"), std::string::npos);
 }
 
 /// The places of the characters along a line that stands `at` so far down, from left to right.
