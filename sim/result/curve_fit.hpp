@@ -26,9 +26,9 @@ struct Crossing {
   double bound = 0, bound_at = 0;
 };
 
-/// For an experiment with exactly one axis; points never reached are left out,
-/// as long as they do not go beyond those that were. Intervals are those
-/// of the result's ci_level.
+/// For an experiment with exactly one axis; points never reached are left out, but where they lie
+/// beyond those that were and could hold the crossing. Intervals are those of the result's
+/// ci_level.
 Crossing frame_loss_crossing(const ExperimentResult& result, double level = 0.01);
 
 }  // namespace sim

@@ -93,69 +93,54 @@ TEST(Verdict, SaysHowFarEachOfAFewLinksReaches) {
       << words;
 }
 
+/// The same links as values of a number, which are no parts that one buys.
+ExperimentResult currents_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
+  ExperimentResult result = modules_of(losses);
+  result.axes[0] = {"led.current_ma", "mA", "", result.axes[0].values};
+  return result;
+}
+
+/// As an interrupted run leaves it: from that point on nothing is counted.
+ExperimentResult counted_before(std::size_t first, ExperimentResult result) {
+  for (std::size_t i = first; i < result.points.size(); ++i) result.points[i].tally = Tally{};
+  return result;
+}
+
+void expect_says(const ExperimentResult& result, const std::string& line) {
+  const std::string words = verdict_of(result, {});
+  EXPECT_NE(words.find("\n" + line), std::string::npos) << words;
+}
+
 TEST(Verdict, NamesTheLinksThatComeFirst) {
-  const std::string one = verdict_of(modules_of({near, far, near, near, dead}), {});
-  EXPECT_NE(one.find("\nOf 5 links B (between 2 and 3 m) comes first. How far each reaches is "
-                     "listed below.\nOne "
-                     "point is looked at closer: at receiver.module = "),
-            std::string::npos)
-      << one;
-  const std::string two = verdict_of(modules_of({far, far, near, near, near}), {});
-  EXPECT_NE(two.find("\nOf 5 links A (between 2 and 3 m), B (between 2 and 3 m) come first. "),
-            std::string::npos)
-      << two;
-  const std::string all = verdict_of(modules_of({far, far, far, far, far}), {});
-  EXPECT_NE(all.find("\n5 links. How far each reaches is listed below.\n"), std::string::npos)
-      << all;
+  expect_says(modules_of({near, far, near, near, dead}),
+              "Of 5 links B (between 2 and 3 m) comes first. How far each reaches is listed "
+              "below.\nOne point is looked at closer: at receiver.module = ");
+  expect_says(modules_of({far, far, near, near, near}),
+              "Of 5 links A (between 2 and 3 m), B (between 2 and 3 m) come first. ");
+  expect_says(modules_of({far, far, far, far, far}),
+              "5 links. How far each reaches is listed below.\n");
 }
 
-// Values of a number are compared as they are, not named as parts that one buys.
 TEST(Verdict, OfManyValuesOfANumberSaysTheFirstAndTheLast) {
-  ExperimentResult result = modules_of({far, far, near, near, dead});
-  result.axes[0] = {"led.current_ma", "mA", "", {0, 1, 2, 3, 4}};
-  const std::string words = verdict_of(result, {});
-  EXPECT_NE(words.find("\nFirst of 5 links: led.current_ma = 0 mA (between 2 and 3 m), "
-                       "led.current_ma = 1 mA (between 2 and 3 m); last: led.current_ma = 4 mA "
-                       "(short of the sweep: more than 1 % lost in all of 1 .. 3 m). How far each "
-                       "reaches is listed below.\n"),
-            std::string::npos)
-      << words;
-}
-
-TEST(Verdict, SaysHowManyStandEqualWhereTheyAreMany) {
-  ExperimentResult result = modules_of({far, far, far, far, far, near, near});
-  result.axes[0] = {"led.current_ma", "mA", "", {0, 1, 2, 3, 4, 5, 6}};
-  for (std::size_t i = 18; i < 21; ++i) result.points[i].tally = Tally{};
-  const std::string words = verdict_of(result, {});
-  EXPECT_NE(
-      words.find("\nFirst of 6 links that are counted far enough (of 7): 5 of them (between 2 "
-                 "and 3 m); last: led.current_ma = 5 mA (between 1 and 2 m). "),
-      std::string::npos)
-      << words;
+  expect_says(currents_of({far, far, near, near, dead}),
+              "First of 5 links: led.current_ma = 0 mA (between 2 and 3 m), led.current_ma = 1 mA "
+              "(between 2 and 3 m); last: led.current_ma = 4 mA (short of the sweep: more than 1 % "
+              "lost in all of 1 .. 3 m). How far each reaches is listed below.\n");
 }
 
 TEST(Verdict, ComparesLinksThatAreCountedFarEnoughAlone) {
-  ExperimentResult result = modules_of({near, far, near, far, dead});
-  result.points[11].tally = Tally{};
-  for (std::size_t i = 12; i < 15; ++i) result.points[i].tally = Tally{};
-  result.points[10].tally = result.points[9].tally;
-  const std::string words = verdict_of(result, {});
-  EXPECT_NE(
-      words.find("\nOf 3 links that are counted far enough (of 5) B (between 2 and 3 m) comes "
-                 "first. "),
-      std::string::npos)
-      << words;
+  expect_says(counted_before(11, modules_of({near, far, near, far, dead})),
+              "Of 3 links that are counted far enough (of 5) B (between 2 and 3 m) comes first. ");
+  expect_says(counted_before(18, currents_of({far, far, far, far, far, near, near})),
+              "First of 6 links that are counted far enough (of 7): 5 of them (between 2 and 3 m); "
+              "last: led.current_ma = 5 mA (between 1 and 2 m). ");
 }
 
 TEST(Verdict, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
   ExperimentResult result = modules_of({far, near, near, near, near});
   result.points[0].outside = 1;
-  const std::string name = validity_limits()[0].name, words = verdict_of(result, {});
-  EXPECT_NE(words.find("Of 5 links A (between 2 and 3 m, outside of what a model is valid "
-                       "for: " +
-                       name + ") comes first. "),
-            std::string::npos)
-      << words;
+  expect_says(result, "Of 5 links A (between 2 and 3 m, outside of what a model is valid for: " +
+                          std::string(validity_limits()[0].name) + ") comes first. ");
 }
 
 // The first loses 60 % at 2 m, which is nearer to half than what the second ever loses.
