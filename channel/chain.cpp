@@ -101,7 +101,7 @@ struct PreparedGroup {
   }
 };
 
-constexpr Kernels<ChainKernelInput> kernels{
+constexpr Kernels<ChainKernelInput> chain_kernels{
     .baseline = run_lanes_baseline,
 #ifdef COSYS_HAVE_X86
     .v3 = run_lanes_v3,
@@ -116,7 +116,7 @@ void run(ChainKernelInput& input, std::size_t trials, InstructionSet set, StageC
     input.stage_context = clock;
     clock->start();
   }
-  run_narrowest(kernels, input, trials, set);
+  run_narrowest(chain_kernels, input, trials, set);
 }
 
 std::vector<dsp::Seconds> ends_of(std::span<const ChainInput> inputs) {

@@ -159,7 +159,7 @@ class EnvelopeGroup {
   EnvelopeKernelInput kernel_;
 };
 
-constexpr Kernels<EnvelopeKernelInput> kernels{
+constexpr Kernels<EnvelopeKernelInput> envelope_kernels{
     .baseline = run_envelopes_baseline,
 #ifdef COSYS_HAVE_X86
     .v3 = run_envelopes_v3,
@@ -176,7 +176,7 @@ std::vector<dsp::LogicTrace> propagate_envelopes(const EnvelopeChain& chain,
                                                  InstructionSet set) {
   return pins_in_parts(inputs.size(), set, [&](std::size_t first, std::size_t n) {
     EnvelopeGroup group(chain, inputs.subspan(first, n), steps, stop);
-    run_narrowest(kernels, group.kernel(), n, set);
+    run_narrowest(envelope_kernels, group.kernel(), n, set);
     return group.take();
   });
 }

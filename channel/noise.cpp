@@ -24,11 +24,12 @@ dsp::WattsPerSquareMetre noisy_light(const ModuleData& data, dsp::WattsPerSquare
   return is_matched(data) ? ambient : ambient + signal;
 }
 
+double shot_noise_density(dsp::Amperes mean) { return 2 * elementary_charge * mean.value; }
+
 double thermal_noise_density(double kelvin, double ohm) { return 4 * boltzmann * kelvin / ohm; }
 
 double noise_density(const ModuleData& data, dsp::Amperes mean) {
-  return 2 * elementary_charge * mean.value +
-         thermal_noise_density(data.temperature_k, data.feedback_ohm);
+  return shot_noise_density(mean) + thermal_noise_density(data.temperature_k, data.feedback_ohm);
 }
 
 dsp::Hertz noise_bandwidth(const ModuleData& data) {

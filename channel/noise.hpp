@@ -15,6 +15,9 @@ dsp::Amperes photocurrent(const ModuleData& data, dsp::WattsPerSquareMetre irrad
 dsp::WattsPerSquareMetre noisy_light(const ModuleData& data, dsp::WattsPerSquareMetre ambient,
                                      dsp::WattsPerSquareMetre signal);
 
+/// One-sided density of a current's shot noise, 2 q I, A^2/Hz.
+double shot_noise_density(dsp::Amperes mean);
+
 /// One-sided density of a resistor's noise current, 4 k T / R, A^2/Hz.
 double thermal_noise_density(double kelvin, double ohm);
 

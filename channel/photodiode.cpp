@@ -4,14 +4,9 @@
 #include <numbers>
 
 #include "channel/emitter.hpp"
+#include "channel/noise.hpp"
 
 namespace channel {
-namespace {
-
-constexpr double elementary_charge = 1.602176634e-19;  // C, SI 2019
-
-}  // namespace
-
 dsp::Amperes photocurrent(const PhotodiodeData& data, dsp::WattsPerSquareMetre irradiance) {
   return dsp::Amperes(data.responsivity_a_per_w * data.area_mm2 * 1e-6 * irradiance.value);
 }
@@ -22,7 +17,7 @@ double relative_sensitivity(const PhotodiodeData& data, dsp::Radians off_axis) {
 }
 
 double shot_noise_density(const PhotodiodeData& data, dsp::Amperes photocurrent) {
-  return 2 * elementary_charge * (photocurrent.value + data.dark_current_na * 1e-9);
+  return shot_noise_density(photocurrent + dsp::Amperes(data.dark_current_na * 1e-9));
 }
 
 double noise_equivalent_power(const PhotodiodeData& data) {

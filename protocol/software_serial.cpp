@@ -32,8 +32,6 @@ Timing timing_of(dsp::Hertz baud) {
           .listening = cycles(37 + 4 * stop_bit + 11)};
 }
 
-Seconds just_after(Seconds t) { return Seconds(std::nextafter(t.value, INFINITY)); }
-
 }  // namespace
 
 UartReading read_software_serial(const dsp::LogicTrace& line, dsp::Hertz baud) {

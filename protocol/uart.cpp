@@ -32,8 +32,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Seconds just_after(Seconds t) { return Seconds(std::nextafter(t.value, infinity)); }
-
 /// The eight data bits, each read by `read_slot(slot)`, in the order of time.
 template <class ReadSlot>
 std::uint8_t read_data(const ReadSlot& read_slot) {
@@ -44,7 +42,7 @@ std::uint8_t read_data(const ReadSlot& read_slot) {
   return static_cast<std::uint8_t>(value);
 }
 
-UartReading read_mid_bit(const LogicTrace& line, Hertz baud, std::vector<Seconds>* false_starts) {
+UartReading read_mid_bits(const LogicTrace& line, Hertz baud, std::vector<Seconds>* false_starts) {
   const Seconds bit = dsp::period(baud);
   UartReading reading;
   dsp::TraceReader reader(line);
@@ -151,7 +149,7 @@ class AtmegaReceiver {
 }  // namespace
 
 UartReading read_mid_bit(const LogicTrace& line, Hertz baud) {
-  return read_mid_bit(line, baud, nullptr);
+  return read_mid_bits(line, baud, nullptr);
 }
 
 UartReading read_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {
@@ -160,7 +158,7 @@ UartReading read_atmega(const LogicTrace& line, Hertz baud, double clock_phase) 
 
 std::vector<UartByte> receive_mid_bit(const LogicTrace& line, Hertz baud,
                                       std::vector<Seconds>* false_starts) {
-  return read_mid_bit(line, baud, false_starts).bytes;
+  return read_mid_bits(line, baud, false_starts).bytes;
 }
 
 std::vector<UartByte> receive_atmega(const LogicTrace& line, Hertz baud, double clock_phase) {

@@ -4,6 +4,7 @@
 // its stop bit was observed as far as it looks at it, and needs a 1-to-0 change to start: a wire
 // that stays low says nothing.
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,6 +43,11 @@ struct UartByte {
 
   bool operator==(const UartByte&) const = default;
 };
+
+/// The first instant after t: falls are looked for strictly after what was read last.
+inline dsp::Seconds just_after(dsp::Seconds t) {
+  return dsp::Seconds(std::nextafter(t.value, std::numeric_limits<double>::infinity()));
+}
 
 /// The rule of sigrok's uart decoder (libsigrokdecode 0.5.3, uart/pd.py) in continuous time: a fall
 /// starts a character, each bit is one sample at its middle, and the next fall is looked for

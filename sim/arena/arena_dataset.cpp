@@ -38,7 +38,7 @@ struct CountColumn {
   std::uint64_t (*read)(const SenderTally&);
 };
 
-const CountColumn counts[] = {
+const CountColumn count_columns[] = {
     {"n_messages", "messages that the device had to send",
      [](const SenderTally& t) { return t.messages(); }},
     {"n_in_reach", "messages sent with light in reach all through, or delivered without",
@@ -75,7 +75,7 @@ void add_device_variables(Dataset& data, const std::vector<ArenaPoint>& points) 
   const auto tally = [&](std::size_t p, std::size_t i) -> const SenderTally& {
     return points[p].tally.senders[i];
   };
-  for (const CountColumn& column : counts)
+  for (const CountColumn& column : count_columns)
     add_device_counts(data, points, column.name, column.long_name,
                       [&](std::size_t p, std::size_t i) { return column.read(tally(p, i)); });
   for (std::size_t f = 0; f < frame_fates; ++f)

@@ -82,16 +82,16 @@ std::vector<PlanMark> marks_of(const std::vector<Sender>& senders, const DeviceC
 }
 
 /// Which device each message that was heard is of, where, and when: those of one point.
-struct Heard {
+struct HeardMessage {
   std::string device;
   PlanPoint at;
   dsp::Seconds end;
 };
 
-std::vector<Heard> heard_at(const Dataset& data, std::size_t point) {
+std::vector<HeardMessage> heard_at(const Dataset& data, std::size_t point) {
   const DatasetCells points(data, "heard_point"), devices(data, "heard_device"),
       x(data, "heard_x_m"), y(data, "heard_y_m"), ends(data, "heard_end_s");
-  std::vector<Heard> heard;
+  std::vector<HeardMessage> heard;
   if (points.empty()) return heard;
   const Dataset::Dimension& names = dimension_named(data, "device");
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -103,13 +103,13 @@ std::vector<Heard> heard_at(const Dataset& data, std::size_t point) {
   return heard;
 }
 
-std::vector<PlanDots> dots_of(const std::vector<Heard>& heard, const std::vector<Sender>& senders,
-                              const Way& way) {
+std::vector<PlanDots> dots_of(const std::vector<HeardMessage>& heard,
+                              const std::vector<Sender>& senders, const Way& way) {
   std::map<std::string, std::string> kind_of;
   for (const Sender& sender : senders) kind_of[sender.name] = sender.kind;
   std::vector<PlanDots> dots;
   for (const std::string& kind : kinds_of(senders)) dots.push_back({kind, {}, dots.size()});
-  for (const Heard& each : heard)
+  for (const HeardMessage& each : heard)
     for (PlanDots& kind : dots)
       if (kind.label == kind_of[each.device])
         kind.dots.push_back({each.at, way.at(each.end).heading.value});

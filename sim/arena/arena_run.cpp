@@ -65,14 +65,14 @@ void draw(const Arena& arena, std::uint32_t run, DrawnRuns& drawn) {
 }
 
 /// What the decoder makes of a pin.
-struct Heard {
+struct HeardLine {
   std::vector<protocol::UartByte> bytes;
   std::vector<protocol::CosysFrame> frames;  // good ones
 };
 
-Heard listen(const Arena& arena, std::uint32_t run, const dsp::LogicTrace& pin) {
+HeardLine listen(const Arena& arena, std::uint32_t run, const dsp::LogicTrace& pin) {
   const double phase = address(arena, run, Purpose::uart_phase).uniform(0);
-  Heard heard{arena.uart->receive(pin, arena.receiver_baud, phase), {}};
+  HeardLine heard{arena.uart->receive(pin, arena.receiver_baud, phase), {}};
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : heard.bytes)
     if (auto frame = decoder.push(byte); frame && frame->outcome == protocol::CosysOutcome::ok)
@@ -93,13 +93,13 @@ const Event* heard_at(const std::vector<Event>& events, Seconds sent, Seconds de
 }
 
 const protocol::CosysFrame* delivery_of(const SentFrame& frame, const Sender& sender,
-                                        const Heard& heard, Seconds delay) {
+                                        const HeardLine& heard, Seconds delay) {
   return heard_at(heard.frames, frame.start, delay, half_bit(sender),
                   [&](const protocol::CosysFrame& f) { return f.message == frame.message; });
 }
 
 /// Whether each of its characters was heard as one, be it another.
-bool whole(const SentFrame& frame, const Sender& sender, const Heard& heard, Seconds delay) {
+bool whole(const SentFrame& frame, const Sender& sender, const HeardLine& heard, Seconds delay) {
   const Seconds character = frame_time(sender, 1);
   const auto n = static_cast<std::size_t>(std::lround((frame.end - frame.start) / character));
   for (std::size_t i = 0; i < n; ++i)
@@ -114,8 +114,8 @@ bool whole(const SentFrame& frame, const Sender& sender, const Heard& heard, Sec
 struct Witness {
   const Arena& arena;
   const Air& air;
-  const Heard& heard;
-  const Heard& without_slow_agc;
+  const HeardLine& heard;
+  const HeardLine& without_slow_agc;
 };
 
 FrameFate fate_of(const Witness& w, std::size_t sender, const SentFrame& frame) {
@@ -170,7 +170,7 @@ SenderTally count_sender(const Witness& w, std::size_t sender, const std::vector
 /// Whether somebody sent what was accepted.
 bool is_true(const Arena& arena, const std::vector<SentFrames>& sent,
              const protocol::CosysFrame& heard) {
-  const Heard one{{}, {heard}};
+  const HeardLine one{{}, {heard}};
   for (std::size_t i = 0; i < sent.size(); ++i)
     for (const SentFrame& frame : sent[i].frames)
       if (!frame.silent && delivery_of(frame, arena.senders[i], one, arena.delay) != nullptr)
@@ -179,7 +179,7 @@ bool is_true(const Arena& arena, const std::vector<SentFrames>& sent,
 }
 
 void count_run(const Arena& arena, std::uint32_t run, const std::vector<SentFrames>& sent,
-               const Heard& heard, const Heard& without_slow_agc, ArenaRuns& into) {
+               const HeardLine& heard, const HeardLine& without_slow_agc, ArenaRuns& into) {
   const Air air(arena, sent);
   const Witness witness{arena, air, heard, without_slow_agc};
   const auto before = static_cast<std::ptrdiff_t>(into.heard.size());

@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-constexpr std::uint64_t counts = 1'000'000;  // six digits
+constexpr std::uint64_t numbers_in_all = 1'000'000;  // six digits
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::string MessageQueue::next(dsp::Seconds now) {
     case MessageSource::list:
       return messages_[count % messages_.size()];
     case MessageSource::counter:
-      return fmt::format("{} {:06}", messages_.front(), count % counts);
+      return fmt::format("{} {:06}", messages_.front(), count % numbers_in_all);
     case MessageSource::status:
       change_until(now);
       return messages_[status_];

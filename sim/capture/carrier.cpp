@@ -10,8 +10,8 @@ namespace {
 
 using dsp::Hertz;
 
-constexpr Hertz lowest{20e3}, half_band{1.5e3}, half_neighbourhood{7.5e3};
-constexpr double least_contrast = 10, least_share = 0.003;
+constexpr Hertz lowest_carrier{20e3}, half_band{1.5e3}, half_neighbourhood{7.5e3};
+constexpr double least_contrast = 10, least_share_of_power = 0.003;
 constexpr double bin_width_hz = 200;
 
 /// The power-weighted mean frequency of the band around a bin.
@@ -34,19 +34,19 @@ bool stands_out(const dsp::Spectrum& spectrum, Hertz peak) {
   const double around = dsp::band_power(spectrum, low, high) - band;
   const double all = dsp::band_power(spectrum, Hertz(0), top);
   const double width_ratio = (high - low - 2 * half_band) / (2 * half_band);
-  return band > least_share * all && band * width_ratio > least_contrast * around;
+  return band > least_share_of_power * all && band * width_ratio > least_contrast * around;
 }
 
 }  // namespace
 
 std::optional<Hertz> find_carrier(std::span<const float> samples, Hertz sample_rate) {
-  if (samples.size() < 256 || sample_rate < 2.2 * lowest) return std::nullopt;
+  if (samples.size() < 256 || sample_rate < 2.2 * lowest_carrier) return std::nullopt;
   const auto wanted = static_cast<std::size_t>(sample_rate.value / bin_width_hz);
   const dsp::Spectrum spectrum = dsp::welch(
       samples, sample_rate, std::clamp(std::bit_ceil(wanted), std::size_t{256}, samples.size()));
-  const auto first =
-      static_cast<std::ptrdiff_t>(std::ranges::lower_bound(spectrum.frequency_hz, lowest.value) -
-                                  spectrum.frequency_hz.begin());
+  const auto first = static_cast<std::ptrdiff_t>(
+      std::ranges::lower_bound(spectrum.frequency_hz, lowest_carrier.value) -
+      spectrum.frequency_hz.begin());
   const auto peak = std::max_element(spectrum.density.begin() + first, spectrum.density.end());
   if (peak == spectrum.density.end() || *peak <= 0) return std::nullopt;
   const auto bin = static_cast<std::size_t>(peak - spectrum.density.begin());

@@ -11,8 +11,8 @@ using dsp::Hertz;
 using dsp::Seconds;
 
 constexpr std::size_t edges_ahead = 4096, fewest_periods = 64;
-constexpr Hertz lowest{20e3}, highest{500e3};
-constexpr double tolerance = 0.3, least_share = 0.75;
+constexpr Hertz lowest_keyed{20e3}, highest_keyed{500e3};
+constexpr double tolerance = 0.3, least_share_of_periods = 0.75;
 constexpr double cycles_a_gap = 3;  // a bit has many more
 
 std::vector<double> periods_of(const std::deque<Seconds>& edges) {
@@ -34,9 +34,10 @@ Hertz carrier_on(const std::deque<Seconds>& edges) {
     sum += period;
     ++count;
   }
-  if (sum <= 0 || count < least_share * static_cast<double>(periods.size())) return Hertz(0);
+  if (sum <= 0 || count < least_share_of_periods * static_cast<double>(periods.size()))
+    return Hertz(0);
   const Hertz carrier(count / sum);
-  return carrier < lowest || carrier > highest ? Hertz(0) : carrier;
+  return carrier < lowest_keyed || carrier > highest_keyed ? Hertz(0) : carrier;
 }
 
 }  // namespace

@@ -46,10 +46,6 @@ void add_point(pugi::xml_node suite, const CheckReport& report, const PointCheck
     test.append_child("system-out").text() = xml_text(details).c_str();
 }
 
-auto count(const CheckReport& report, Verdict verdict) {
-  return std::ranges::count(report.checks, verdict, &PointCheck::verdict);
-}
-
 }  // namespace
 
 std::string check_junit(const CheckReport& report) {
@@ -61,9 +57,9 @@ std::string check_junit(const CheckReport& report) {
   suite.append_attribute("name") =
       xml_text("cosys-sim check of " + report.setup.candidate.name()).c_str();
   suite.append_attribute("tests") = report.checks.size();
-  suite.append_attribute("failures") = count(report, Verdict::worse);
-  suite.append_attribute("errors") = count(report, Verdict::broken);
-  suite.append_attribute("skipped") = count(report, Verdict::inconclusive);
+  suite.append_attribute("failures") = report.count(Verdict::worse);
+  suite.append_attribute("errors") = report.count(Verdict::broken);
+  suite.append_attribute("skipped") = report.count(Verdict::inconclusive);
   for (const PointCheck& check : report.checks) add_point(suite, report, check);
   std::ostringstream out;
   document.save(out, "  ");

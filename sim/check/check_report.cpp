@@ -143,27 +143,22 @@ std::string power_lines(const CheckReport& report) {
       least->frames_needed);
 }
 
-std::size_t count(const CheckReport& report, Verdict verdict) {
-  return static_cast<std::size_t>(std::ranges::count(report.checks, verdict, &PointCheck::verdict));
-}
-
 std::string last_line(const CheckReport& report) {
   const std::size_t points = report.checks.size();
   switch (verdict_of(report.checks)) {
     case Verdict::broken:
       return fmt::format("failed: the decoder did not do its work at {} of {} points\n",
-                         count(report, Verdict::broken), points);
+                         report.count(Verdict::broken), points);
     case Verdict::worse:
       return report.setup.golden
-                 ? fmt::format("different: {} of {} points\n", count(report, Verdict::worse),
-                               points)
+                 ? fmt::format("different: {} of {} points\n", report.count(Verdict::worse), points)
                  : fmt::format(
                        "worse: {} of {} points (if none were, so it would be said of one "
                        "check in {:.0f} at most)\n",
-                       count(report, Verdict::worse), points, 1 / report.setup.rule.alpha);
+                       report.count(Verdict::worse), points, 1 / report.setup.rule.alpha);
     case Verdict::inconclusive:
       return fmt::format("inconclusive: {} of {} points would take more frames\n",
-                         count(report, Verdict::inconclusive), points);
+                         report.count(Verdict::inconclusive), points);
     case Verdict::passed:
       break;
   }
@@ -171,6 +166,10 @@ std::string last_line(const CheckReport& report) {
 }
 
 }  // namespace
+
+std::size_t CheckReport::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::ranges::count(checks, verdict, &PointCheck::verdict));
+}
 
 const char* name(Verdict verdict) {
   switch (verdict) {

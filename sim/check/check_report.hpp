@@ -1,5 +1,6 @@
 #pragma once
 // What a check says: to people, to programs (JSON), and to CI servers (JUnit).
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct CheckReport {
   // Of the command, as a shell takes them: all but scenarios and --point; those that change
   // scenarios.
   std::string options, scenario_options;
+
+  /// Points with that verdict.
+  std::size_t count(Verdict verdict) const;
 };
 
 std::string check_text(const CheckReport& report);

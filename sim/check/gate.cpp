@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t fewest_in_a_look = 64, most_looks = 8;
 constexpr double share_of_last_look = 0.5;
-constexpr std::uint64_t most_frames = 1'000'000'000;
+constexpr std::uint64_t most_frames_of_a_point = 1'000'000'000;
 
 /// Stakes of the martingale, equally weighted: small ones for decoders that fail apart, large ones
 /// for those that fail together.
@@ -138,7 +138,7 @@ std::uint64_t frames_needed(const GateRule& rule, double flr, std::uint64_t poin
   };
   std::uint64_t too_few = 0, many = fewest_in_a_look;
   while (!enough(many)) {
-    if (many > most_frames) return many;
+    if (many > most_frames_of_a_point) return many;
     too_few = many;
     many *= 2;
   }

@@ -45,9 +45,9 @@ std::vector<Seconds> next_flips(FlipSource& line) {
 }
 
 /// A line's characters and frames as it goes on.
-class LineDecoder {
+class CapturedLineDecoder {
  public:
-  LineDecoder(const DecodeRequest& request, const LineFacts& facts, bool initial)
+  CapturedLineDecoder(const DecodeRequest& request, const LineFacts& facts, bool initial)
       : json_(request.json),
         uart_(*protocol::find_uart_receiver(request.uart), facts.baud, 0, initial),
         statistics_(facts.baud, initial),
@@ -131,7 +131,7 @@ void decode_line(FlipSource& line, Hertz carrier, const DecodeRequest& request) 
   std::vector<Seconds> flips = next_flips(line);
   const LineFacts facts = survey_line({line.initial(), flips, line.known_until()},
                                       told_inverted(request), hertz(request.baud));
-  LineDecoder decoder(request, facts, line.initial() != facts.inverted);
+  CapturedLineDecoder decoder(request, facts, line.initial() != facts.inverted);
   for (; flips.size() == batch; flips = next_flips(line)) decoder.take(flips, flips.back());
   decoder.take(flips, line.known_until());
   decoder.end();

@@ -12,7 +12,7 @@
 namespace sim {
 namespace {
 
-constexpr const char* command = "exec gnuplot -d -";  // without the user's own settings
+constexpr const char* gnuplot_command = "exec gnuplot -d -";  // without the user's own settings
 constexpr std::chrono::seconds patience{60};
 
 struct Answer {
@@ -33,7 +33,7 @@ std::string fault_of(Waited waited, const ChildProcess& gnuplot) {
 
 Answer answer_to(const std::string& script) {
   const std::atomic<bool>& stop = heed_stop_signals();
-  ChildProcess gnuplot(command);
+  ChildProcess gnuplot(gnuplot_command);
   Answer answer{};
   answer.waited = gnuplot.run({.input = script, .timeout = patience, .stop = &stop}, answer.bytes);
   answer.fault = fault_of(answer.waited, gnuplot);

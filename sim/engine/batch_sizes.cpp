@@ -10,7 +10,7 @@
 namespace sim {
 
 BatchSizes batch_sizes(const Link& link) {
-  constexpr std::uint64_t group_size = channel::lanes_per_group, quick = 64;
+  constexpr std::uint64_t quick = 64;
   if (link.decisions) return {quick, quick};
   const auto lanes = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
   if (link.envelope || link.importance) return {lanes, lanes};

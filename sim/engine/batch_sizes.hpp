@@ -2,9 +2,13 @@
 // How many trials a thread takes at once: what the processor's lanes, memory and the clock ask for.
 #include <cstdint>
 
+#include "channel/chain.hpp"
 #include "sim/link/link.hpp"
 
 namespace sim {
+
+/// Trials of a group, which are counted together.
+constexpr std::uint64_t group_size = channel::lanes_per_group;
 
 /// Groups of eight trials.
 struct BatchSizes {

@@ -22,8 +22,6 @@
 namespace sim {
 namespace {
 
-constexpr std::uint64_t group_size = channel::lanes_per_group;
-
 /// Single groups where else threads would have nothing to do.
 BatchSizes sizes_for(const Link& link, std::uint64_t groups, int threads) {
   const BatchSizes sizes = batch_sizes(link);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/engine/batch_sizes.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/link/link.hpp"
@@ -13,7 +14,6 @@
 namespace sim {
 namespace {
 
-constexpr std::uint64_t group = channel::lanes_per_group;
 constexpr double most_frames = 4e9;  // of a point: trials are numbered in 32 bits
 
 double loss(const Tally& t) { return ratio(t.n_frames_lost, t.n_frames); }
@@ -36,9 +36,9 @@ double frames_for_target(const Pilot& pilot) {
 
 /// Frames of a pilot for each thread: where a trial takes a microsecond, enough to see more of them
 /// than of starting threads.
-std::uint64_t pilot_frames(const Link& link) { return (link.decisions ? 1024 : 4) * group; }
+std::uint64_t pilot_frames(const Link& link) { return (link.decisions ? 1024 : 4) * group_size; }
 
-double in_groups(double frames) { return std::ceil(frames / group) * group; }
+double in_groups(double frames) { return std::ceil(frames / group_size) * group_size; }
 
 }  // namespace
 
@@ -83,15 +83,15 @@ double expected_seconds(const std::vector<Pilot>& pilots) {
 std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds) {
   const auto fits = [&](std::uint64_t groups) {
     std::vector<Pilot> limited = pilots;
-    for (Pilot& pilot : limited) pilot.rule.max_frames = groups * group;
+    for (Pilot& pilot : limited) pilot.rule.max_frames = groups * group_size;
     return expected_seconds(limited) <= seconds;
   };
-  std::uint64_t good = 1, bad = static_cast<std::uint64_t>(most_frames) / group + 1;
+  std::uint64_t good = 1, bad = static_cast<std::uint64_t>(most_frames) / group_size + 1;
   while (bad - good > 1) {
     const std::uint64_t middle = good + (bad - good) / 2;
     (fits(middle) ? good : bad) = middle;
   }
-  return good * group;
+  return good * group_size;
 }
 
 }  // namespace sim

@@ -15,8 +15,6 @@
 namespace sim {
 namespace {
 
-constexpr std::uint64_t group_size = channel::lanes_per_group;
-
 // Between waves the members wait for the slowest, so waves are long against that, but not so long
 // that a user who interrupts must wait.
 constexpr double short_wave_s = 0.25, long_wave_s = 1;

@@ -11,7 +11,7 @@
 namespace sim {
 namespace {
 
-constexpr double ci_level = 0.95;
+constexpr double contest_ci_level = 0.95;
 
 using OfDecoders = std::vector<Accepts>;
 
@@ -60,7 +60,7 @@ Accepts& Accepts::operator+=(const Accepts& other) {
 Estimate ListeningContestPoint::wrong_per_hour(std::size_t decoder) const {
   const Accepts& of = accepts[decoder];
   const double hours = of.fault ? 0 : static_cast<double>(of.n_runs) * hours_of_a_run;
-  return poisson_rate(of.n_wrong, hours, ci_level);
+  return poisson_rate(of.n_wrong, hours, contest_ci_level);
 }
 
 ListeningContestPoint listening_contest(const LoadedScenario& scenario, std::size_t point,

@@ -11,14 +11,14 @@ namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Points = std::vector<ListeningContestPoint>;
+using ContestPoints = std::vector<ListeningContestPoint>;
 
 double hours_of(const ListeningContestPoint& point, std::size_t decoder) {
   return static_cast<double>(point.accepts[decoder].n_runs) * point.hours_of_a_run;
 }
 
 /// A line a decoder, for there may be many.
-std::vector<TextColumn> columns_for(const Points& points, const Decoders& decoders) {
+std::vector<TextColumn> columns_for(const ContestPoints& points, const Decoders& decoders) {
   std::size_t names = 5, decoder_names = 7;
   for (const ListeningContestPoint& point : points) names = std::max(names, point.name.size());
   for (const Decoder* decoder : decoders)
@@ -43,7 +43,7 @@ std::vector<std::string> row_of(const ListeningContestPoint& point, const Decode
           estimate_text(point.wrong_per_hour(d))};
 }
 
-std::string faults_text(const Points& points, const Decoders& decoders) {
+std::string faults_text(const ContestPoints& points, const Decoders& decoders) {
   std::string text;
   for (const ListeningContestPoint& point : points)
     for (std::size_t d = 0; d < decoders.size(); ++d)
@@ -69,7 +69,7 @@ Json decoder_json(const ListeningContestPoint& point, const Decoders& decoders, 
 
 }  // namespace
 
-std::string listening_contest_text(const Points& points, const Decoders& decoders) {
+std::string listening_contest_text(const ContestPoints& points, const Decoders& decoders) {
   const std::vector<TextColumn> columns = columns_for(points, decoders);
   std::string text = table_head(columns);
   for (const ListeningContestPoint& point : points)
@@ -78,7 +78,7 @@ std::string listening_contest_text(const Points& points, const Decoders& decoder
   return text + faults_text(points, decoders);
 }
 
-std::string listening_contest_json(const Points& points, const Decoders& decoders) {
+std::string listening_contest_json(const ContestPoints& points, const Decoders& decoders) {
   Json list = Json::array();
   for (const ListeningContestPoint& point : points) {
     Json of_point = Json::array();

@@ -22,7 +22,7 @@ constexpr double least_front_end_hz = 4e4, most_front_end_hz = 2e5;
 constexpr double least_hold_cycles = 1.1, least_integrator_cycles = 2;
 constexpr double most_steps = 2e9;
 
-constexpr const char* key = "simulation.fidelity";
+constexpr const char* fidelity_key = "simulation.fidelity";
 
 /// "KEY = VALUE in x.toml:3" of a text.
 std::string setting(const std::string& name, const std::string& value, const Places& places) {
@@ -30,7 +30,7 @@ std::string setting(const std::string& name, const std::string& value, const Pla
 }
 
 void check_decision(const Scenario& s, const Places& places) {
-  const std::string asked = setting(key, s.simulation.fidelity, places) + " with ";
+  const std::string asked = setting(fidelity_key, s.simulation.fidelity, places) + " with ";
   if (!channel::is_matched(s.module))
     throw bad_input(asked + setting("receiver.module", s.receiver.module, places),
                     "a module has more to it than one decision a bit",
@@ -131,7 +131,7 @@ void check_envelope_length(const EnvelopeBounds& bounds, const std::string& aske
 }
 
 void check_envelope(const Scenario& s, const Places& places) {
-  const std::string asked = setting(key, s.simulation.fidelity, places) + " with ";
+  const std::string asked = setting(fidelity_key, s.simulation.fidelity, places) + " with ";
   check_envelope_alone(s, asked, places);
   const EnvelopeBounds bounds = envelope_bounds(s);
   const EnvelopeLimits limits(asked, places);

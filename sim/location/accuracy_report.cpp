@@ -12,8 +12,6 @@
 namespace sim {
 namespace {
 
-using Point = LocationPointRun;
-
 /// Three NaNs where the readings bound nothing.
 ErrorEllipse bound_ellipse(const LocationTrials& result) {
   if (result.bound) return error_ellipse(*result.bound);
@@ -24,7 +22,7 @@ double error_over_bound(const LocationTrials& result) {
   return result.rmse_m.value / result.bound_m();
 }
 
-std::vector<TextColumn> columns_of(const LoadedScenario& scenario) {
+std::vector<TextColumn> accuracy_columns(const LoadedScenario& scenario) {
   std::vector<TextColumn> columns = axis_columns(scenario.sweep);
   columns.push_back({{"", "rms error", "[m]"}, -estimate_width});
   columns.push_back({{"Cramer-", "Rao", "[m]"}, 7});
@@ -57,7 +55,7 @@ std::string ellipse_text(const ErrorEllipse& e) {
 
 // ---- dataset ----
 
-void add_estimate(TrialVariables<Point>& to, const VariableFacts& facts,
+void add_estimate(TrialVariables<LocationPointRun>& to, const VariableFacts& facts,
                   Estimate LocationTrials::*member) {
   to.real(facts, [=](const LocationTrials& r) { return (r.*member).value; });
   to.real(
@@ -68,7 +66,7 @@ void add_estimate(TrialVariables<Point>& to, const VariableFacts& facts,
       [=](const LocationTrials& r) { return (r.*member).high; });
 }
 
-void add_bound(TrialVariables<Point>& to) {
+void add_bound(TrialVariables<LocationPointRun>& to) {
   to.real({"bound_m", "m", "root of the trace of the Cramer-Rao bound"},
           [](const LocationTrials& r) { return r.bound_m(); });
   to.real({"error_over_bound", "1", "rms error over that"}, error_over_bound);
@@ -80,13 +78,13 @@ void add_bound(TrialVariables<Point>& to) {
           [](const LocationTrials& r) { return dsp::in_degrees(bound_ellipse(r).direction); });
 }
 
-void add_readings(TrialVariables<Point>& to) {
+void add_readings(TrialVariables<LocationPointRun>& to) {
   to.knowns({"irradiance_mw_per_m2", "mW/m2", "light of the device at each receiver"}, "reading",
-            [](const Point& p, std::size_t i) {
+            [](const LocationPointRun& p, std::size_t i) {
               return p.settings.readings[i].irradiance_w_per_m2 * 1e3;
             });
   to.knowns({"sigma_mw_per_m2", "mW/m2", "standard deviation of its reading"}, "reading",
-            [](const Point& p, std::size_t i) {
+            [](const LocationPointRun& p, std::size_t i) {
               return p.settings.readings[i].deviation_w_per_m2 * 1e3;
             });
 }
@@ -94,10 +92,10 @@ void add_readings(TrialVariables<Point>& to) {
 }  // namespace
 
 std::string accuracy_header(const LoadedScenario& scenario) {
-  return table_head(columns_of(scenario));
+  return table_head(accuracy_columns(scenario));
 }
 
-std::string accuracy_row(const LoadedScenario& scenario, const Point& point) {
+std::string accuracy_row(const LoadedScenario& scenario, const LocationPointRun& point) {
   const LocationTrials& result = point.result.value();
   const ErrorEllipse ellipse = bound_ellipse(result);
   std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
@@ -108,28 +106,31 @@ std::string accuracy_row(const LoadedScenario& scenario, const Point& point) {
   texts.push_back(number(std::round(dsp::in_degrees(ellipse.direction))));
   texts.push_back(estimate_text(result.coverage));
   for (const std::uint64_t n : result.count) texts.push_back(fmt::format("{}", n));
-  return table_line(columns_of(scenario), texts);
+  return table_line(accuracy_columns(scenario), texts);
 }
 
 Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& command,
-                         const std::vector<Point>& points) {
+                         const std::vector<LocationPointRun>& points) {
   Dataset data = dataset_of(scenario, command);
   data.dimensions.push_back({{"outcome", "", "what locating came to"}, locate_outcome_names()});
   std::vector<double> numbers(points.front().settings.readings.size());
   std::iota(numbers.begin(), numbers.end(), 1);
   data.dimensions.push_back({{"reading", "1", "number of the receiver or heading"}, numbers});
-  for (const Point& point : points) data.n_runs += point.result ? point.result->trials() : 0;
-  TrialVariables<Point> to(data, points);
-  to.count({"n_trials", "1", "times that locating was tried"}, [](const Point& p) {
+  for (const LocationPointRun& point : points)
+    data.n_runs += point.result ? point.result->trials() : 0;
+  TrialVariables<LocationPointRun> to(data, points);
+  to.count({"n_trials", "1", "times that locating was tried"}, [](const LocationPointRun& p) {
     return p.result ? static_cast<std::int64_t>(p.result->trials()) : 0;
   });
   to.counts({"n_outcomes", "1", "trials by what they came to"}, "outcome",
             [](const LocationTrials& r, std::size_t i) { return r.count[i]; });
+  to.count({"n_covered", "1", "located ones with the truth in their 95 % ellipse"},
+           [](const LocationPointRun& p) {
+             return p.result ? static_cast<std::int64_t>(p.result->covered) : 0;
+           });
   to.count(
-      {"n_covered", "1", "located ones with the truth in their 95 % ellipse"},
-      [](const Point& p) { return p.result ? static_cast<std::int64_t>(p.result->covered) : 0; });
-  to.count({"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
-           [](const Point& p) { return p.result ? std::llround(p.result->squared_um2) : 0; });
+      {"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
+      [](const LocationPointRun& p) { return p.result ? std::llround(p.result->squared_um2) : 0; });
   add_estimate(to, {"rmse_m", "m", "rms error of the located ones"}, &LocationTrials::rmse_m);
   add_bound(to);
   add_estimate(to, {"coverage", "1", "share of the located ones with the truth in their ellipse"},

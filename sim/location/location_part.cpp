@@ -54,7 +54,7 @@ std::string outcomes_text(const Dataset& data) {
   return text;
 }
 
-std::string size_of(const Dataset& data) {
+std::string size_of_location(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
   return fmt::format("Locating was tried {} time{}{}{}.\n", data.n_runs,
                      data.n_runs == 1 ? "" : "s",
@@ -74,7 +74,7 @@ ShareBars outcomes_of(const Dataset& data) {
 }
 
 /// Each receiver once, though it stands there at many points.
-class Receivers {
+class DrawnReceivers {
  public:
   void add(const Reading& reading) {
     const channel::Pose& r = reading.receiver;
@@ -144,7 +144,7 @@ FloorPlan plan_of(const StoredDataset& stored) {
                      "estimates lie"};
   const DatasetCells major(data, "ellipse_major_m"), minor(data, "ellipse_minor_m"),
       direction(data, "ellipse_direction_deg");
-  Receivers receivers;
+  DrawnReceivers receivers;
   std::vector<MapPoint> drawn;
   const std::vector<std::size_t> points = measured_points(data);
   for (const std::size_t point : points) {
@@ -195,7 +195,7 @@ PageSection map_of(const StoredDataset& stored) {
                                            {"ellipse_direction_deg", "longer one from +x [deg]"}})};
 }
 
-void add_charts(ReportPart& part, const Dataset& data) {
+void add_location_charts(ReportPart& part, const Dataset& data) {
   add_chart(part, swept_chart(data, {.name = "rmse_m",
                                      .title = "Error of location",
                                      .label = "rms error [m] (dashed: Cramer-Rao bound)",
@@ -210,14 +210,14 @@ void add_charts(ReportPart& part, const Dataset& data) {
 
 ReportPart location_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportPart part{name, data.title, size_of(data)};
+  ReportPart part{name, data.title, size_of_location(data)};
   part.verdict +=
       extremes(data, "rmse_m", "The rms error of the located ones", " m") +
       extremes(data, "error_over_bound",
                "That error over its Cramer-Rao bound, the least of any unbiased estimate,") +
       extremes(data, "coverage", "The coverage of the 95 % ellipse") + missing_points(stored);
   part.first.push_back(map_of(stored));
-  add_charts(part, data);
+  add_location_charts(part, data);
   part.sections.push_back(shares_section("outcomes", outcomes_of(data)));
   part.sections.push_back(
       {.heading = "Readings",

@@ -36,8 +36,8 @@ LightModel model_of(const Scenario& s) {
 }
 
 /// The lists of the receivers, each as long as the longest.
-struct Receivers {
-  Receivers(const LocationScenario& l, const Places& places)
+struct ReceiverPlaces {
+  ReceiverPlaces(const LocationScenario& l, const Places& places)
       : x(numbers("location.x_m", l.x_m, places)),
         y(numbers("location.y_m", l.y_m, places)),
         heading(numbers("location.heading_deg", l.heading_deg, places)) {
@@ -86,7 +86,7 @@ void refuse_too_near(const std::vector<Reading>& readings, const Scenario& s,
 }
 
 std::vector<Reading> readings_of(const Scenario& s, const LightModel& model, const Places& places) {
-  const Receivers at(s.location, places);
+  const ReceiverPlaces at(s.location, places);
   std::vector<Reading> readings;
   for (std::size_t i = 0; i < at.x.size(); ++i)
     readings.push_back(reading_at(s, at.x[i], at.y[i], at.heading[i]));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double surely = 0.9;
 
-std::string size_of(const Dataset& data) {
+std::string size_of_presence(const Dataset& data) {
   const std::size_t points = measured_points(data).size();
   return fmt::format("{} windows with and {} without light were judged{}.\n", data.n_runs,
                      data.n_runs, points > 1 ? fmt::format(" at {} points", points) : "");
@@ -121,7 +121,7 @@ std::string roc_note(const Dataset& data) {
   return fmt::format("Of more than {} points no ROC is drawn; --set chooses some.", most_curves);
 }
 
-void add_charts(ReportPart& part, const Dataset& data) {
+void add_presence_charts(ReportPart& part, const Dataset& data) {
   const DrawnVariable detection{.name = "p_detection",
                                 .title = "Detection",
                                 .label = "probability of detection",
@@ -139,8 +139,8 @@ void add_charts(ReportPart& part, const Dataset& data) {
 
 ReportPart presence_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportPart part{name, data.title, size_of(data)};
-  add_charts(part, data);
+  ReportPart part{name, data.title, size_of_presence(data)};
+  add_presence_charts(part, data);
   part.verdict += missing_points(stored);
   part.sections.push_back({.heading = "Detections and false alarms",
                            .text = roc_note(data),

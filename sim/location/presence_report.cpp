@@ -13,11 +13,11 @@
 namespace sim {
 namespace {
 
-using Point = PresencePointRun;
+double irradiance_mw_per_m2(const PresencePointRun& point) {
+  return point.settings.light.signal.value * 1e3;
+}
 
-double irradiance_mw_per_m2(const Point& point) { return point.settings.light.signal.value * 1e3; }
-
-double photocurrent_na(const Point& point) {
+double photocurrent_na(const PresencePointRun& point) {
   return channel::photocurrent(point.settings.meter.photodiode, point.settings.light.signal).value *
          1e9;
 }
@@ -35,18 +35,18 @@ double samples_summed(const PresenceSettings& s) {
   return s.detector == Detector::dc_difference ? n * m / (n + m) : n;
 }
 
-bool is_coarse(const Point& point) {
+bool is_coarse(const PresencePointRun& point) {
   const double noise = point.result->noise_over_step;
   return noise < least_noise_in_steps ||
          noise * std::sqrt(samples_summed(point.settings)) < least_values_in_noise;
 }
 
-std::string outside_text(const Point& point) {
+std::string outside_text(const PresencePointRun& point) {
   if (point.result->clipped > 0) return "clipped";
   return is_coarse(point) ? "steps" : "";
 }
 
-std::vector<TextColumn> columns_of(const LoadedScenario& scenario) {
+std::vector<TextColumn> presence_columns(const LoadedScenario& scenario) {
   std::vector<TextColumn> columns = axis_columns(scenario.sweep);
   columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
   columns.push_back({{"photo-", "current", "[nA]"}, number_width});
@@ -69,9 +69,9 @@ std::vector<TextColumn> roc_columns() {
 
 // ---- dataset ----
 
-void add_point_variables(TrialVariables<Point>& to) {
+void add_point_variables(TrialVariables<PresencePointRun>& to) {
   to.count({"n_trials", "1", "windows with and windows without light"},
-           [](const Point& p) { return p.result ? std::int64_t{p.result->trials} : 0; });
+           [](const PresencePointRun& p) { return p.result ? std::int64_t{p.result->trials} : 0; });
   to.known({"irradiance_mw_per_m2", "mW/m2", "light of the device at the photodiode"},
            irradiance_mw_per_m2);
   to.known({"photocurrent_na", "nA", "photocurrent of it while lit"}, photocurrent_na);
@@ -85,8 +85,8 @@ void add_point_variables(TrialVariables<Point>& to) {
           [](const PresenceResult& r) { return r.clipped; });
 }
 
-void add_estimate(TrialVariables<Point>& to, const std::string& name, const std::string& what,
-                  Estimate RocPoint::*member) {
+void add_estimate(TrialVariables<PresencePointRun>& to, const std::string& name,
+                  const std::string& what, Estimate RocPoint::*member) {
   const auto add = [&](const std::string& suffix, const std::string& of, double Estimate::*part) {
     to.reals({name + suffix, "1", of + what}, "false_alarm",
              [=](const PresenceResult& r, std::size_t i) { return r.roc[i].*member.*part; });
@@ -96,7 +96,7 @@ void add_estimate(TrialVariables<Point>& to, const std::string& name, const std:
   add("_ci_high", "upper end of the interval of the ", &Estimate::high);
 }
 
-void add_roc_variables(TrialVariables<Point>& to) {
+void add_roc_variables(TrialVariables<PresencePointRun>& to) {
   to.counts({"n_false_alarms", "1", "windows without light above the threshold"}, "false_alarm",
             [](const PresenceResult& r, std::size_t i) { return r.roc[i].false_alarms; });
   to.counts({"n_detections", "1", "windows with light above the threshold"}, "false_alarm",
@@ -115,10 +115,10 @@ void add_roc_variables(TrialVariables<Point>& to) {
 }  // namespace
 
 std::string presence_header(const LoadedScenario& scenario) {
-  return table_head(columns_of(scenario));
+  return table_head(presence_columns(scenario));
 }
 
-std::string presence_row(const LoadedScenario& scenario, const Point& point) {
+std::string presence_row(const LoadedScenario& scenario, const PresencePointRun& point) {
   const PresenceResult& result = point.result.value();
   std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
   texts.push_back(fmt::format("{:.4g}", irradiance_mw_per_m2(point)));
@@ -129,10 +129,10 @@ std::string presence_row(const LoadedScenario& scenario, const Point& point) {
     texts.push_back(fmt::format("{:.4f}", roc.detection_theory));
   }
   texts.push_back(outside_text(point));
-  return table_line(columns_of(scenario), texts);
+  return table_line(presence_columns(scenario), texts);
 }
 
-std::string roc_table(const Point& point) {
+std::string roc_table(const PresencePointRun& point) {
   std::string table = table_head(roc_columns());
   for (const RocPoint& roc : point.result.value().roc)
     table += table_line(
@@ -142,12 +142,13 @@ std::string roc_table(const Point& point) {
 }
 
 Dataset presence_dataset(const LoadedScenario& scenario, const std::string& command,
-                         const std::vector<Point>& points) {
+                         const std::vector<PresencePointRun>& points) {
   Dataset data = dataset_of(scenario, command);
   data.dimensions.push_back(
       {{"false_alarm", "1", "probability of false alarm, as set"}, points.front().settings.pfa});
-  for (const Point& point : points) data.n_runs += point.result ? point.result->trials : 0;
-  TrialVariables<Point> variables(data, points);
+  for (const PresencePointRun& point : points)
+    data.n_runs += point.result ? point.result->trials : 0;
+  TrialVariables<PresencePointRun> variables(data, points);
   add_point_variables(variables);
   add_roc_variables(variables);
   return data;

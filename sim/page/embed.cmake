@@ -8,10 +8,10 @@ endif()
 file(WRITE ${OUTPUT} "#include \"sim/page/embedded.hpp\"
 
 namespace {
-constexpr char bytes[] = {${bytes}'\\0'};
+constexpr char bytes_of_${NAME}[] = {${bytes}'\\0'};
 }  // namespace
 
 namespace sim {
-const std::string_view ${NAME}{bytes, sizeof bytes - 1};
+const std::string_view ${NAME}{bytes_of_${NAME}, sizeof bytes_of_${NAME} - 1};
 }  // namespace sim
 ")

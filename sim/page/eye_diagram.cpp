@@ -17,7 +17,8 @@ constexpr const char* caption =
     "The integrator over two bits, all bits of the message over each other";
 
 // Pixels.
-constexpr double width = 720, height = 336, left = 80, right = 700, top = 50, bottom = 260;
+constexpr double eye_width = 720, eye_height = 336, eye_left = 80, eye_right = 700, eye_top = 50,
+                 eye_bottom = 260;
 
 /// In samples, from where the pin reports light.
 double upper_stop(const ShownTrial& shown) {
@@ -34,24 +35,26 @@ std::vector<float> thinned(const std::vector<float>& samples, std::size_t step) 
 void draw_axes(SvgDrawing& drawing, const Scale& level) {
   drawing.text({20, 20}, "Eye diagram of the integrator", "heading");
   for (const double bits : {0.0, 0.5, 1.0, 1.5, 2.0}) {
-    const double x = left + (right - left) * bits / 2;
-    drawing.line({x, top}, {x, bottom}, "grid");
-    drawing.text({x, bottom + 18}, fmt::format("{:g}", bits), "middle small");
+    const double x = eye_left + (eye_right - eye_left) * bits / 2;
+    drawing.line({x, eye_top}, {x, eye_bottom}, "grid");
+    drawing.text({x, eye_bottom + 18}, fmt::format("{:g}", bits), "middle small");
   }
   for (const double samples : {level.from, level.to})
-    drawing.text({left - 8, level(samples) + 4}, fmt::format("{:.3g}", samples), "end small");
-  drawing.text({20, top - 12}, "integrator [samples]", "");
-  drawing.text({(left + right) / 2, bottom + 42}, "bits since the sender's bit began", "middle");
+    drawing.text({eye_left - 8, level(samples) + 4}, fmt::format("{:.3g}", samples), "end small");
+  drawing.text({20, eye_top - 12}, "integrator [samples]", "");
+  drawing.text({(eye_left + eye_right) / 2, eye_bottom + 42}, "bits since the sender's bit began",
+               "middle");
 }
 
 /// Where the pin switches, and where it is read.
 void draw_decision(SvgDrawing& drawing, const Scale& level, double stop) {
-  const double read = left + (right - left) / 4;
-  for (const double at : {stop, 0.0}) drawing.line({left, level(at)}, {right, level(at)}, "level");
-  drawing.text({right - 4, level(stop) - 4}, "reached: the pin turns light", "end small");
-  drawing.text({right - 4, level(0) - 4}, "reached: the pin turns dark", "end small");
-  drawing.line({read, top}, {read, bottom}, "level");
-  drawing.text({read + 4, top - 4}, "the bit is read", "small");
+  const double read = eye_left + (eye_right - eye_left) / 4;
+  for (const double at : {stop, 0.0})
+    drawing.line({eye_left, level(at)}, {eye_right, level(at)}, "level");
+  drawing.text({eye_right - 4, level(stop) - 4}, "reached: the pin turns light", "end small");
+  drawing.text({eye_right - 4, level(0) - 4}, "reached: the pin turns dark", "end small");
+  drawing.line({read, eye_top}, {read, eye_bottom}, "level");
+  drawing.text({read + 4, eye_top - 4}, "the bit is read", "small");
 }
 
 struct EyeTraces {
@@ -72,7 +75,7 @@ EyeTraces traces_of(const TracedTrial& trial, const Scale& level) {
       const double from_s = message.start_s(i) + slot * bit_s;
       (is_wrong_at_pin(trial, message, i, slot) ? traces.misread : traces.right)
           .push_back(sampled_path({integrator, sample_s, sample_s * static_cast<double>(step)},
-                                  {from_s, from_s + 2 * bit_s, left, right}, level));
+                                  {from_s, from_s + 2 * bit_s, eye_left, eye_right}, level));
     }
   return traces;
 }
@@ -82,16 +85,16 @@ EyeTraces traces_of(const TracedTrial& trial, const Scale& level) {
 std::string eye_as_svg(const ShownTrial& shown) {
   const double stop = upper_stop(shown);
   const Scale level{0, std::max({1.0, stop, double{std::ranges::max(shown.trial.taps.integrator)}}),
-                    bottom, top};
-  SvgDrawing drawing(width, height, "Eye diagram", caption);
+                    eye_bottom, eye_top};
+  SvgDrawing drawing(eye_width, eye_height, "Eye diagram", caption);
   draw_axes(drawing, level);
   const EyeTraces traces = traces_of(shown.trial, level);
   for (const std::string& path : traces.right) drawing.path(path, "eye");
   draw_decision(drawing, level, stop);
   for (const std::string& path : traces.misread) drawing.path(path, "misread");
   if (traces.misread.empty()) return drawing.finished();
-  drawing.line({left, height - 14}, {left + 25, height - 14}, "misread");
-  drawing.text({left + 32, height - 10},
+  drawing.line({eye_left, eye_height - 14}, {eye_left + 25, eye_height - 14}, "misread");
+  drawing.text({eye_left + 32, eye_height - 10},
                fmt::format("misread at the pin: {} of {} bits", traces.misread.size(),
                            traces.misread.size() + traces.right.size()),
                "");

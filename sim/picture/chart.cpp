@@ -15,10 +15,10 @@ namespace sim {
 namespace {
 
 // Pixels.
-constexpr double width = 720;
-constexpr double left = 80, right = 700, top = 50, bottom = 380;
+constexpr double chart_width = 720;
+constexpr double chart_left = 80, chart_right = 700, chart_top = 50, chart_bottom = 380;
 constexpr double arrow_length = 24, whisker = 4;
-constexpr double legend_top = bottom + 66, legend_step = 16;
+constexpr double chart_legend_top = chart_bottom + 66, chart_legend_step = 16;
 
 /// Places of values along an axis.
 class Positions {
@@ -132,7 +132,7 @@ struct Paper {
 };
 
 Paper paper_for(const Chart& chart) {
-  Paper paper{{chart.x, left, right, false}, {chart.y, bottom, top, true}};
+  Paper paper{{chart.x, chart_left, chart_right, false}, {chart.y, chart_bottom, chart_top, true}};
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points) {
       const double beside = curve.kind == CurveKind::bars ? bar_step(curve) / 2 : 0;
@@ -149,25 +149,25 @@ Paper paper_for(const Chart& chart) {
 
 void draw_axes(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
   for (const double value : paper.x.marks()) {
-    drawing.line({paper.x(value), top}, {paper.x(value), bottom}, "grid");
-    drawing.text({paper.x(value), bottom + 18}, paper.x.label(value), "middle small");
+    drawing.line({paper.x(value), chart_top}, {paper.x(value), chart_bottom}, "grid");
+    drawing.text({paper.x(value), chart_bottom + 18}, paper.x.label(value), "middle small");
   }
   for (const double value : paper.y.marks()) {
-    drawing.line({left, paper.y(value)}, {right, paper.y(value)}, "grid");
-    drawing.text({left - 8, paper.y(value) + 4}, paper.y.label(value), "end small");
+    drawing.line({chart_left, paper.y(value)}, {chart_right, paper.y(value)}, "grid");
+    drawing.text({chart_left - 8, paper.y(value) + 4}, paper.y.label(value), "end small");
   }
-  drawing.line({left, bottom}, {right, bottom}, "axis");
-  drawing.line({left, top}, {left, bottom}, "axis");
-  drawing.text({(left + right) / 2, bottom + 42}, title_of(chart.x), "middle");
-  drawing.text({left - 60, top - 12}, chart.y.label, "");
-  drawing.text({left - 60, 20}, chart.title, "heading");
+  drawing.line({chart_left, chart_bottom}, {chart_right, chart_bottom}, "axis");
+  drawing.line({chart_left, chart_top}, {chart_left, chart_bottom}, "axis");
+  drawing.text({(chart_left + chart_right) / 2, chart_bottom + 42}, title_of(chart.x), "middle");
+  drawing.text({chart_left - 60, chart_top - 12}, chart.y.label, "");
+  drawing.text({chart_left - 60, 20}, chart.title, "heading");
 }
 
 void draw_level(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
   if (!chart.y.level) return;
   const double y = paper.y(*chart.y.level);
-  drawing.line({left, y}, {right, y}, "level");
-  drawing.text({right - 4, y - 4}, level_text(*chart.y.level), "end small");
+  drawing.line({chart_left, y}, {chart_right, y}, "level");
+  drawing.text({chart_right - 4, y - 4}, level_text(*chart.y.level), "end small");
 }
 
 /// From point to point; broken where nothing is known.
@@ -185,7 +185,7 @@ std::string line_through(const ChartCurve& curve, const Paper& paper) {
 
 /// An arrow downward from the upper end, shorter where the axis is near.
 void draw_limit(SvgDrawing& drawing, double x, double y, const std::string& style) {
-  const double length = std::min(arrow_length, bottom - y);
+  const double length = std::min(arrow_length, chart_bottom - y);
   drawing.path(
       fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker, y,
                   2 * whisker, x, y, length, whisker, whisker, whisker, whisker, whisker, whisker),
@@ -198,8 +198,8 @@ void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& po
   if (point.low == point.high && !point.is_limit) return;
   const double x = paper.x(point.x), high = paper.y(point.high);
   if (point.is_limit) return draw_limit(drawing, x, high, style);
-  const bool has_end = paper.y.shows(point.low) && paper.y(point.low) <= bottom;
-  const double low = has_end ? paper.y(point.low) : bottom;
+  const bool has_end = paper.y.shows(point.low) && paper.y(point.low) <= chart_bottom;
+  const double low = has_end ? paper.y(point.low) : chart_bottom;
   drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}V{:.2f}", x - whisker, high, 2 * whisker,
                            x, high, low) +
                    (has_end ? fmt::format("m-{} 0h{}", whisker, 2 * whisker) : ""),
@@ -213,7 +213,7 @@ void draw_bars(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve)
   for (const ChartPoint& point : curve.points) {
     if (!paper.x.shows(point.x) || !paper.y.shows(point.y)) continue;
     const double y = paper.y(point.y);
-    drawing.rectangle({paper.x(point.x) - wide / 2, y}, wide, bottom - y, "fill1");
+    drawing.rectangle({paper.x(point.x) - wide / 2, y}, wide, chart_bottom - y, "fill1");
     draw_interval(drawing, paper, point, "");
   }
 }
@@ -277,13 +277,13 @@ std::vector<LegendLine> legend_of(const Chart& chart) {
 }
 
 void draw_legend(SvgDrawing& drawing, const std::vector<LegendLine>& lines) {
-  double y = legend_top;
+  double y = chart_legend_top;
   for (const LegendLine& line : lines) {
-    if (line.has_line) drawing.line({left, y - 4}, {left + 25, y - 4}, line.style);
+    if (line.has_line) drawing.line({chart_left, y - 4}, {chart_left + 25, y - 4}, line.style);
     if (line.marked_as)
-      drawing.path(mark_at(left + 12.5, y - 4, *line.marked_as), line.style + " dot");
-    drawing.text({left + 32, y}, line.words, "");
-    y += legend_step;
+      drawing.path(mark_at(chart_left + 12.5, y - 4, *line.marked_as), line.style + " dot");
+    drawing.text({chart_left + 32, y}, line.words, "");
+    y += chart_legend_step;
   }
 }
 
@@ -304,8 +304,8 @@ std::size_t colour_of(const Chart& chart, std::size_t curve) {
 
 std::string chart_as_svg(const Chart& chart) {
   const std::vector<LegendLine> legend = legend_of(chart);
-  const double height = legend_top + legend_step * static_cast<double>(legend.size());
-  SvgDrawing drawing(width, height, chart.title, chart.description);
+  const double height = chart_legend_top + chart_legend_step * static_cast<double>(legend.size());
+  SvgDrawing drawing(chart_width, height, chart.title, chart.description);
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
   draw_level(drawing, chart, paper);

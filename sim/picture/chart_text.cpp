@@ -12,11 +12,11 @@
 namespace sim {
 namespace {
 
-constexpr int columns = 64, rows = 15;
+constexpr int cell_columns = 64, cell_rows = 15;
 constexpr int label_width = 10;
 
 /// Of the curves that were measured, in turn.
-constexpr std::string_view marks = "ox+#@%ABCDEFGHIJKLMNPQRSTUVWYZ";
+constexpr std::string_view curve_marks = "ox+#@%ABCDEFGHIJKLMNPQRSTUVWYZ";
 constexpr char theory_mark = '.', limit_mark = 'v', several_mark = '*', level_mark = '-';
 
 /// Values along one axis, as the paper has them.
@@ -51,14 +51,14 @@ class CellScale : public AxisSpan {
   int cells_;
 };
 
-class Paper {
+class CellPaper {
  public:
-  Paper(const CellScale& x, const CellScale& y)
-      : x_(x), y_(y), lines_(rows, std::string(static_cast<std::size_t>(columns), ' ')) {}
+  CellPaper(const CellScale& x, const CellScale& y)
+      : x_(x), y_(y), lines_(cell_rows, std::string(static_cast<std::size_t>(cell_columns), ' ')) {}
 
   void mark(double x, double y, char with) {
     if (!x_.shows(x) || !y_.shows(y)) return;
-    char& at = lines_[static_cast<std::size_t>(rows - 1 - y_.cell(y))]
+    char& at = lines_[static_cast<std::size_t>(cell_rows - 1 - y_.cell(y))]
                      [static_cast<std::size_t>(x_.cell(x))];
     if (at == ' ' || at == level_mark || at == with || at == theory_mark)
       at = with;
@@ -67,7 +67,7 @@ class Paper {
   }
   /// A line across, which all else covers, and what stands at its end.
   void draw_level(double level) {
-    std::string& line = lines_[static_cast<std::size_t>(rows - 1 - y_.cell(level))];
+    std::string& line = lines_[static_cast<std::size_t>(cell_rows - 1 - y_.cell(level))];
     for (std::size_t at = 0; at < line.size(); at += 2) line[at] = level_mark;
     line += " " + level_text(level);
   }
@@ -88,7 +88,7 @@ std::vector<char> marks_of(const std::vector<ChartCurve>& curves) {
   std::size_t measured = 0;
   for (const ChartCurve& curve : curves)
     found.push_back(curve.kind == CurveKind::theory ? theory_mark
-                                                    : marks[measured++ % marks.size()]);
+                                                    : curve_marks[measured++ % curve_marks.size()]);
   return found;
 }
 
@@ -103,7 +103,7 @@ std::string wrapped(const std::string& head, const std::vector<std::string>& nam
   std::string text, line = head;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string next = names[i] + (i + 1 < names.size() ? "," : "");
-    if (line.size() + 1 + next.size() > columns) {
+    if (line.size() + 1 + next.size() > cell_columns) {
       text += fmt::format("{:>{}}  {}\n", "", label_width, line);
       line = next;
     } else {
@@ -129,26 +129,26 @@ std::string legend(const Chart& chart) {
 /// Where a point is marked: a limit at its upper end.
 double height_of(const ChartPoint& point) { return point.is_limit ? point.high : point.y; }
 
-std::string framed(const Paper& paper, const CellScale& x, const CellScale& y,
+std::string framed(const CellPaper& paper, const CellScale& x, const CellScale& y,
                    const ChartAxis& axis) {
   std::string text;
   std::map<int, std::string> labels = y.labels();
-  for (int row = 0; row < rows; ++row) {
-    std::string line = fmt::format("{:>{}} |{}", labels[rows - 1 - row], label_width,
+  for (int row = 0; row < cell_rows; ++row) {
+    std::string line = fmt::format("{:>{}} |{}", labels[cell_rows - 1 - row], label_width,
                                    paper.lines()[static_cast<std::size_t>(row)]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  text += fmt::format("{:>{}} +{:-<{}}\n", "", label_width, "", columns);
+  text += fmt::format("{:>{}} +{:-<{}}\n", "", label_width, "", cell_columns);
   text += fmt::format("{:>{}}  {:<{}.4g}{:^{}}{:>{}.4g}\n", "", label_width, x.least(), 10,
-                      label(axis), columns - 20, x.greatest(), 10);
+                      label(axis), cell_columns - 20, x.greatest(), 10);
   return text;
 }
 
 }  // namespace
 
 std::string chart_as_text(const Chart& chart) {
-  CellScale across(chart.x, columns), up(chart.y, rows);
+  CellScale across(chart.x, cell_columns), up(chart.y, cell_rows);
   for (const ChartCurve& curve : chart.curves)
     for (const ChartPoint& point : curve.points) {
       across.cover(point.x);
@@ -156,7 +156,7 @@ std::string chart_as_text(const Chart& chart) {
     }
   up.cover_level(chart.y);
   up.widen();
-  Paper paper(across, up);
+  CellPaper paper(across, up);
   if (chart.y.level) paper.draw_level(*chart.y.level);
   const std::vector<char> found = marks_of(chart.curves);
   for (std::size_t i = 0; i < found.size(); ++i)

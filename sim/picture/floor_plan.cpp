@@ -15,9 +15,9 @@ namespace sim {
 namespace {
 
 // Pixels.
-constexpr double width = 720, left = 60, top = 40, widest = 640, tallest = 560;
-constexpr double margin = 26;  // around what is shown, for its labels
-constexpr double legend_step = 16;
+constexpr double plan_width = 720, plan_left = 60, plan_top = 40, widest = 640, tallest = 560;
+constexpr double plan_margin = 26;  // around what is shown, for its labels
+constexpr double plan_legend_step = 16;
 constexpr double disc = 3, tip = 17, corner = 8, dot = 1.2, track = 5;
 
 /// The class of a mark, with another behind it.
@@ -80,26 +80,26 @@ class Ground {
     extent_.widen();
     const double across = extent_.x_greatest - extent_.x_least;
     const double up = extent_.y_greatest - extent_.y_least;
-    pixels_ = std::min((widest - 2 * margin) / across, (tallest - 2 * margin) / up);
-    right_ = left + 2 * margin + pixels_ * across;
-    bottom_ = top + 2 * margin + pixels_ * up;
+    pixels_ = std::min((widest - 2 * plan_margin) / across, (tallest - 2 * plan_margin) / up);
+    right_ = plan_left + 2 * plan_margin + pixels_ * across;
+    bottom_ = plan_top + 2 * plan_margin + pixels_ * up;
   }
 
   double right() const { return right_; }
   double bottom() const { return bottom_; }
   SvgPoint operator()(PlanPoint p) const {
-    return {left + margin + pixels_ * (p.x_m - extent_.x_least),
-            bottom_ - margin - pixels_ * (p.y_m - extent_.y_least)};
+    return {plan_left + plan_margin + pixels_ * (p.x_m - extent_.x_least),
+            bottom_ - plan_margin - pixels_ * (p.y_m - extent_.y_least)};
   }
   /// Round metres within the picture, as far apart along both axes.
-  std::vector<double> marks_across() const { return marks(left, right_, extent_.x_least); }
-  std::vector<double> marks_up() const { return marks(top, bottom_, extent_.y_least); }
+  std::vector<double> marks_across() const { return marks(plan_left, right_, extent_.x_least); }
+  std::vector<double> marks_up() const { return marks(plan_top, bottom_, extent_.y_least); }
 
  private:
   std::vector<double> marks(double from, double to, double least) const {
-    const double first = least - margin / pixels_, last = first + (to - from) / pixels_;
+    const double first = least - plan_margin / pixels_, last = first + (to - from) / pixels_;
     const std::vector<double> apart =
-        round_values(0, std::max(right_ - left, bottom_ - top) / pixels_, 9);
+        round_values(0, std::max(right_ - plan_left, bottom_ - plan_top) / pixels_, 9);
     const double step = apart.size() > 1 ? apart[1] - apart[0] : last - first;
     std::vector<double> values;
     for (double i = std::ceil(first / step); i * step <= last; ++i)
@@ -112,19 +112,20 @@ class Ground {
 };
 
 void draw_ground(SvgDrawing& drawing, const Ground& ground) {
-  drawing.rectangle({left, top}, ground.right() - left, ground.bottom() - top, "floor");
+  drawing.rectangle({plan_left, plan_top}, ground.right() - plan_left, ground.bottom() - plan_top,
+                    "floor");
   for (const double x : ground.marks_across()) {
     const double at = ground({x, 0}).x;
-    drawing.line({at, top}, {at, ground.bottom()}, "grid");
+    drawing.line({at, plan_top}, {at, ground.bottom()}, "grid");
     drawing.text({at, ground.bottom() + 16}, fmt::format("{:g}", x), "middle small");
   }
   for (const double y : ground.marks_up()) {
     const double at = ground({0, y}).y;
-    drawing.line({left, at}, {ground.right(), at}, "grid");
-    drawing.text({left - 8, at + 4}, fmt::format("{:g}", y), "end small");
+    drawing.line({plan_left, at}, {ground.right(), at}, "grid");
+    drawing.text({plan_left - 8, at + 4}, fmt::format("{:g}", y), "end small");
   }
-  drawing.text({(left + ground.right()) / 2, ground.bottom() + 34}, "x [m]", "middle");
-  drawing.text({8, top - 8}, "y [m]", "");
+  drawing.text({(plan_left + ground.right()) / 2, ground.bottom() + 34}, "x [m]", "middle");
+  drawing.text({8, plan_top - 8}, "y [m]", "");
 }
 
 std::string move_to(SvgPoint p) { return fmt::format("M{:.2f} {:.2f}", p.x, p.y); }
@@ -149,7 +150,7 @@ void draw_way(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground) 
 
 void draw_label(SvgDrawing& drawing, const PlanMark& mark, const Ground& ground) {
   const SvgPoint at = ground(mark.at);
-  const bool is_right = at.x > (left + ground.right()) / 2;
+  const bool is_right = at.x > (plan_left + ground.right()) / 2;
   drawing.text({at.x + (is_right ? -12 : 12), at.y - 9}, mark.label, is_right ? "end" : "");
 }
 
@@ -203,10 +204,10 @@ void draw_ellipse(SvgDrawing& drawing, const PlanEllipse& ellipse, const Ground&
 void draw_legend(SvgDrawing& drawing, const FloorPlan& plan, double y) {
   for (const PlanDots& kind : plan.dots) {
     const std::string colour = curve_style(kind.colour);
-    drawing.path(circle({left + 6, y - 4}, dot), colour + " dot");
-    if (kind.is_in_place) drawing.path(circle({left + 6, y - 4}, 2 * disc), colour);
-    drawing.text({left + 20, y}, kind.label, "");
-    y += legend_step;
+    drawing.path(circle({plan_left + 6, y - 4}, dot), colour + " dot");
+    if (kind.is_in_place) drawing.path(circle({plan_left + 6, y - 4}, 2 * disc), colour);
+    drawing.text({plan_left + 20, y}, kind.label, "");
+    y += plan_legend_step;
   }
 }
 
@@ -225,7 +226,7 @@ std::string floor_plan_as_svg(const FloorPlan& plan) {
   const std::vector<PlanEllipse> ellipses = drawn_ellipses(plan);
   const Ground ground(plan, ellipses);
   const double legend = ground.bottom() + 56;
-  SvgDrawing drawing(width, legend + legend_step * static_cast<double>(plan.dots.size()),
+  SvgDrawing drawing(plan_width, legend + plan_legend_step * static_cast<double>(plan.dots.size()),
                      plan.title, plan.description);
   drawing.text({8, 18}, plan.title, "heading");
   draw_ground(drawing, ground);

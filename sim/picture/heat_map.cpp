@@ -13,8 +13,9 @@ namespace sim {
 namespace {
 
 // Pixels.
-constexpr double width = 720, left = 120, top = 50, right = 560, legend_left = 590;
-constexpr double row_height = 26, legend_step = 22, patch = 14;
+constexpr double map_width = 720, map_left = 120, map_top = 50, map_right = 560,
+                 map_legend_left = 590;
+constexpr double row_height = 26, map_legend_step = 22, map_patch = 14;
 
 struct Shade {
   double greatest;
@@ -38,14 +39,16 @@ const Shade& shade_of(double ratio) {
 class Cells {
  public:
   explicit Cells(const HeatMap& map)
-      : map_(map), cell_width_((right - left) / static_cast<double>(map.columns.size())) {}
+      : map_(map), cell_width_((map_right - map_left) / static_cast<double>(map.columns.size())) {}
 
-  double x(std::size_t column) const { return left + cell_width_ * static_cast<double>(column); }
+  double x(std::size_t column) const {
+    return map_left + cell_width_ * static_cast<double>(column);
+  }
   /// The upper edge; that of the row -1 below is the bottom.
   double y(std::size_t row) const {
-    return top + row_height * static_cast<double>(map_.rows.size() - 1 - row);
+    return map_top + row_height * static_cast<double>(map_.rows.size() - 1 - row);
   }
-  double bottom() const { return top + row_height * static_cast<double>(map_.rows.size()); }
+  double bottom() const { return map_top + row_height * static_cast<double>(map_.rows.size()); }
   double cell_width() const { return cell_width_; }
 
   bool passes(std::size_t row, std::size_t column) const {
@@ -93,33 +96,33 @@ std::size_t label_step(const HeatMap& map) {
 
 void draw_labels(SvgDrawing& drawing, const HeatMap& map, const Cells& cells) {
   for (std::size_t r = 0; r < map.rows.size(); ++r)
-    drawing.text({left - 8, cells.y(r) + row_height / 2 + 4}, map.rows[r], "end small");
+    drawing.text({map_left - 8, cells.y(r) + row_height / 2 + 4}, map.rows[r], "end small");
   for (std::size_t c = 0; c < map.columns.size(); c += label_step(map))
     drawing.text({cells.x(c) + cells.cell_width() / 2, cells.bottom() + 18}, map.columns[c],
                  "middle small");
-  drawing.text({(left + right) / 2, cells.bottom() + 42}, map.x_label, "middle");
-  drawing.text({20, top - 12}, map.y_label, "");
+  drawing.text({(map_left + map_right) / 2, cells.bottom() + 42}, map.x_label, "middle");
+  drawing.text({20, map_top - 12}, map.y_label, "");
   drawing.text({20, 20}, map.title, "heading");
 }
 
 void draw_legend(SvgDrawing& drawing, bool has_contour) {
-  double y = top;
+  double y = map_top;
   for (const Shade& shade : shades) {
-    drawing.rectangle({legend_left, y}, patch, patch, shade.style);
-    drawing.text({legend_left + patch + 8, y + patch - 3}, shade.name, "");
-    y += legend_step;
+    drawing.rectangle({map_legend_left, y}, map_patch, map_patch, shade.style);
+    drawing.text({map_legend_left + map_patch + 8, y + map_patch - 3}, shade.name, "");
+    y += map_legend_step;
   }
   if (!has_contour) return;
-  drawing.path(fmt::format("M{} {}h{}", legend_left, y + patch / 2, patch), "contour");
-  drawing.text({legend_left + patch + 8, y + patch - 3}, "found to pass 1 %", "");
+  drawing.path(fmt::format("M{} {}h{}", map_legend_left, y + map_patch / 2, map_patch), "contour");
+  drawing.text({map_legend_left + map_patch + 8, y + map_patch - 3}, "found to pass 1 %", "");
 }
 
 }  // namespace
 
 std::string heat_map_as_svg(const HeatMap& map) {
   const Cells cells(map);
-  const double legend_bottom = top + legend_step * static_cast<double>(shades.size() + 1);
-  SvgDrawing drawing(width, std::max(cells.bottom() + 60, legend_bottom + 20), map.title,
+  const double legend_bottom = map_top + map_legend_step * static_cast<double>(shades.size() + 1);
+  SvgDrawing drawing(map_width, std::max(cells.bottom() + 60, legend_bottom + 20), map.title,
                      map.description);
   draw_cells(drawing, map, cells);
   if (map.has_contour) draw_contour(drawing, map, cells);

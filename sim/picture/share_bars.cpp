@@ -16,10 +16,10 @@ namespace sim {
 namespace {
 
 // Pixels.
-constexpr double top = 60, bar_length = 530, margin = 20;
+constexpr double bars_top = 60, bar_length = 530, bars_margin = 20;
 constexpr double least_left = 170, letter_width = 6.5, beside_label = 8;
 constexpr double row_step = 20, bar_height = 14;
-constexpr double legend_step = 16, patch = 10;
+constexpr double bars_legend_step = 16, bars_patch = 10;
 
 constexpr std::array styles{"fill0", "fill1", "fill2", "fill3", "fill4",
                             "fill5", "fill6", "fill7", "fill8"};
@@ -28,15 +28,15 @@ constexpr std::array styles{"fill0", "fill1", "fill2", "fill3", "fill4",
 struct Columns {
   explicit Columns(const ShareBars& bars) {
     for (const ShareRow& row : bars.rows)
-      left = std::max(
-          left, margin + beside_label + letter_width * static_cast<double>(letters_in(row.label)));
+      left = std::max(left, bars_margin + beside_label +
+                                letter_width * static_cast<double>(letters_in(row.label)));
   }
   double left = least_left;
   double right() const { return left + bar_length; }
 };
 
 double bottom_of(const ShareBars& bars) {
-  return top + row_step * static_cast<double>(bars.rows.size());
+  return bars_top + row_step * static_cast<double>(bars.rows.size());
 }
 
 void draw_row(SvgDrawing& drawing, const Columns& columns, const ShareRow& row, double y) {
@@ -58,16 +58,16 @@ void draw_row(SvgDrawing& drawing, const Columns& columns, const ShareRow& row, 
 void draw_scale(SvgDrawing& drawing, const Columns& columns, double bottom) {
   for (const int percent : {0, 25, 50, 75, 100}) {
     const double x = columns.left + bar_length * percent / 100;
-    drawing.line({x, top - 4}, {x, bottom}, "grid");
+    drawing.line({x, bars_top - 4}, {x, bottom}, "grid");
     drawing.text({x, bottom + 14}, fmt::format("{} %", percent), "middle small");
   }
 }
 
 void draw_legend(SvgDrawing& drawing, const Columns& columns, const std::vector<std::string>& kinds,
                  double y) {
-  for (std::size_t kind = 0; kind < kinds.size(); ++kind, y += legend_step) {
-    drawing.rectangle({columns.left, y - patch}, patch, patch, styles[kind]);
-    drawing.text({columns.left + patch + 6, y}, kinds[kind], "");
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind, y += bars_legend_step) {
+    drawing.rectangle({columns.left, y - bars_patch}, bars_patch, bars_patch, styles[kind]);
+    drawing.text({columns.left + bars_patch + 6, y}, kinds[kind], "");
   }
 }
 
@@ -83,13 +83,13 @@ void add_counts(ShareBars& bars, const std::string& label,
 
 std::string share_bars_as_svg(const ShareBars& bars) {
   const double bottom = bottom_of(bars);
-  const double height = bottom + 30 + legend_step * static_cast<double>(bars.kinds.size());
+  const double height = bottom + 30 + bars_legend_step * static_cast<double>(bars.kinds.size());
   const Columns columns(bars);
-  SvgDrawing drawing(columns.right() + margin, height, bars.title, bars.description);
-  drawing.text({margin, 20}, bars.title, "heading");
-  drawing.text({margin, top - 10}, bars.rows_label, "small");
+  SvgDrawing drawing(columns.right() + bars_margin, height, bars.title, bars.description);
+  drawing.text({bars_margin, 20}, bars.title, "heading");
+  drawing.text({bars_margin, bars_top - 10}, bars.rows_label, "small");
   draw_scale(drawing, columns, bottom);
-  double y = top;
+  double y = bars_top;
   for (const ShareRow& row : bars.rows) {
     draw_row(drawing, columns, row, y);
     y += row_step;

@@ -13,10 +13,11 @@
 namespace sim {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 using Kind = Crossing::Kind;
 
 nlohmann::ordered_json json_value(const Column& column, const PointResult& p, double ci_level) {
-  using Json = nlohmann::ordered_json;
   struct Read {
     const PointResult& p;
     double level;

@@ -13,9 +13,9 @@ namespace sim {
 namespace {
 
 /// A sweep has many points, none of which should raise an alarm by chance.
-constexpr double sure = 0.99999;
+constexpr double surely = 0.99999;
 
-Estimate sure_ber(const PointResult& p) { return bit_error_ratio(p.tally, sure); }
+Estimate sure_ber(const PointResult& p) { return bit_error_ratio(p.tally, surely); }
 
 bool above_half(const PointResult& p) { return sure_ber(p).low > 0.5; }
 
@@ -48,7 +48,7 @@ bool has_uneven_weights(const PointResult& p) {
          !(weighted.bit_errors.is_sound() && weighted.frames_lost.is_sound());
 }
 
-constexpr std::array table{
+constexpr std::array alarm_table{
     Alarm{"half", "bit error ratio above 0.5: silence reads as ones, so the link is dead",
           above_half},
     Alarm{"theory", "bit error ratio other than theory's for this receiver", contradicts_theory},
@@ -68,12 +68,13 @@ constexpr std::uint64_t monotone = 1 << 3;
 
 }  // namespace
 
-std::span<const Alarm> alarms() { return table; }
+std::span<const Alarm> alarms() { return alarm_table; }
 
 std::uint64_t own_alarms(const PointResult& point) {
   std::uint64_t mask = 0;
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (table[i].raised != nullptr && table[i].raised(point)) mask |= std::uint64_t{1} << i;
+  for (std::size_t i = 0; i < alarm_table.size(); ++i)
+    if (alarm_table[i].raised != nullptr && alarm_table[i].raised(point))
+      mask |= std::uint64_t{1} << i;
   return mask;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* root = NetcdfFile::root;
+constexpr const char* dataset_root = NetcdfFile::root;
 
 // ---- HDF5 ----
 
@@ -70,13 +70,13 @@ std::string image_of(const Dataset& data, const ProgramInfo& program) {
   for (const Dataset::Dimension& d : data.dimensions)
     std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);
   for (const Dataset::Variable& v : data.variables) add_variable(file, data, v);
-  file.set_user_text(root, "title", data.title);
-  file.set_user_text(root, "scenario_toml", data.scenario_toml);
-  file.set_user_text(root, "command", data.command);
-  file.set_text(root, "experiment", data.experiment);
-  file.set_numbers(root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
-  file.set_text(root, "result_digest", dataset_digest(data));
-  file.set_text(root, "digest_variables", names_of_digested(data));
+  file.set_user_text(dataset_root, "title", data.title);
+  file.set_user_text(dataset_root, "scenario_toml", data.scenario_toml);
+  file.set_user_text(dataset_root, "command", data.command);
+  file.set_text(dataset_root, "experiment", data.experiment);
+  file.set_numbers(dataset_root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
+  file.set_text(dataset_root, "result_digest", dataset_digest(data));
+  file.set_text(dataset_root, "digest_variables", names_of_digested(data));
   return file.image();
 }
 

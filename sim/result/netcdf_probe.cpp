@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned longest_s = 60;  // some damage is a ring of references
 constexpr hsize_t most_bytes = 1 << 24;
-constexpr hsize_t most_cells = 1 << 16;
+constexpr hsize_t most_probed_cells = 1 << 16;
 
 std::vector<std::byte> room_for(hid_t type, hsize_t cells) {
   const hsize_t size = std::max<hsize_t>(H5Tget_size(type), 1);
@@ -41,8 +41,8 @@ void try_first_cells(hid_t data) {
   const Handle space(H5Dget_space(data), H5Sclose);
   if (checked(H5Sget_simple_extent_ndims(space)) != 1) return;
   const hsize_t first = 0;
-  const hsize_t cells =
-      std::min(most_cells, static_cast<hsize_t>(checked(H5Sget_simple_extent_npoints(space))));
+  const hsize_t cells = std::min(
+      most_probed_cells, static_cast<hsize_t>(checked(H5Sget_simple_extent_npoints(space))));
   const Handle room(H5Screate_simple(1, &cells, nullptr), H5Sclose);
   checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &cells, nullptr));
   checked(H5Dread(data, type, room, space, H5P_DEFAULT, room_for(type, cells).data()));

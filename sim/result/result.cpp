@@ -54,7 +54,7 @@ constexpr const char* flr_high = "upper end of the interval of flr";
 constexpr const char* uer_low = "lower end of the interval of uer";
 constexpr const char* uer_high = "upper end of the interval of uer";
 
-const std::array table{
+const std::array column_table{
     Column{"n_bits", "1", "line bits sent", &Tally::n_bits},
     Column{"n_bit_errors", "1", "line bits wrong at the centre of their slot, before any decoder",
            &Tally::n_bit_errors},
@@ -156,13 +156,13 @@ void append_labels(std::string& bytes, const Axis& axis) {
 void append_point(std::string& bytes, const PointResult& p) {
   append(bytes, p.coordinates.size());
   for (const double c : p.coordinates) append(bytes, std::bit_cast<std::uint64_t>(c));
-  for (const Column& column : table) {
+  for (const Column& column : column_table) {
     const auto* counter = std::get_if<std::uint64_t Tally::*>(&column.value);
     if (counter) append(bytes, p.tally.**counter);
   }
   if (!p.tally.is_weighted()) return;
   Weighted weighted = p.tally.weighted;
-  for (const Column& column : table) {
+  for (const Column& column : column_table) {
     const auto* sum = std::get_if<Column::Sum>(&column.value);
     if (sum) append(bytes, std::bit_cast<std::uint64_t>((*sum)(weighted)));
   }
@@ -170,7 +170,7 @@ void append_point(std::string& bytes, const PointResult& p) {
 
 }  // namespace
 
-std::span<const Column> columns() { return table; }
+std::span<const Column> columns() { return column_table; }
 
 bool measured(const PointResult& point) { return point.tally.n_frames > 0; }
 
@@ -182,7 +182,7 @@ bool is_weighted(const ExperimentResult& result) {
 std::vector<const Column*> columns_of(const ExperimentResult& result) {
   const bool weighted = is_weighted(result);
   std::vector<const Column*> all;
-  for (const Column& column : table)
+  for (const Column& column : column_table)
     if (weighted || !column.weighted) all.push_back(&column);
   return all;
 }

@@ -15,7 +15,7 @@
 namespace sim {
 namespace {
 
-constexpr const char* root = NetcdfFile::root;
+constexpr const char* store_root = NetcdfFile::root;
 
 struct Target {
   const ExperimentResult& result;
@@ -99,14 +99,14 @@ std::string interval_methods(bool weighted) {
 
 void write_root(Target& to) {
   const ExperimentResult& result = to.result;
-  to.file.set_user_text(root, "title", result.title);
-  to.file.set_user_text(root, "scenario_toml", result.scenario_toml);
-  to.file.set_user_text(root, "command", result.command);
-  to.file.set_numbers(root, "seed", std::span<const std::uint64_t>(&result.seed, 1));
-  to.file.set_text(root, "shards", shards_text(result.shards));
-  to.file.set_text(root, "result_digest", result_digest(result));
-  to.file.set_numbers(root, "ci_level", std::span<const double>(&result.ci_level, 1));
-  to.file.set_text(root, "ci_method", interval_methods(is_weighted(result)));
+  to.file.set_user_text(store_root, "title", result.title);
+  to.file.set_user_text(store_root, "scenario_toml", result.scenario_toml);
+  to.file.set_user_text(store_root, "command", result.command);
+  to.file.set_numbers(store_root, "seed", std::span<const std::uint64_t>(&result.seed, 1));
+  to.file.set_text(store_root, "shards", shards_text(result.shards));
+  to.file.set_text(store_root, "result_digest", result_digest(result));
+  to.file.set_numbers(store_root, "ci_level", std::span<const double>(&result.ci_level, 1));
+  to.file.set_text(store_root, "ci_method", interval_methods(is_weighted(result)));
 }
 
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {

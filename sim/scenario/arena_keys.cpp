@@ -11,18 +11,16 @@
 namespace sim {
 namespace {
 
-using D = PlacedDevice;
-
-const std::string table = "devices";
+const std::string table_of_devices = "devices";
 
 /// Keys of one device, whose name is a part of them.
 class DeviceKeys {
  public:
   explicit DeviceKeys(std::string name) : name_(std::move(name)) {}
 
-  void number(const std::string& what, const std::string& unit, Range range, double D::*member,
-              const std::string& long_name, const std::string& note = "",
-              KeyType type = KeyType::number) {
+  void number(const std::string& what, const std::string& unit, Range range,
+              double PlacedDevice::*member, const std::string& long_name,
+              const std::string& note = "", KeyType type = KeyType::number) {
     keys_.push_back(
         {{full(what), unit, range, long_name, note, type},
          [name = name_, member](Scenario& s) -> double& { return s.devices[name].*member; },
@@ -30,12 +28,12 @@ class DeviceKeys {
          {}});
   }
 
-  void whole(const std::string& what, Range range, double D::*member, const std::string& long_name,
-             const std::string& note = "") {
+  void whole(const std::string& what, Range range, double PlacedDevice::*member,
+             const std::string& long_name, const std::string& note = "") {
     number(what, "1", range, member, long_name, note, KeyType::whole_number);
   }
 
-  Key& text(KeyType type, const std::string& what, std::string D::*member,
+  Key& text(KeyType type, const std::string& what, std::string PlacedDevice::*member,
             const std::string& long_name, const std::string& note = "") {
     keys_.push_back(
         {{full(what), "", {}, long_name, note, type},
@@ -49,74 +47,77 @@ class DeviceKeys {
   std::vector<Key> take() { return std::move(keys_); }
 
  private:
-  std::string full(const std::string& what) const { return table + "." + name_ + "." + what; }
+  std::string full(const std::string& what) const {
+    return table_of_devices + "." + name_ + "." + what;
+  }
 
   std::string name_;
   std::vector<Key> keys_;
 };
 
 void add_place(DeviceKeys& keys) {
-  keys.number("x_m", "m", from(-1000, 1000), &D::x_m, "place of the device along x");
-  keys.number("y_m", "m", from(-1000, 1000), &D::y_m, "place of the device along y");
-  keys.whole("count", from(1, 1000), &D::count, "devices of this kind",
+  keys.number("x_m", "m", from(-1000, 1000), &PlacedDevice::x_m, "place of the device along x");
+  keys.number("y_m", "m", from(-1000, 1000), &PlacedDevice::y_m, "place of the device along y");
+  keys.whole("count", from(1, 1000), &PlacedDevice::count, "devices of this kind",
              "more than one are NAME-1, NAME-2 ...");
-  keys.number("spread_x_m", "m", from(0, 1000), &D::spread_x_m,
+  keys.number("spread_x_m", "m", from(0, 1000), &PlacedDevice::spread_x_m,
               "width of the rectangle that they stand in",
               "uniform around x_m, the same in all runs");
-  keys.number("spread_y_m", "m", from(0, 1000), &D::spread_y_m,
+  keys.number("spread_y_m", "m", from(0, 1000), &PlacedDevice::spread_y_m,
               "depth of the rectangle that they stand in");
-  keys.number("height_mm", "mm", from(0.1, 1e4), &D::height_mm, "height of its LED",
+  keys.number("height_mm", "mm", from(0.1, 1e4), &PlacedDevice::height_mm, "height of its LED",
               "unset: `led.height_mm`");
-  keys.number("yaw_deg", "degree", from(-180, 180), &D::yaw_deg, "direction of its LED",
+  keys.number("yaw_deg", "degree", from(-180, 180), &PlacedDevice::yaw_deg, "direction of its LED",
               "0: along x, 90: along y");
-  keys.number("yaw_spread_deg", "degree", from(0, 360), &D::yaw_spread_deg,
+  keys.number("yaw_spread_deg", "degree", from(0, 360), &PlacedDevice::yaw_spread_deg,
               "width of the range of directions", "uniform around yaw_deg; 360: any");
 }
 
 void add_light(DeviceKeys& keys) {
-  keys.text(KeyType::text, "led", &D::led, "LED of the device",
+  keys.text(KeyType::text, "led", &PlacedDevice::led, "LED of the device",
             "a file in `leds/`; empty: `led.part`");
-  keys.whole("leds", from(1, 36), &D::leds, "LEDs in even steps around the device",
+  keys.whole("leds", from(1, 36), &PlacedDevice::leds, "LEDs in even steps around the device",
              "the first looks along yaw_deg");
-  keys.number("current_ma", "mA", from(0.01, 1500), &D::current_ma, "current of each while lit",
-              "unset: `led.current_ma`");
-  keys.number("carrier_error_ppm", "1e-6", from(-2e5, 2e5), &D::carrier_error_ppm,
+  keys.number("current_ma", "mA", from(0.01, 1500), &PlacedDevice::current_ma,
+              "current of each while lit", "unset: `led.current_ma`");
+  keys.number("carrier_error_ppm", "1e-6", from(-2e5, 2e5), &PlacedDevice::carrier_error_ppm,
               "error of its carrier frequency");
-  keys.number("carrier_spread_ppm", "1e-6", from(0, 2e5), &D::carrier_spread_ppm,
+  keys.number("carrier_spread_ppm", "1e-6", from(0, 2e5), &PlacedDevice::carrier_spread_ppm,
               "width of the range of that error among devices of the kind");
-  keys.number("clock_error_ppm", "1e-6", from(-1e5, 1e5), &D::clock_error_ppm,
+  keys.number("clock_error_ppm", "1e-6", from(-1e5, 1e5), &PlacedDevice::clock_error_ppm,
               "clock error of its UART");
-  keys.number("clock_spread_ppm", "1e-6", from(0, 1e5), &D::clock_spread_ppm,
+  keys.number("clock_spread_ppm", "1e-6", from(0, 1e5), &PlacedDevice::clock_spread_ppm,
               "width of the range of that error among devices of the kind");
 }
 
 void add_messages(DeviceKeys& keys) {
-  Key& source = keys.text(KeyType::choice, "source", &D::source, "choice of the message sent",
-                          "the first; one after the other; the first with a count of six digits "
-                          "behind it; one of them until the status changes");
+  Key& source =
+      keys.text(KeyType::choice, "source", &PlacedDevice::source, "choice of the message sent",
+                "the first; one after the other; the first with a count of six digits "
+                "behind it; one of them until the status changes");
   source.choices = names_of(message_sources());
-  keys.text(KeyType::messages, "messages", &D::messages, "device messages",
+  keys.text(KeyType::messages, "messages", &PlacedDevice::messages, "device messages",
             "one or a list; `{}` in one is the number of the device in its kind");
-  keys.number("status_hold_s", "s", from(0.01, 1e6), &D::status_hold_s,
+  keys.number("status_hold_s", "s", from(0.01, 1e6), &PlacedDevice::status_hold_s,
               "mean time that a status lasts", "exponential");
 }
 
 void add_times(DeviceKeys& keys) {
-  keys.number("interval_min_ms", "ms", from(0, 1e6), &D::interval_min_ms,
+  keys.number("interval_min_ms", "ms", from(0, 1e6), &PlacedDevice::interval_min_ms,
               "shortest pause between its messages", "end of one to start of the next");
-  keys.number("interval_max_ms", "ms", from(0, 1e6), &D::interval_max_ms,
+  keys.number("interval_max_ms", "ms", from(0, 1e6), &PlacedDevice::interval_max_ms,
               "longest pause between its messages",
               "pauses are uniform between the two; fixed where they are equal");
-  Key& list = keys.text(KeyType::number_list, "intervals_ms", &D::intervals_ms,
+  Key& list = keys.text(KeyType::number_list, "intervals_ms", &PlacedDevice::intervals_ms,
                         "pauses in turn, instead of those", "from a random one on");
   list.facts.unit = "ms";
   list.facts.range = from(0, 1e6);
-  keys.text(KeyType::text, "interval_file", &D::interval_file, "file of such pauses",
+  keys.text(KeyType::text, "interval_file", &PlacedDevice::interval_file, "file of such pauses",
             "one a line, beside the scenario");
-  keys.number("silent_every_s", "s", from(0, 1e6), &D::silent_every_s,
+  keys.number("silent_every_s", "s", from(0, 1e6), &PlacedDevice::silent_every_s,
               "mean time from the end of a silent spell to the next",
               "exponential; 0: never silent");
-  keys.number("silent_for_s", "s", from(0.001, 1e6), &D::silent_for_s,
+  keys.number("silent_for_s", "s", from(0.001, 1e6), &PlacedDevice::silent_for_s,
               "mean length of a silent spell", "exponential");
 }
 
@@ -161,7 +162,7 @@ const std::vector<Key>& placed_device_keys(const std::string& name) {
 }
 
 const Key* find_placed_device_key(const std::string& name) {
-  const auto of = named_key(table, name);
+  const auto of = named_key(table_of_devices, name);
   if (!of || !is_table_name(of->name)) return nullptr;
   const std::vector<Key>& keys = placed_device_keys(of->name);
   const auto at = std::ranges::find(keys, name, &Key::name);

@@ -12,8 +12,8 @@
 namespace sim {
 namespace {
 
-const std::string table = "disturbance";
-const std::string prefix = table + ".";
+const std::string table_of_disturbances = "disturbance";
+const std::string disturbance_prefix = table_of_disturbances + ".";
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
@@ -21,7 +21,9 @@ std::vector<std::string> kind_names() {
   return names;
 }
 
-std::optional<NamedKey> parsed(const std::string& key) { return named_key(table, key); }
+std::optional<NamedKey> parsed(const std::string& key) {
+  return named_key(table_of_disturbances, key);
+}
 
 // ---- keys ----
 
@@ -104,10 +106,11 @@ const Key* find_disturbance_key(const std::string& name) {
 }
 
 std::vector<std::string> disturbance_key_names(const std::string& name) {
-  std::vector<std::string> names{prefix + name + ".kind", prefix + name + ".message"};
+  std::vector<std::string> names{disturbance_prefix + name + ".kind",
+                                 disturbance_prefix + name + ".message"};
   for (const DisturbanceKind& kind : disturbance_kinds())
     for (const DisturbanceNumber& number : kind.numbers)
-      names.push_back(prefix + name + "." + number.facts.name);
+      names.push_back(disturbance_prefix + name + "." + number.facts.name);
   return names;
 }
 

@@ -11,6 +11,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/scenario/key_depth.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
@@ -133,7 +134,6 @@ void refuse_repetition(const std::vector<Located>& found) {
                       "remove one of the two");
 }
 
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 bool is_escaped_in_lines(char c) { return is_control(c) && c != '\n' && c != '\t'; }
 
 /// Text between quotes; characters of `kept` stand as they are.

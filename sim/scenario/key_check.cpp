@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "protocol/cosys.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 #include "sim/text/unit_text.hpp"
@@ -17,8 +18,6 @@ std::string violation(const Range& range, double value) {
   if (value > range.high) return fmt::format("at most {}", range.high);
   return fmt::format("{} {}", range.low_open ? "above" : "at least", range.low);
 }
-
-bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 void check_message(const std::string& value, const std::string& problem) {
   if (const auto why = protocol::problem_in_message(value))

@@ -48,7 +48,7 @@ std::vector<Key> meter_keys() {
   };
 }
 
-std::vector<Key> receiver_keys() {
+std::vector<Key> locating_receiver_keys() {
   constexpr auto at = &Scenario::location;
   using L = LocationScenario;
   return {
@@ -68,7 +68,7 @@ std::vector<Key> receiver_keys() {
   };
 }
 
-std::vector<Key> device_keys() {
+std::vector<Key> located_device_keys() {
   constexpr auto at = &Scenario::location;
   using L = LocationScenario;
   return {
@@ -97,8 +97,8 @@ std::vector<Key> presence_keys() {
 }
 
 std::vector<Key> location_keys() {
-  std::vector<Key> keys = receiver_keys();
-  for (Key& key : device_keys()) keys.push_back(std::move(key));
+  std::vector<Key> keys = locating_receiver_keys();
+  for (Key& key : located_device_keys()) keys.push_back(std::move(key));
   return all_younger(std::move(keys));
 }
 

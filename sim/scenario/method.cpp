@@ -16,8 +16,8 @@
 namespace sim {
 namespace {
 
-constexpr std::array table{MethodName{"brute-force", Method::brute_force},
-                           MethodName{"importance", Method::importance}};
+constexpr std::array method_names{MethodName{"brute-force", Method::brute_force},
+                                  MethodName{"importance", Method::importance}};
 
 /// Noise and margins of messages are kept, of up to sixteen trials in each thread: 200 MB a
 /// million.
@@ -56,10 +56,10 @@ Obstacle obstacle_of(const Scenario& s) {
 
 }  // namespace
 
-std::span<const MethodName> methods() { return table; }
+std::span<const MethodName> methods() { return method_names; }
 
 Method method_of(const SimulationSettings& simulation) {
-  return std::ranges::find(table, simulation.method, &MethodName::name)->method;
+  return std::ranges::find(method_names, simulation.method, &MethodName::name)->method;
 }
 
 void check_method(const Scenario& scenario, const Places& places) {

@@ -12,7 +12,7 @@
 namespace sim {
 namespace {
 
-void refuse_repetition(const Axis& axis, const std::string& place) {
+void refuse_equal_numbers(const Axis& axis, const std::string& place) {
   std::vector<double> sorted = axis.values;
   std::ranges::sort(sorted);
   const auto twin = std::ranges::adjacent_find(sorted);
@@ -28,7 +28,7 @@ Axis make_axis(const Key& key, std::vector<double> values, const std::string& pl
   if (values.empty()) throw bad_input(key.name() + " " + place, "an empty sweep", how_to_write);
   for (const double value : values) check_number(key.facts, value, place);
   Axis axis{key.name(), key.facts.unit, key.facts.long_name, std::move(values)};
-  refuse_repetition(axis, place);
+  refuse_equal_numbers(axis, place);
   return axis;
 }
 

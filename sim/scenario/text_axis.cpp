@@ -29,7 +29,7 @@ void refuse_commas(const Axis& axis, const std::string& place) {
                       "a name with a comma cannot be swept", "rename it");
 }
 
-void refuse_repetition(const Axis& axis, const std::string& place) {
+void refuse_equal_texts(const Axis& axis, const std::string& place) {
   std::vector<std::string> sorted = axis.labels;
   std::ranges::sort(sorted);
   const auto twin = std::ranges::adjacent_find(sorted);
@@ -61,7 +61,7 @@ void set_labels(Axis& axis, std::vector<std::string> labels, const std::string& 
   if (labels.empty()) throw bad_input(axis.key + " " + place, "an empty sweep", how_to_list);
   axis.labels = std::move(labels);
   refuse_commas(axis, place);
-  refuse_repetition(axis, place);
+  refuse_equal_texts(axis, place);
   axis.values.resize(axis.labels.size());
   std::iota(axis.values.begin(), axis.values.end(), 0);
 }

@@ -6,6 +6,9 @@
 
 namespace sim {
 
+/// A character that moves the cursor of a terminal instead of printing.
+constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
 /// Code points.
 std::size_t letters_in(std::string_view text);
 

@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-long tick_of(dsp::Seconds t) { return std::lround(t.value * 1e6); }
+long microsecond_of(dsp::Seconds t) { return std::lround(t.value * 1e6); }
 
 /// Ticks at which light begins and ends by turns; two at one tick are none.
 std::vector<long> edges_of(const dsp::LogicTrace& wire) {
@@ -20,8 +20,8 @@ std::vector<long> edges_of(const dsp::LogicTrace& wire) {
     }
   };
   if (!wire.initial()) add(0);
-  for (const dsp::Seconds flip : wire.flips()) add(tick_of(flip));
-  if (edges.size() % 2 == 1) add(tick_of(wire.end()));
+  for (const dsp::Seconds flip : wire.flips()) add(microsecond_of(flip));
+  if (edges.size() % 2 == 1) add(microsecond_of(wire.end()));
   return edges;
 }
 
@@ -30,7 +30,7 @@ std::vector<long> edges_of(const dsp::LogicTrace& wire) {
 void write_pulses(std::ostream& out, const dsp::LogicTrace& wire) {
   std::vector<long> edges = edges_of(wire);
   out << pulses_head << ";ook " << edges.size() / 2 << " pulses\n;freq1 0\n";
-  edges.push_back(tick_of(wire.end()));
+  edges.push_back(microsecond_of(wire.end()));
   for (std::size_t i = 0; i + 2 < edges.size(); i += 2)
     out << edges[i + 1] - edges[i] << ' ' << edges[i + 2] - edges[i + 1] << '\n';
   out << ";end\n";

@@ -40,13 +40,13 @@ std::string bytes_of(const std::vector<Sample>& samples) {
 }
 
 /// What tells one of the two recordings from the other.
-struct Recording {
+struct SigmfRecording {
   const char* datatype;
   const char* description;
   dsp::Hertz sample_rate, middle;  // middle 0: of real samples
 };
 
-Json global_of(const TracedTrial& trial, const Recording& recording, const std::string& data) {
+Json global_of(const TracedTrial& trial, const SigmfRecording& recording, const std::string& data) {
   const TraceOrigin& origin = trial.origin;
   return {{"core:recorder",
            fmt::format("cosys-sim {} ({})", origin.program.version, origin.program.commit)},
@@ -79,7 +79,8 @@ Json annotations_of(const TracedTrial& trial, dsp::Hertz rate) {
   return annotations;
 }
 
-std::string meta_of(const TracedTrial& trial, const Recording& recording, const std::string& data) {
+std::string meta_of(const TracedTrial& trial, const SigmfRecording& recording,
+                    const std::string& data) {
   Json capture = {{"core:sample_start", 0}};
   if (recording.middle.value > 0) capture["core:frequency"] = recording.middle.value;
   const Json meta = {{"global", global_of(trial, recording, data)},
@@ -104,10 +105,11 @@ std::vector<std::string> trace_as_sigmf(const TracedTrial& trial) {
   const std::vector<float>& light = trial.taps.irradiance;
   const Baseband baseband = baseband_of(light, trial.sample_rate, trial.carrier);
   std::string real = bytes_of(light), complex = bytes_of(baseband.samples);
-  const Recording waveform{"rf32_le", "irradiance at the receiver in mW/m2, noise included",
-                           trial.sample_rate, dsp::Hertz(0)};
-  const Recording amplitude{"cf32_le", "complex amplitude in mW/m2 of the irradiance's carrier",
-                            baseband.sample_rate, trial.carrier};
+  const SigmfRecording waveform{"rf32_le", "irradiance at the receiver in mW/m2, noise included",
+                                trial.sample_rate, dsp::Hertz(0)};
+  const SigmfRecording amplitude{"cf32_le",
+                                 "complex amplitude in mW/m2 of the irradiance's carrier",
+                                 baseband.sample_rate, trial.carrier};
   std::string meta = meta_of(trial, waveform, real);
   std::string baseband_meta = meta_of(trial, amplitude, complex);
   return {std::move(real), std::move(complex), std::move(meta), std::move(baseband_meta)};

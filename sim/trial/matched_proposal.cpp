@@ -22,7 +22,7 @@ constexpr int envelope_directions = 16;
 constexpr double slack = 0.1;
 
 /// Beyond this, noise is so rare (1e-149) that sums of squared weights would underflow.
-constexpr double highest_level = 26;
+constexpr double highest_matched_level = 26;
 
 /// A carrier over a slot, its cosine and its sine, of unit length each.
 struct Tones {
@@ -40,9 +40,9 @@ struct Tones {
   }
 };
 
-class Builder {
+class MatchedBuilder {
  public:
-  Builder(const Link& link, std::uint32_t phase)
+  MatchedBuilder(const Link& link, std::uint32_t phase)
       : link_(link),
         cycles_per_sample_(link.chain.carrier.step * 0x1p-32),
         phase_(channel::fundamental_phase(link.chain.carrier, phase) * 0x1p-32) {}
@@ -89,7 +89,7 @@ class Builder {
   }
 
   void add_spot(const NoiseReading& reading, double share, double level) {
-    if (level > highest_level) return;
+    if (level > highest_matched_level) return;
     readings_.of.push_back(reading);
     readings_.levels.push_back(level);
     const double about = link_.importance->likelihoods->of(level - slack, 0);
@@ -108,7 +108,7 @@ class Builder {
 TrialProposal matched_proposal(const Link& link, const Transmission& sent, std::uint32_t phase) {
   const dsp::Hertz rate = link.chain.sample_rate;
   TrialProposal trial;
-  Builder builder(link, phase);
+  MatchedBuilder builder(link, phase);
   for (const std::vector<ExposedBit>& part : exposed_bits(link, sent)) {
     for (const ExposedBit& bit : part) builder.add(bit);
     const std::int64_t first =

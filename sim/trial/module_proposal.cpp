@@ -30,7 +30,7 @@ constexpr double far_share = 0.1;
 
 /// Rows that are further above the level than this on average fail too rarely to matter; the
 /// likelihood is then below 1e-30.
-constexpr double highest_level = 14;
+constexpr double highest_module_level = 14;
 /// Those further below it are missed anyway; those that differ by more are edges of a burst.
 constexpr double lowest_level = -8, steepest = 10;
 
@@ -115,9 +115,9 @@ std::vector<channel::MarginWindow> margin_windows(std::vector<Part>& parts) {
 }
 
 /// Builds the proposal of one trial from its margins.
-class Builder {
+class ModuleBuilder {
  public:
-  Builder(const Link& link, const PeakReadings& peaks)
+  ModuleBuilder(const Link& link, const PeakReadings& peaks)
       : link_(link), peaks_(peaks), reach_(far_reach(link)), near_(near_reach(link)) {
     readings_.row = link.importance->readings;
   }
@@ -184,7 +184,8 @@ class Builder {
 
   /// Readings from `first` on, of these levels.
   void add_row(std::size_t first, std::span<const double> levels, double share) {
-    if (mean_of(levels) > highest_level || std::abs(levels.back() - levels.front()) > steepest)
+    if (mean_of(levels) > highest_module_level ||
+        std::abs(levels.back() - levels.front()) > steepest)
       return;
     const std::span known = std::span(readings_.levels).subspan(first, levels.size());
     const double steps = std::max(1.0, static_cast<double>(known.size()) - 1);
@@ -205,7 +206,7 @@ class Builder {
     const double deviation =
         static_cast<double>(link_.chain.noise_dark) * peaks_.deviation(peaks_.first_from(time));
     const double level = -static_cast<double>(*std::max_element(begin, end)) / deviation;
-    if (level > highest_level) return;
+    if (level > highest_module_level) return;
     const double about = link_.importance->likelihoods->of(std::max(level, 0.0), 0);
     dark_likelihood_ += (reach_.before + reach_.behind) * phases * about;
   }
@@ -277,7 +278,7 @@ std::vector<TrialProposal> module_proposals(const Link& link, const DrawnTrials&
   channel::propagate(link.chain, inputs, stop, channel::InstructionSet::best, clock);
   std::vector<TrialProposal> proposals;
   for (const Trial& trial : trials) {
-    Builder builder(link, *trial.peaks);
+    ModuleBuilder builder(link, *trial.peaks);
     for (const Part& part : trial.parts) builder.add(part);
     proposals.push_back(
         {stretches_of(trial), builder.take(), trial.peaks, builder.dark_likelihood()});
