@@ -122,6 +122,18 @@ has_settings() { # has_settings DIR NAME:TYPE=VALUE...
   done
 }
 
+kept_settings() { # kept_settings DIR: those that a configuration from scratch would forget
+  sed -nE 's/^(COSYS_(TESTS|WERROR|UNITY|MPI):BOOL=.*)/\1/p' "$1/CMakeCache.txt"
+}
+
+# What CMake may have looked for in vain, or found in another version: packages and uPlot.
+state_of_packages() {
+  local names=()
+  mapfile -t names < <(packages_of build test lint optional)
+  dpkg-query -W -f='${Package} ${Version} ${db:Status-Status}\n' "${names[@]}" 2>/dev/null || true
+  [[ ! -e $uplot ]] || echo "uPlot $(stat -c %Y "$uplot")"
+}
+
 uplot=$root/build/node_modules/uplot/dist/uPlot.iife.min.js
 
 # Charts of reports are alive with uPlot; the program does without. Asked for once (npm.log).
@@ -135,19 +147,48 @@ configure() { # configure PRESET [NAME:TYPE=VALUE]...
   local dir=$root/build/$1 settings=("${@:2}") fresh=() found=()
   need_uplot
   [[ ! -e $uplot ]] || found=("COSYS_UPLOT_SCRIPT:FILEPATH=$uplot")
+  local kept=()
   if ! is_set_up "$dir"; then
     fresh=(--fresh)
+  elif [[ $(state_of_packages) != "$(cat "$dir/.packages" 2>/dev/null)" ]]; then
+    fresh=(--fresh) # a library not found stays not found otherwise
+    mapfile -t kept < <(kept_settings "$dir")
+    settings=("${kept[@]}" "${settings[@]}")
   elif has_settings "$dir" "${settings[@]}" "${found[@]}"; then
     return
   fi
   if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
-  (cd "$root" && quietly "$1.log" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}")
+  (cd "$root" && quietly "$1.log" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}") &&
+    state_of_packages >"$dir/.packages"
+}
+
+# ninja's own count on a terminal; elsewhere a line now and then, and what the compiler said only if it failed.
+run_ninja() { # run_ninja PRESET TARGET
+  local ninja=(ninja -C "$root/build/$1" -j "$(build_jobs)" "$2") log=$root/build/$1.log
+  if [[ -t 2 ]]; then
+    "${ninja[@]}" >&2
+    return
+  fi
+  quietly "$1.log" "${ninja[@]}" &
+  local build=$! seconds=0
+  while kill -0 "$build" 2>/dev/null; do
+    sleep 0.2
+    seconds=$((seconds + 1))
+    ((seconds % 150 != 0)) || say "building: $(tail -n 1 "$log" | grep -oE '^\[[0-9/]+\]' || echo "...")"
+  done
+  wait "$build"
+}
+
+minutes_for() { # minutes_for CPU_SECONDS: in words, on this machine
+  local jobs
+  jobs=$(build_jobs)
+  echo "about $((($1 / jobs + 59) / 60)) min on $jobs core$([[ $jobs == 1 ]] || echo s)"
 }
 
 build() { # build PRESET TARGET [NAME:TYPE=VALUE]...: brings the target up to date
   configure "$1" "${@:3}" || fail "the build could not be set up (see above)" \
     "Are these installed? $(packages_of build test | paste -sd ' ')"
-  quietly "$1.log" ninja -C "$root/build/$1" -j "$(build_jobs)" "$2" ||
+  run_ninja "$1" "$2" ||
     fail "the build failed (see above) Run 'ninja -C $root/build/$1 $2' to try again."
 }
 
@@ -162,7 +203,7 @@ build_program() {
   local settings=()
   # The program alone needs no test packages; a tree where the tests are on keeps them.
   is_set_up "$root/build/release" || settings=(COSYS_TESTS:BOOL=OFF)
-  say "building$([[ -x $program ]] || echo " (the first time takes a few minutes)")"
+  say "building$([[ -x $program ]] || echo ": the first time takes $(minutes_for 300)")"
   touch "$root/build/.began"
   build release cosys-sim "${settings[@]}"
   mv "$root/build/.began" "$root/build/release/.program"

@@ -110,7 +110,8 @@ constexpr Kernels<ChainKernelInput> chain_kernels{
 };
 
 /// Runs the kernel, under a clock if there is one.
-void run(ChainKernelInput& input, std::size_t trials, InstructionSet set, StageClock* clock) {
+void run_chains(ChainKernelInput& input, std::size_t trials, InstructionSet set,
+                StageClock* clock) {
   if (clock != nullptr) {
     input.on_stage = &StageClock::lap;
     input.stage_context = clock;
@@ -161,7 +162,7 @@ std::vector<dsp::LogicTrace> propagate(const ChainDesign& design,
     const std::vector<ChainInput> part = picked(inputs, which);
     PinWriter pins(part, design.sample_rate, stop);
     PreparedGroup group(design, part, pins);
-    run(group.kernel, part.size(), set, clock);
+    run_chains(group.kernel, part.size(), set, clock);
     return pins.take();
   });
 }
@@ -191,7 +192,7 @@ std::vector<dsp::LogicTrace> detect(const ChainDesign& design, const IdealDesign
     SlotWriter pins(receiver, part_slots, design.sample_rate, stop);
     PreparedGroup group(design, part, unused);
     pins.attach_to(group.kernel);
-    run(group.kernel, part.size(), set, clock);
+    run_chains(group.kernel, part.size(), set, clock);
     return pins.take(ends_of(part));
   });
 }

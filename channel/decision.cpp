@@ -43,7 +43,7 @@ DecisionKernelInput kernel_input(const DecisionDesign& design, const NoiseSeed* 
           .wrong = wrong.data()};
 }
 
-void run(const DecisionKernelInput& input, [[maybe_unused]] InstructionSet set) {
+void run_decisions(const DecisionKernelInput& input, [[maybe_unused]] InstructionSet set) {
 #ifdef COSYS_HAVE_X86
   if (runs_v3(set)) return decide_lanes_v3(input);
 #endif
@@ -84,7 +84,7 @@ WrongBits decide(const DecisionDesign& design, std::span<const NoiseSeed> trials
   std::array<NoiseSeed, lanes_per_group> seeds{};
   std::ranges::copy(trials, seeds.begin());
   WrongBits wrong = design.noiseless;
-  run(kernel_input(design, seeds.data(), wrong), set);
+  run_decisions(kernel_input(design, seeds.data(), wrong), set);
   return wrong;
 }
 

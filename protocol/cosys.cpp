@@ -10,7 +10,7 @@
 namespace protocol {
 namespace {
 
-CosysOutcome judge(std::string_view line) {
+CosysOutcome judge_line(std::string_view line) {
   if (!std::ranges::all_of(line, is_printable)) return CosysOutcome::unprintable;
   const std::size_t space = line.rfind(' ');
   if (space == std::string_view::npos || line.size() - space < tail_size - 1)
@@ -59,7 +59,7 @@ std::optional<CosysFrame> CosysDecoder::push(const UartByte& byte) {
     return std::nullopt;
   }
   if (line_.empty()) start_ = byte.start;
-  if (newline) return take_line(judge(line_));
+  if (newline) return take_line(judge_line(line_));
   line_.push_back(static_cast<char>(byte.value));
   if (line_.size() < max_line_) return std::nullopt;
   dropping_ = true;

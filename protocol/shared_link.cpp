@@ -50,7 +50,7 @@ SharedLinkOutcome judge_checksum(std::string_view text, std::string_view last_fi
 }
 
 /// Of a text between brackets; fills the message if it is one.
-SharedLinkOutcome judge(std::string_view text, SharedLinkMessage& message) {
+SharedLinkOutcome judge_message(std::string_view text, SharedLinkMessage& message) {
   if (!std::ranges::all_of(text, is_printable)) return SharedLinkOutcome::unprintable;
   if (!text.starts_with(':')) return SharedLinkOutcome::no_header;
   if (!has_addresses(text)) return SharedLinkOutcome::bad_address;
@@ -152,7 +152,7 @@ std::optional<SharedLinkFrame> SharedLinkDecoder::push(const UartByte& byte) {
   if (c == ']') {
     inside_ = false;
     SharedLinkMessage message;
-    const SharedLinkOutcome outcome = judge(text_, message);
+    const SharedLinkOutcome outcome = judge_message(text_, message);
     SharedLinkFrame frame = take(outcome);
     if (outcome == SharedLinkOutcome::ok) frame.message = std::move(message);
     return frame;

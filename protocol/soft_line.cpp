@@ -50,7 +50,7 @@ Columns columns_of(std::span<const SoftCharacter> text) {
   return columns;
 }
 
-bool bit_of(unsigned checksum, std::size_t i) { return ((checksum >> i) & 1U) != 0; }
+bool line_bit_of(unsigned checksum, std::size_t i) { return ((checksum >> i) & 1U) != 0; }
 
 double cost_of_digit(const SoftCharacter& character, char digit) {
   return std::min(character.cost_of(static_cast<std::uint8_t>(digit)),
@@ -61,7 +61,7 @@ double cost_of_checksum(const Columns& columns, std::span<const SoftCharacter> d
                         unsigned checksum) {
   const std::string hex = hex_byte(static_cast<std::uint8_t>(checksum));
   double cost = cost_of_digit(digits[0], hex[0]) + cost_of_digit(digits[1], hex[1]);
-  for (std::size_t i = 0; i < text_bits; ++i) cost += columns[i].cost_of(bit_of(checksum, i));
+  for (std::size_t i = 0; i < text_bits; ++i) cost += columns[i].cost_of(line_bit_of(checksum, i));
   return cost;
 }
 
@@ -90,7 +90,7 @@ std::string text_of(std::span<const SoftCharacter> text, const Columns& columns,
   for (const SoftCharacter& character : text)
     message.push_back(static_cast<char>(character.value()));
   for (std::size_t i = 0; i < text_bits && !text.empty(); ++i)
-    if (columns[i].parity != bit_of(checksum, i))
+    if (columns[i].parity != line_bit_of(checksum, i))
       message[columns[i].weakest] = static_cast<char>(message[columns[i].weakest] ^ (1 << i));
   return message;
 }
@@ -108,7 +108,7 @@ SoftLine best_line(std::span<const SoftCharacter> characters) {
   line.corrected = best.cost + tail.front().cost_of(' ') + tail.back().cost_of('\n');
   line.margin = best.next_cost - best.cost;
   for (std::size_t i = 0; i < text_bits; ++i)
-    line.margin = std::min(line.margin, columns[i].margin_of(bit_of(best.checksum, i)));
+    line.margin = std::min(line.margin, columns[i].margin_of(line_bit_of(best.checksum, i)));
   line.mismatch = line.corrected;
   for (const SoftCharacter& character : characters) line.mismatch += character.mismatch;
   return line;

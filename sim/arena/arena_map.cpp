@@ -51,7 +51,7 @@ class DeviceCells {
 };
 
 /// Kinds of devices in the order of the devices, each with its colour.
-std::vector<std::string> kinds_of(const std::vector<Sender>& senders) {
+std::vector<std::string> kinds_on_map(const std::vector<Sender>& senders) {
   std::vector<std::string> kinds;
   for (const Sender& sender : senders)
     if (std::ranges::find(kinds, sender.kind) == kinds.end()) kinds.push_back(sender.kind);
@@ -63,18 +63,18 @@ std::size_t colour_of(const std::vector<std::string>& kinds, const std::string& 
 }
 
 /// The name of a device, or at the first of a kind that has several that of the kind; else nothing.
-std::string label_of(const Sender& sender, const std::vector<Sender>& senders) {
+std::string label_on_map(const Sender& sender, const std::vector<Sender>& senders) {
   const auto n = std::ranges::count(senders, sender.kind, &Sender::kind);
   if (n == 1) return sender.name;
   return sender.number == 1 ? fmt::format("{} x{}", sender.kind, n) : "";
 }
 
 std::vector<PlanMark> marks_of(const std::vector<Sender>& senders, const DeviceCells& delivered) {
-  const std::vector<std::string> kinds = kinds_of(senders);
+  const std::vector<std::string> kinds = kinds_on_map(senders);
   std::vector<PlanMark> marks;
   for (const Sender& s : senders)
     marks.push_back({.at = {s.x_m, s.y_m},
-                     .label = label_of(s, senders),
+                     .label = label_on_map(s, senders),
                      .heading = s.leds == 1 ? std::optional(s.yaw.value) : std::nullopt,
                      .colour = colour_of(kinds, s.kind),
                      .is_solid = delivered[s.name] > 0});
@@ -88,7 +88,7 @@ struct HeardMessage {
   dsp::Seconds end;
 };
 
-std::vector<HeardMessage> heard_at(const Dataset& data, std::size_t point) {
+std::vector<HeardMessage> heard_on_map(const Dataset& data, std::size_t point) {
   const DatasetCells points(data, "heard_point"), devices(data, "heard_device"),
       x(data, "heard_x_m"), y(data, "heard_y_m"), ends(data, "heard_end_s");
   std::vector<HeardMessage> heard;
@@ -108,7 +108,7 @@ std::vector<PlanDots> dots_of(const std::vector<HeardMessage>& heard,
   std::map<std::string, std::string> kind_of;
   for (const Sender& sender : senders) kind_of[sender.name] = sender.kind;
   std::vector<PlanDots> dots;
-  for (const std::string& kind : kinds_of(senders)) dots.push_back({kind, {}, dots.size()});
+  for (const std::string& kind : kinds_on_map(senders)) dots.push_back({kind, {}, dots.size()});
   for (const HeardMessage& each : heard)
     for (PlanDots& kind : dots)
       if (kind.label == kind_of[each.device])
@@ -142,7 +142,7 @@ FloorPlan plan_of(const StoredDataset& stored, std::size_t point,
   const Place begin = way.at(dsp::Seconds(0));
   plan.receivers.push_back({.at = {begin.x, begin.y}, .heading = begin.heading.value});
   plan.devices = marks_of(senders, DeviceCells(stored.data, "n_delivered", point));
-  plan.dots = dots_of(heard_at(stored.data, point), senders, way);
+  plan.dots = dots_of(heard_on_map(stored.data, point), senders, way);
   return plan;
 }
 

@@ -124,7 +124,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
     part.sections.push_back(map_section("frame-loss-map", map));
 }
 
-std::vector<DatasetColumn> device_columns() {
+std::vector<DatasetColumn> device_table_columns() {
   std::vector<DatasetColumn> columns{{"irradiance_mw_per_m2", "highest irradiance [mW/m2]"}};
   add_message_columns(columns, "", "delivered");
   columns.push_back({"n_runs_heard", "heard in runs"});
@@ -132,7 +132,7 @@ std::vector<DatasetColumn> device_columns() {
   return columns;
 }
 
-std::vector<DatasetColumn> point_columns() {
+std::vector<DatasetColumn> point_table_columns() {
   std::vector<DatasetColumn> columns{{"n_runs", "runs"}, {"n_devices", "devices"}};
   add_message_columns(columns, "total_", "delivered");
   add_load_columns(columns);
@@ -184,8 +184,8 @@ ReportPart part_of_messages(const std::string& name, StoredDataset stored,
 }
 
 ReportPart arena_part(const std::string& name, const StoredDataset& stored) {
-  ReportPart part =
-      part_of_messages(name, stored, {arena_fates(), device_columns(), point_columns()});
+  ReportPart part = part_of_messages(
+      name, stored, {arena_fates(), device_table_columns(), point_table_columns()});
   if (!stored.data.axes.empty())
     part.verdict += extremes(stored.data, "total_throughput", "Throughput");
   return part;

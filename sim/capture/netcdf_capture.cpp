@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t block_rows = 65536;  // a chunk of our files
 
-Failure unreadable(const std::filesystem::path& path, const char* why) {
+Failure unreadable_trace(const std::filesystem::path& path, const char* why) {
   return bad_input("cannot decode " + path.string(), why, "give a trace as cosys-sim writes it");
 }
 
@@ -25,11 +25,11 @@ class Rows {
   explicit Rows(const std::filesystem::path& path, std::optional<dsp::Hertz> told_rate)
       : path_(path), reader_(path) {
     if (filetype_of(path) != trace_type)
-      throw unreadable(path, "an HDF5 file, but no trace of cosys-sim");
+      throw unreadable_trace(path, "an HDF5 file, but no trace of cosys-sim");
     rate_ = told_rate ? *told_rate : dsp::Hertz(reader_.real_number("sample_rate_hz"));
-    if (!is_sample_rate(rate_)) throw unreadable(path, "its sample rate is none");
+    if (!is_sample_rate(rate_)) throw unreadable_trace(path, "its sample rate is none");
     count_ = reader_.size("rx");
-    if (reader_.size("tx") != count_) throw unreadable(path, "tx is not as long as rx");
+    if (reader_.size("tx") != count_) throw unreadable_trace(path, "tx is not as long as rx");
   }
 
   dsp::Hertz rate() const { return rate_; }
@@ -53,7 +53,7 @@ class Rows {
 
   void refuse_infinite(const std::vector<float>& cells) const {
     if (!std::ranges::all_of(cells, [](float cell) { return std::isfinite(cell); }))
-      throw unreadable(path_, "a sample is not finite");
+      throw unreadable_trace(path_, "a sample is not finite");
   }
 
  private:

@@ -52,7 +52,7 @@ struct Layout {
   std::size_t frame_bytes() const { return channels * numbers_a_sample() * number.bytes; }
 };
 
-Failure unreadable(const fs::path& meta, const std::string& why) {
+Failure unreadable_recording(const fs::path& meta, const std::string& why) {
   return bad_input("cannot read " + meta.string(), why, "give a SigMF recording, version 1");
 }
 
@@ -62,7 +62,7 @@ void set_type(const fs::path& meta, const std::string& type, Layout& layout) {
   const std::string name = type.substr(0, type.size() - (ordered ? 3 : 0));
   const auto found = number_types.find(std::string_view(name).substr(name.empty() ? 0 : 1));
   if (found == number_types.end() || (name[0] != 'c' && name[0] != 'r'))
-    throw unreadable(meta, "core:datatype '" + shown(type) + "' is not one of SigMF");
+    throw unreadable_recording(meta, "core:datatype '" + shown(type) + "' is not one of SigMF");
   layout.is_complex = name[0] == 'c';
   layout.number = found->second;
   layout.swapped = big != (std::endian::native == std::endian::big);
@@ -78,16 +78,17 @@ Layout layout_of(const fs::path& meta, const std::optional<dsp::Hertz>& told_rat
     layout.sample_rate =
         told_rate ? *told_rate : dsp::Hertz(global.at("core:sample_rate").get<double>());
   } catch (const nlohmann::json::parse_error& error) {
-    throw unreadable(meta, fmt::format("no JSON from byte {} on", error.byte));
+    throw unreadable_recording(meta, fmt::format("no JSON from byte {} on", error.byte));
   } catch (const nlohmann::json::exception&) {
-    throw unreadable(meta,
-                     "its core:datatype, core:sample_rate or core:num_channels is not there, "
-                     "or of another type");
+    throw unreadable_recording(
+        meta,
+        "its core:datatype, core:sample_rate or core:num_channels is not there, "
+        "or of another type");
   }
   if (!is_sample_rate(layout.sample_rate))
-    throw unreadable(meta, "core:sample_rate is not from 1 Hz to 1 THz");
+    throw unreadable_recording(meta, "core:sample_rate is not from 1 Hz to 1 THz");
   if (layout.channels < 1 || layout.channels > most_channels)
-    throw unreadable(meta, "core:num_channels is not from 1 to 64");
+    throw unreadable_recording(meta, "core:num_channels is not from 1 to 64");
   return layout;
 }
 
@@ -109,7 +110,7 @@ class SigmfCapture : public SampleCapture {
       const std::size_t first = channel_ * layout_.numbers_a_sample();
       const float real = number(first), imaginary = layout_.is_complex ? number(first + 1) : 0;
       if (!std::isfinite(real) || !std::isfinite(imaginary))
-        throw unreadable(meta_, "a sample is not finite");
+        throw unreadable_recording(meta_, "a sample is not finite");
       to[count] = {real, imaginary};
     }
     return count;

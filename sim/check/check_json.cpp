@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json counts_of(const FrameCounts& counts) {
+Json counts_json(const FrameCounts& counts) {
   return {{"n_frames", counts.frames},
           {"n_frames_lost", counts.lost},
           {"n_frames_undetected", counts.deceived}};
@@ -40,7 +40,7 @@ const char* name(DecoderFault::Kind kind) {
   return "";
 }
 
-Json fault_of(const std::optional<DecoderFault>& fault) {
+Json fault_json(const std::optional<DecoderFault>& fault) {
   if (!fault) return nullptr;
   return {{"kind", name(fault->kind)}, {"what", fault->what}, {"stderr", fault->words}};
 }
@@ -48,14 +48,14 @@ Json fault_of(const std::optional<DecoderFault>& fault) {
 /// JSON has no NaN.
 Json number_or_null(double value) { return value == value ? Json(value) : Json(nullptr); }
 
-Json point_of(const PointCheck& c) {
+Json point_json(const PointCheck& c) {
   return {{"name", c.point.name},
           {"scenario", c.point.file.string()},
           {"point", c.point.number},
           {"verdict", name(c.verdict)},
           {"pairing", name(c.pairing)},
-          {"baseline", counts_of(c.baseline)},
-          {"candidate", counts_of(c.candidate)},
+          {"baseline", counts_json(c.baseline)},
+          {"candidate", counts_json(c.candidate)},
           {"p_lost", std::min(1.0, c.p_lost)},
           {"p_undetected", std::min(1.0, c.p_deceived)},
           {"power", number_or_null(c.power)},
@@ -63,14 +63,14 @@ Json point_of(const PointCheck& c) {
           {"lost_by_candidate_alone", c.only_candidate_lost},
           {"lost_by_baseline_alone", c.only_baseline_lost},
           {"undetected_by_candidate_alone", c.only_candidate_deceived},
-          {"fault", fault_of(c.fault)}};
+          {"fault", fault_json(c.fault)}};
 }
 
 }  // namespace
 
 std::string check_json(const CheckReport& report) {
   Json points = Json::array();
-  for (const PointCheck& check : report.checks) points.push_back(point_of(check));
+  for (const PointCheck& check : report.checks) points.push_back(point_json(check));
   const GateRule& rule = report.setup.rule;
   const Json json{{"verdict", name(verdict_of(report.checks))},
                   {"candidate", report.setup.candidate.name()},

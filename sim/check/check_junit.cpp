@@ -23,7 +23,7 @@ void add_outcome(pugi::xml_node test, const char* kind, const std::string& messa
   node.text() = xml_text(body).c_str();
 }
 
-std::string message_of(const CheckReport& report, const PointCheck& check) {
+std::string junit_message(const CheckReport& report, const PointCheck& check) {
   if (check.fault) return "the decoder failed: " + check.fault->what;
   return report.setup.candidate.name() + " is " + name(check.verdict) + ": " +
          std::to_string(check.candidate.lost) + " frames lost for " +
@@ -37,11 +37,11 @@ void add_point(pugi::xml_node suite, const CheckReport& report, const PointCheck
       xml_text("cosys-sim." + check.point.file.stem().string()).c_str();
   const std::string details = point_details(report, check);
   if (check.verdict == Verdict::worse)
-    add_outcome(test, "failure", message_of(report, check), details);
+    add_outcome(test, "failure", junit_message(report, check), details);
   if (check.verdict == Verdict::broken)
-    add_outcome(test, "error", message_of(report, check), details);
+    add_outcome(test, "error", junit_message(report, check), details);
   if (check.verdict == Verdict::inconclusive)
-    add_outcome(test, "skipped", message_of(report, check), details);
+    add_outcome(test, "skipped", junit_message(report, check), details);
   if (check.verdict == Verdict::passed)
     test.append_child("system-out").text() = xml_text(details).c_str();
 }

@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-FrameCounts counts_of(const DecodedFrames& decoded) {
+FrameCounts decoder_counts(const DecodedFrames& decoded) {
   FrameCounts counts;
   if (decoded.fault) return counts;
   for (const FrameRecord& frame : decoded.frames) counts.add(frame.outcome);
@@ -35,7 +35,7 @@ ContestPoint contest(const JudgedPoint& point, const std::vector<const Decoder*>
   const auto decoded = decode_frames(judged_link(point), decoders, 0, frames, workers);
   ContestPoint result{.point = point, .counts = {}, .faults = {}, .duels = {}};
   for (const DecodedFrames& one : decoded) {
-    result.counts.push_back(counts_of(one));
+    result.counts.push_back(decoder_counts(one));
     result.faults.push_back(one.fault);
   }
   for (std::size_t second = 1; second < decoded.size(); ++second)

@@ -47,7 +47,7 @@ std::string lost_text(const ContestPoint& point, std::size_t decoder) {
   return fmt::format("{:.2f} %{}", 100 * ratio(counts.lost, counts.frames), wrong);
 }
 
-std::vector<TextColumn> columns_for(const ContestReport& report) {
+std::vector<TextColumn> contest_columns(const ContestReport& report) {
   std::size_t width = 5;
   for (const ContestPoint& point : report.points) width = std::max(width, point.point.name.size());
   std::vector<TextColumn> columns{{{"", "", "point"}, -static_cast<int>(width)}};
@@ -70,7 +70,7 @@ std::string faults_text(const ContestReport& report) {
   return text;
 }
 
-Json point_json(const ContestReport& report, const ContestPoint& point) {
+Json contest_point_json(const ContestReport& report, const ContestPoint& point) {
   Json decoders = Json::array(), duels = Json::array();
   for (std::size_t d = 0; d < report.decoders.size(); ++d) {
     const FrameCounts& counts = point.counts[d];
@@ -95,7 +95,7 @@ Json point_json(const ContestReport& report, const ContestPoint& point) {
 }  // namespace
 
 std::string contest_text(const ContestReport& report) {
-  const std::vector<TextColumn> columns = columns_for(report);
+  const std::vector<TextColumn> columns = contest_columns(report);
   std::string text = table_head(columns);
   for (const ContestPoint& point : report.points) {
     std::vector<std::string> row{point.point.name};
@@ -119,7 +119,8 @@ std::string contest_text(const ContestReport& report) {
 
 std::string contest_json(const ContestReport& report) {
   Json points = Json::array();
-  for (const ContestPoint& point : report.points) points.push_back(point_json(report, point));
+  for (const ContestPoint& point : report.points)
+    points.push_back(contest_point_json(report, point));
   const Json json{{"alpha", report.alpha}, {"points", std::move(points)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -86,7 +86,7 @@ std::string reading_of(const OneFrame& frame, const std::vector<protocol::UartBy
   return text.empty() ? "-" : text;
 }
 
-std::string verdict_of(const FrameOutcome& outcome) {
+std::string verdict_on_frame(const FrameOutcome& outcome) {
   if (outcome.unknown) return "failed";
   if (outcome.deceived) return outcome.delivered ? "delivered, and another message" : "deceived";
   return outcome.delivered ? "delivered" : "lost";
@@ -161,7 +161,7 @@ FrameOutcome outcome_of(const Decoded& decoded, const OneFrame& frame) {
 std::string verdict_lines(const Decoder& decoder, const OneFrame& frame,
                           const std::vector<protocol::UartByte>& characters) {
   const Decoded decoded = decoder.decode(frame.line);
-  return fmt::format("{}: {}\n", decoder.name(), verdict_of(outcome_of(decoded, frame))) +
+  return fmt::format("{}: {}\n", decoder.name(), verdict_on_frame(outcome_of(decoded, frame))) +
          (characters.empty() ? accepted_text(decoded, frame.trial())
                              : lines_of(characters, frame.frame()));
 }

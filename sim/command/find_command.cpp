@@ -180,7 +180,7 @@ class Finds {
   std::map<Coordinates, PointResult> counted_;
 };
 
-fs::path output_of(const FindRequest& request) {
+fs::path found_output(const FindRequest& request) {
   return request.output.value_or(request.scenario.stem().concat("-find.h5"));
 }
 
@@ -189,7 +189,7 @@ fs::path output_of(const FindRequest& request) {
 ExitCode find_command(const FindRequest& request) {
   const LoadedScenario scenario = load_for_search(request);
   const Over over = over_of(request.over, scenario);
-  const fs::path output = output_of(request);
+  const fs::path output = found_output(request);
   check_writable(output);
   Keeper keeper(output, request.program);
   const std::atomic<bool>& interrupt = heed_stop_signals();

@@ -23,8 +23,8 @@ constexpr std::string_view of_readings[] = {"--led",   "--led-current-ma",   "--
 constexpr std::string_view of_scenarios[] = {"--set", "--seed", "--point", "--trial"};
 
 /// Options that would not be heeded.
-void refuse(std::span<const std::string_view> names, const LocateRequest& request,
-            const char* why) {
+void refuse_locating(std::span<const std::string_view> names, const LocateRequest& request,
+                     const char* why) {
   for (const std::string_view name : names)
     if (std::ranges::find(request.given, name) != request.given.end())
       throw bad_input(fmt::format("{} with {}", name, request.readings.string()), why,
@@ -46,7 +46,7 @@ LightModel model_of(const LocateRequest& request, const PartSources& parts,
 }
 
 Location of_readings_file(const LocateRequest& request) {
-  refuse(of_scenarios, request, "readings are measured, not drawn");
+  refuse_locating(of_scenarios, request, "readings are measured, not drawn");
   const PartSources parts{.folders = request.options.parts, .carried = {}, .carrier = {}};
   const channel::PhotodiodeData photodiode =
       load_photodiode(request.photodiode, parts, "--photodiode " + request.photodiode).data;
@@ -58,7 +58,7 @@ Location of_readings_file(const LocateRequest& request) {
 }
 
 Location of_scenario(const LocateRequest& request) {
-  refuse(of_readings, request, "a scenario says it by a key");
+  refuse_locating(of_readings, request, "a scenario says it by a key");
   const LoadedScenario scenario = load_with(request.options, request.readings);
   if (scenario.base.experiment != "location")
     throw bad_input(request.readings.string(),

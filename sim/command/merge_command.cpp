@@ -18,7 +18,7 @@
 namespace sim {
 namespace {
 
-void refuse(const MergeRequest& request, std::size_t i, const std::string& why) {
+void refuse_merge(const MergeRequest& request, std::size_t i, const std::string& why) {
   throw bad_input(
       fmt::format("cannot merge {} with what stands before it", request.results[i].string()), why,
       "give shards of one command, each once");
@@ -44,11 +44,12 @@ std::vector<StoredResult> read_shards(const MergeRequest& request) {
   for (std::size_t i = 1; i < request.results.size(); ++i) {
     StoredResult more = read_result(request.results[i]);
     const std::string why = mismatch(all.front().origin, more.origin);
-    if (!why.empty()) refuse(request, i, why);
+    if (!why.empty()) refuse_merge(request, i, why);
     for (const StoredResult& before : all) {
       const Shard* twice = overlapping(before.result.shards, more.result.shards);
       if (twice != nullptr)
-        refuse(request, i, "trials of its shard " + shards_text({*twice}) + " are there already");
+        refuse_merge(request, i,
+                     "trials of its shard " + shards_text({*twice}) + " are there already");
     }
     all.push_back(std::move(more));
   }

@@ -30,7 +30,7 @@ std::unique_ptr<Port> open_port(const NodeRequest& request, double baud) {
 }
 
 /// The port is as it was before when this returns or throws, whatever becomes of the events.
-ExitCode run_session(const NodeRequest& request, LineOutput& events) {
+ExitCode run_node(const NodeRequest& request, LineOutput& events) {
   const NodeFile file = read_node_file(request);
   const std::atomic<bool>& stopping = heed_stop_signals();
   const std::unique_ptr<Port> port = open_port(request, file.baud.value);
@@ -41,7 +41,7 @@ ExitCode run_session(const NodeRequest& request, LineOutput& events) {
 
 ExitCode node_command(const NodeRequest& request) {
   LineOutput events(STDOUT_FILENO);
-  const ExitCode code = run_session(request, events);
+  const ExitCode code = run_node(request, events);
   events.finish();
   return code;
 }

@@ -20,7 +20,7 @@ LiveScenario live_scenario(const ServeRequest& request) {
 }
 
 /// The link is gone when this returns or throws, whatever becomes of the messages.
-ExitCode run_session(const ServeRequest& request, LineOutput* messages) {
+ExitCode run_serving(const ServeRequest& request, LineOutput* messages) {
   LiveScenario scenario = live_scenario(request);
   const std::atomic<bool>& stopping = heed_stop_signals();
   PseudoTerminal port(request.link, scenario.link()->receiver_baud.value);
@@ -32,7 +32,7 @@ ExitCode run_session(const ServeRequest& request, LineOutput* messages) {
 ExitCode serve_command(const ServeRequest& request) {
   std::optional<LineOutput> messages;
   if (request.json) messages.emplace(STDOUT_FILENO);
-  const ExitCode code = run_session(request, messages ? &*messages : nullptr);
+  const ExitCode code = run_serving(request, messages ? &*messages : nullptr);
   if (messages) messages->finish();
   return code;
 }

@@ -184,7 +184,7 @@ void add_charts(ReportPart& part, const Dataset& data) {
   add_chart(part, age);
 }
 
-std::vector<DatasetColumn> columns(const Dataset& data) {
+std::vector<DatasetColumn> part_columns(const Dataset& data) {
   return {{"n_messages", "messages"},
           {"n_accepted", "accepted"},
           {"message_loss", "message loss"},
@@ -210,7 +210,7 @@ ReportPart exchange_part(const std::string& name, const StoredDataset& stored) {
   part.verdict += missing_points(stored);
   if (find_variable(data, "n_rejected") != nullptr)
     part.sections.push_back(shares_section("refusals", refusals(data)));
-  add_closing(part, data, columns(data));
+  add_closing(part, data, part_columns(data));
   return part;
 }
 

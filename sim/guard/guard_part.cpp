@@ -113,8 +113,8 @@ std::string ages_of(const Dataset& data) {
 }
 
 /// Columns that `run` prints of ages. `of`: "" of each device, "total_" of all.
-void add_age_columns(std::vector<DatasetColumn>& columns, const Dataset& data,
-                     const std::string& of) {
+void add_age_cells(std::vector<DatasetColumn>& columns, const Dataset& data,
+                   const std::string& of) {
   columns.push_back({of + "age_mean_s", "mean age at base [s]"});
   columns.push_back({of + "age_p95_s", "95 % of ages [s]"});
   columns.push_back({of + "unknown_share", "nothing known",
@@ -148,10 +148,10 @@ DatasetColumn variable_column(const StoredDataset& stored) {
           }};
 }
 
-std::vector<DatasetColumn> device_columns(const StoredDataset& stored) {
+std::vector<DatasetColumn> device_table_columns(const StoredDataset& stored) {
   std::vector<DatasetColumn> columns{
       variable_column(stored), {"n_messages", "messages"}, {"n_known", "known to the base"}};
-  add_age_columns(columns, stored.data, "");
+  add_age_cells(columns, stored.data, "");
   add_message_columns(columns, "", delivered);
   for (const auto& [name, head] : {std::pair{"n_replaced", "replaced by a newer one"},
                                    {"n_sharedlink_lost", "lost by SharedLink"},
@@ -162,12 +162,12 @@ std::vector<DatasetColumn> device_columns(const StoredDataset& stored) {
   return columns;
 }
 
-std::vector<DatasetColumn> point_columns(const Dataset& data) {
+std::vector<DatasetColumn> point_table_columns(const Dataset& data) {
   std::vector<DatasetColumn> columns{{"n_runs", "runs"},
                                      {"n_devices", "devices"},
                                      {"total_n_messages", "messages"},
                                      {"total_n_known", "known to the base"}};
-  add_age_columns(columns, data, "total_");
+  add_age_cells(columns, data, "total_");
   for (const auto& [name, head] : {std::pair{"n_queries", "questions asked"},
                                    {"n_queries_answered", "answered"},
                                    {"n_queries_timed_out", "timed out"},
@@ -183,8 +183,8 @@ std::vector<DatasetColumn> point_columns(const Dataset& data) {
 
 ReportPart guard_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportPart part =
-      part_of_messages(name, stored, {guard_fates(), device_columns(stored), point_columns(data)});
+  ReportPart part = part_of_messages(
+      name, stored, {guard_fates(), device_table_columns(stored), point_table_columns(data)});
   part.verdict += known_of(data) + ages_of(data) + oldest_of(data) + least_known_of(data);
   add_chart(part, swept_chart(data, {.name = "age_mean_s",
                                      .title = "Age of what the base station knows",

@@ -25,7 +25,7 @@ const char* meaning(LocateOutcome outcome) {
   return "no place in the area explains the readings better than all around it";
 }
 
-std::string ellipse_text(const LocatedPlace& place) {
+std::string ellipse_words(const LocatedPlace& place) {
   if (!place.covariance) return "95 % ellipse unbounded";
   const ErrorEllipse e = error_ellipse(*place.covariance);
   return fmt::format("95 % ellipse {:.2g} m by {:.2g} m, the longer at {:.0f} deg from +x",
@@ -37,7 +37,7 @@ std::string place_text(const LocatedPlace& place) {
   const std::string brightness =
       intensity == 1 ? "" : fmt::format(", intensity {:.3g} of the model's", intensity);
   return fmt::format("  x = {:.3f} m, y = {:.3f} m{}; chi-square {:.2f}; {}\n", at.x, at.y,
-                     brightness, place.chi_square, ellipse_text(place));
+                     brightness, place.chi_square, ellipse_words(place));
 }
 
 Json ellipse_json(const LocatedPlace& place) {

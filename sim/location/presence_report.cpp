@@ -85,8 +85,8 @@ void add_point_variables(TrialVariables<PresencePointRun>& to) {
           [](const PresenceResult& r) { return r.clipped; });
 }
 
-void add_estimate(TrialVariables<PresencePointRun>& to, const std::string& name,
-                  const std::string& what, Estimate RocPoint::*member) {
+void add_probability(TrialVariables<PresencePointRun>& to, const std::string& name,
+                     const std::string& what, Estimate RocPoint::*member) {
   const auto add = [&](const std::string& suffix, const std::string& of, double Estimate::*part) {
     to.reals({name + suffix, "1", of + what}, "false_alarm",
              [=](const PresenceResult& r, std::size_t i) { return r.roc[i].*member.*part; });
@@ -103,10 +103,10 @@ void add_roc_variables(TrialVariables<PresencePointRun>& to) {
             [](const PresenceResult& r, std::size_t i) { return r.roc[i].detections; });
   to.reals({"threshold", "1", "of the statistic, in units of the noise"}, "false_alarm",
            [](const PresenceResult& r, std::size_t i) { return r.roc[i].threshold; });
-  add_estimate(to, "p_false_alarm", "share of windows without light above the threshold",
-               &RocPoint::false_alarm);
-  add_estimate(to, "p_detection", "share of windows with light above the threshold",
-               &RocPoint::detection);
+  add_probability(to, "p_false_alarm", "share of windows without light above the threshold",
+                  &RocPoint::false_alarm);
+  add_probability(to, "p_detection", "share of windows with light above the threshold",
+                  &RocPoint::detection);
   to.reals({"p_detection_theory", "1", "probability of detection by the closed form"},
            "false_alarm",
            [](const PresenceResult& r, std::size_t i) { return r.roc[i].detection_theory; });

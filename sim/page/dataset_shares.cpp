@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const std::vector<CountedKind>& kinds) {
   return words;
 }
 
-std::vector<DatasetCells> cells_of(const Dataset& data, const std::vector<CountedKind>& kinds) {
+std::vector<DatasetCells> share_cells(const Dataset& data, const std::vector<CountedKind>& kinds) {
   std::vector<DatasetCells> cells;
   for (const CountedKind& kind : kinds) cells.emplace_back(data, kind.name);
   return cells;
@@ -73,7 +73,7 @@ ShareBars point_shares(const Dataset& data, const std::string& title, const std:
 
 ShareBars point_shares(const Dataset& data, const std::string& title, const std::string& of,
                        const std::vector<CountedKind>& kinds) {
-  const std::vector<DatasetCells> cells = cells_of(data, kinds);
+  const std::vector<DatasetCells> cells = share_cells(data, kinds);
   const std::size_t points = count_points(data.axes);
   return point_shares(data, title, of, words_of(kinds), [&](std::size_t point) {
     std::vector<std::uint64_t> counts;
@@ -92,7 +92,7 @@ ShareBars element_shares(const Dataset& data, const std::string& title, const st
   const Dataset::Variable* first = find_variable(data, kinds.front().name);
   if (first == nullptr || first->dimensions.size() != 1) return bars;
   const Dataset::Dimension& dimension = dimension_named(data, first->dimensions.front());
-  const std::vector<DatasetCells> cells = cells_of(data, kinds);
+  const std::vector<DatasetCells> cells = share_cells(data, kinds);
   bars.rows_label = dimension.facts.name;
   for (std::size_t i = 0; i < dimension.size(); ++i) {
     std::vector<std::uint64_t> counts;

@@ -63,7 +63,7 @@ PageSection fates_section(const ExperimentResult& result) {
   return section;
 }
 
-PageTable table_of(const Omissions& omissions) {
+PageTable link_table(const Omissions& omissions) {
   PageTable table{.head = {"the link", "frames", "lost", "FLR"}, .rows = {}};
   if (omissions.along) table.head.push_back("half lost at " + axis_name(*omissions.along));
   for (const Omission& o : omissions.omissions) {
@@ -79,7 +79,7 @@ PageSection limits_section(const Omissions& omissions) {
   return {.heading = "What limits it",
           .text = fmt::format("The point where it fails{}, run again without one thing at a time.",
                               omissions.place.empty() ? "" : ", " + omissions.place),
-          .table = table_of(omissions)};
+          .table = link_table(omissions)};
 }
 
 /// More curves than there are hues hide each other: a map of them is looked at first.
@@ -133,7 +133,7 @@ void add_frames(ReportPart& part, const FrameStatistics& frames) {
   part.sections.back().text = delays_text(frames);
 }
 
-void add_trial(ReportPart& part, const ExperimentResult& result, const ShownTrial& shown) {
+void add_shown_trial(ReportPart& part, const ExperimentResult& result, const ShownTrial& shown) {
   part.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     part.sections.push_back(
@@ -158,7 +158,7 @@ ReportPart link_part(const LinkReport& link) {
   part.sections.push_back(fates_section(result));
   part.sections.back().text += link.why_no_trial;
   if (link.omissions.omissions.size() > 1) part.sections.push_back(limits_section(link.omissions));
-  if (link.trial) add_trial(part, result, *link.trial);
+  if (link.trial) add_shown_trial(part, result, *link.trial);
   add_frames(part, link.frames);
   part.sections.push_back(numbers_section(result));
   return part;

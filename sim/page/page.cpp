@@ -31,7 +31,7 @@ std::string paragraphs(const std::string& text) {
   return html;
 }
 
-std::string row_of(const std::vector<std::string>& cells, const char* kind) {
+std::string row_html(const std::vector<std::string>& cells, const char* kind) {
   std::string html = "<tr>";
   for (const std::string& cell : cells)
     html +=
@@ -45,9 +45,9 @@ std::string table_html(const PageTable& table) {
       fmt::format("<details{}><summary>Table ({} row{})</summary>\n<div class=\"table\">",
                   table.rows.size() > long_table && !table.is_answer ? "" : " open",
                   table.rows.size(), table.rows.size() == 1 ? "" : "s") +
-      "<table class=\"numbers\">\n<thead>" + row_of(table.head, "th scope=\"col\"") +
+      "<table class=\"numbers\">\n<thead>" + row_html(table.head, "th scope=\"col\"") +
       "</thead>\n<tbody>\n";
-  for (const auto& cells : table.rows) html += row_of(cells, "td");
+  for (const auto& cells : table.rows) html += row_html(cells, "td");
   return html + "</tbody>\n</table></div></details>\n";
 }
 

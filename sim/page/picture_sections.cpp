@@ -24,7 +24,7 @@ std::string value_text(double value) {
 }
 
 /// The name of a lone curve would say nothing.
-PageTable table_of(const Chart& chart) {
+PageTable pictured_table(const Chart& chart) {
   const bool are_several = chart.curves.size() > 1;
   PageTable table{.head = {chart.x.label, chart.y.label}, .rows = {}};
   if (are_several) table.head.insert(table.head.begin(), "curve");
@@ -40,7 +40,7 @@ PageTable table_of(const Chart& chart) {
 }
 
 /// From above, as the picture has it.
-PageTable table_of(const HeatMap& map) {
+PageTable pictured_table(const HeatMap& map) {
   PageTable table{.head = {map.y_label + " \\ " + map.x_label}, .rows = {}};
   table.head.insert(table.head.end(), map.columns.begin(), map.columns.end());
   for (std::size_t r = map.rows.size(); r-- > 0;) {
@@ -60,7 +60,7 @@ std::string percent_of(std::uint64_t count, const std::vector<std::uint64_t>& co
   return fmt::format("{:.1f}", 100 * static_cast<double>(count) / static_cast<double>(whole));
 }
 
-PageTable table_of(const ShareBars& bars) {
+PageTable pictured_table(const ShareBars& bars) {
   PageTable table{.head = {bars.rows_label}, .rows = {}};
   for (const std::string& kind : bars.kinds)
     table.head.push_back(bars.are_shares ? kind + " [%]" : kind);
@@ -77,7 +77,7 @@ PageTable table_of(const ShareBars& bars) {
 
 PageSection chart_section(Chart chart) {
   std::string heading = chart.title;
-  PageTable table = table_of(chart);
+  PageTable table = pictured_table(chart);
   return {.heading = std::move(heading),
           .picture = picture_of(std::move(chart)),
           .table = std::move(table)};
@@ -86,13 +86,13 @@ PageSection chart_section(Chart chart) {
 PageSection map_section(const std::string& name, const HeatMap& map) {
   return {.heading = map.title,
           .picture = PagePicture{name, map.description, heat_map_as_svg(map)},
-          .table = table_of(map)};
+          .table = pictured_table(map)};
 }
 
 PageSection shares_section(const std::string& name, const ShareBars& bars) {
   return {.heading = bars.title,
           .picture = PagePicture{name, bars.description, share_bars_as_svg(bars)},
-          .table = table_of(bars)};
+          .table = pictured_table(bars)};
 }
 
 PageSection scenario_section(const std::string& command, const std::string& scenario_toml) {

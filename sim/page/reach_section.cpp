@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-std::vector<std::string> head_of(const ExperimentResult& result, const Ranking& ranking) {
+std::vector<std::string> reach_head(const ExperimentResult& result, const Ranking& ranking) {
   std::vector<std::string> head;
   if (ranking.best_first) head.emplace_back("place");
   for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
@@ -64,7 +64,7 @@ std::vector<Reach> reaches_of(const ExperimentResult& result, const Ranking& ran
 }
 
 PageSection reach_section(const ExperimentResult& result, const Ranking& ranking) {
-  PageTable table{.head = head_of(result, ranking), .rows = {}, .is_answer = true};
+  PageTable table{.head = reach_head(result, ranking), .rows = {}, .is_answer = true};
   for (const RowCrossing& row : ranking.rows) {
     std::vector<std::string> cells;
     if (ranking.best_first) cells.push_back(row.place == 0 ? "-" : std::to_string(row.place));

@@ -201,7 +201,7 @@ void draw_ellipse(SvgDrawing& drawing, const PlanEllipse& ellipse, const Ground&
   drawing.path(path + "Z", curve_style(ellipse.colour));
 }
 
-void draw_legend(SvgDrawing& drawing, const FloorPlan& plan, double y) {
+void draw_plan_legend(SvgDrawing& drawing, const FloorPlan& plan, double y) {
   for (const PlanDots& kind : plan.dots) {
     const std::string colour = curve_style(kind.colour);
     drawing.path(circle({plan_left + 6, y - 4}, dot), colour + " dot");
@@ -235,7 +235,7 @@ std::string floor_plan_as_svg(const FloorPlan& plan) {
   for (const PlanEllipse& e : ellipses) draw_ellipse(drawing, e, ground);
   for (const PlanMark& mark : plan.receivers) draw_receiver(drawing, mark, ground);
   for (const PlanMark& mark : plan.devices) draw_device(drawing, mark, ground);
-  draw_legend(drawing, plan, legend);
+  draw_plan_legend(drawing, plan, legend);
   return drawing.finished();
 }
 

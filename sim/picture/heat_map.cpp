@@ -105,7 +105,7 @@ void draw_labels(SvgDrawing& drawing, const HeatMap& map, const Cells& cells) {
   drawing.text({20, 20}, map.title, "heading");
 }
 
-void draw_legend(SvgDrawing& drawing, bool has_contour) {
+void draw_map_legend(SvgDrawing& drawing, bool has_contour) {
   double y = map_top;
   for (const Shade& shade : shades) {
     drawing.rectangle({map_legend_left, y}, map_patch, map_patch, shade.style);
@@ -127,7 +127,7 @@ std::string heat_map_as_svg(const HeatMap& map) {
   draw_cells(drawing, map, cells);
   if (map.has_contour) draw_contour(drawing, map, cells);
   draw_labels(drawing, map, cells);
-  draw_legend(drawing, map.has_contour);
+  draw_map_legend(drawing, map.has_contour);
   return drawing.finished();
 }
 

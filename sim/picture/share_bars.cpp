@@ -63,8 +63,8 @@ void draw_scale(SvgDrawing& drawing, const Columns& columns, double bottom) {
   }
 }
 
-void draw_legend(SvgDrawing& drawing, const Columns& columns, const std::vector<std::string>& kinds,
-                 double y) {
+void draw_bars_legend(SvgDrawing& drawing, const Columns& columns,
+                      const std::vector<std::string>& kinds, double y) {
   for (std::size_t kind = 0; kind < kinds.size(); ++kind, y += bars_legend_step) {
     drawing.rectangle({columns.left, y - bars_patch}, bars_patch, bars_patch, styles[kind]);
     drawing.text({columns.left + bars_patch + 6, y}, kinds[kind], "");
@@ -94,7 +94,7 @@ std::string share_bars_as_svg(const ShareBars& bars) {
     draw_row(drawing, columns, row, y);
     y += row_step;
   }
-  draw_legend(drawing, columns, bars.kinds, bottom + 36);
+  draw_bars_legend(drawing, columns, bars.kinds, bottom + 36);
   return drawing.finished();
 }
 

@@ -19,21 +19,23 @@ std::string bound_text(double high) {
 int digits_supported(const Estimate& e) { return (e.high - e.low) / 2 / e.value <= 0.1 ? 3 : 2; }
 
 /// With the places that this many digits of the estimate's value take.
-std::string text_of(double v, double value, int digits) {
+std::string estimate_words(double v, double value, int digits) {
   if (value < 0.01) return scientific(v, digits);
   const int places = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(value))));
   return fmt::format("{:.{}f}", v, places);
 }
 
 std::string with_ends(const Estimate& e, int digits) {
-  return fmt::format("{} [{}, {}]", text_of(e.value, e.value, digits),
-                     text_of(e.low, e.value, digits), text_of(e.high, e.value, digits));
+  return fmt::format("{} [{}, {}]", estimate_words(e.value, e.value, digits),
+                     estimate_words(e.low, e.value, digits),
+                     estimate_words(e.high, e.value, digits));
 }
 
 /// Whether an end looks like the value.
 bool hides_an_end(const Estimate& e, int digits) {
   const auto is_hidden = [&](double end) {
-    return end != e.value && text_of(end, e.value, digits) == text_of(e.value, e.value, digits);
+    return end != e.value &&
+           estimate_words(end, e.value, digits) == estimate_words(e.value, e.value, digits);
   };
   return is_hidden(e.low) || is_hidden(e.high);
 }

@@ -79,7 +79,7 @@ ChartCurve chart_curve(const char* name, const std::vector<double>& x,
   return curve;
 }
 
-Chart chart_of(const Comparison& c) {
+Chart figure_chart(const Comparison& c) {
   return {.title = c.figure.name,
           .description = c.figure.title,
           .x = chart_axis(c.figure.x),
@@ -90,7 +90,7 @@ Chart chart_of(const Comparison& c) {
 
 std::string comparison_text(const Comparison& c) {
   return fmt::format("\n{}: {}\n  {}\n", c.figure.name, c.figure.title, c.sheet.source) +
-         points_table(c) + rms_line(c) + chart_as_text(chart_of(c));
+         points_table(c) + rms_line(c) + chart_as_text(figure_chart(c));
 }
 
 std::string number_lines(const PartSheet& sheet) {

@@ -22,7 +22,7 @@ std::vector<std::size_t> axes_of_rows(const std::vector<Axis>& axes) {
 }
 
 /// "all" of a single point.
-std::string joined(const std::vector<std::string>& texts) {
+std::string joined_words(const std::vector<std::string>& texts) {
   return texts.empty() ? "all" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -33,13 +33,13 @@ SweptRows::SweptRows(const std::vector<Axis>& axes) : axes_(axes), over_(axes_of
 std::string SweptRows::head() const {
   std::vector<std::string> names;
   for (const std::size_t i : over_) names.push_back(axis_name(axes_[i]));
-  return joined(names);
+  return joined_words(names);
 }
 
 std::string SweptRows::label(const std::vector<double>& coordinates) const {
   std::vector<std::string> texts;
   for (const std::size_t i : over_) texts.push_back(coordinate_text(axes_[i], coordinates[i]));
-  return joined(texts);
+  return joined_words(texts);
 }
 
 std::vector<std::uint64_t> SweptRows::weighed(std::vector<std::uint64_t> counts) const {

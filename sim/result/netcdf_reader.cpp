@@ -121,7 +121,7 @@ herr_t add_name_of(hid_t, unsigned, hid_t scale, void* names) {
   return 1;  // one is enough
 }
 
-std::vector<std::string> dimensions_of(hid_t file, const std::string& variable) {
+std::vector<std::string> dimensions_in(hid_t file, const std::string& variable) {
   const Handle data(H5Dopen2(file, variable.c_str(), H5P_DEFAULT), H5Dclose);
   if (H5DSis_scale(data) > 0) return {};
   const Handle space(H5Dget_space(data), H5Sclose);
@@ -224,7 +224,7 @@ std::vector<std::string> NetcdfReader::variables() const {
 }
 
 std::vector<std::string> NetcdfReader::dimensions(const std::string& variable) const {
-  return state_->get(variable, [&](hid_t file) { return dimensions_of(file, variable); });
+  return state_->get(variable, [&](hid_t file) { return dimensions_in(file, variable); });
 }
 
 bool NetcdfReader::is_dimension(const std::string& variable) const {

@@ -78,7 +78,7 @@ bool begins_with_one(std::string_view key, std::span<const std::string_view> pre
   });
 }
 
-bool has(const ExperimentKind& kind, std::string_view key) {
+bool has_key(const ExperimentKind& kind, std::string_view key) {
   return begins_with_one(key, common) || begins_with_one(key, kind.tables) ||
          (kind.has_modules && begins_with_one(key, of_modules));
 }
@@ -87,7 +87,8 @@ bool has(const ExperimentKind& kind, std::string_view key) {
 std::string kinds_with(std::string_view key) {
   std::string names;
   for (const ExperimentKind& kind : kinds)
-    if (has(kind, key)) names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind.name);
+    if (has_key(kind, key))
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind.name);
   return names;
 }
 
@@ -105,7 +106,7 @@ void check_keys_of_experiment(const LoadedScenario& scenario) {
   const std::string& name = scenario.base.experiment;
   const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
   for (const auto& [key, place] : scenario.places)
-    if (!has(kind, key))
+    if (!has_key(kind, key))
       throw bad_input(fmt::format("{} {}", key, place),
                       fmt::format("it means nothing in the experiment \"{}\"", name),
                       remedy(kind, key));

@@ -109,17 +109,17 @@ const FigureAxis threshold{"threshold", "mW/m2", true};
 const FigureAxis burst_length{"burst", "cycle"};
 
 /// Emin against something: all of them plot the threshold on a logarithmic scale.
-Figure<ModuleData> emin_against(std::string name, FigureAxis x,
-                                std::function<double(const ModuleData&, double)> model) {
+Figure<ModuleData> emin_figure(std::string name, FigureAxis x,
+                               std::function<double(const ModuleData&, double)> model) {
   const std::string title = "threshold irradiance against " + x.name;
   return {{std::move(name), title, std::move(x), threshold}, std::move(model)};
 }
 
-Figure<ModuleData> emin_against_ripple(std::string name, channel::RippleFrequency at) {
-  return emin_against(std::move(name), {"supply ripple at " + std::string(at.name), "mV", true},
-                      [=](const ModuleData& m, double mv) {
-                        return emin_under(m, {.ripple_mv_rms = mv, .ripple_at = at});
-                      });
+Figure<ModuleData> emin_ripple_figure(std::string name, channel::RippleFrequency at) {
+  return emin_figure(std::move(name), {"supply ripple at " + std::string(at.name), "mV", true},
+                     [=](const ModuleData& m, double mv) {
+                       return emin_under(m, {.ripple_mv_rms = mv, .ripple_at = at});
+                     });
 }
 
 }  // namespace
@@ -137,10 +137,10 @@ const std::vector<Figure<ModuleData>>& module_figures() {
        [](const ModuleData& m, double e) { return 1e3 * square(m, e).off; }},
       {{"frequency_response", "response to a steady carrier", {"f/f0", "1"}, {"response", "1"}},
        gain},
-      emin_against("ambient", {"ambient light", "W/m2", true}, emin_in_light),
-      emin_against_ripple("ripple", channel::ripple_frequencies()[0]),
-      emin_against_ripple("ripple_10_khz", channel::ripple_frequencies()[1]),
-      emin_against_ripple("ripple_100_khz", channel::ripple_frequencies()[2]),
+      emin_figure("ambient", {"ambient light", "W/m2", true}, emin_in_light),
+      emin_ripple_figure("ripple", channel::ripple_frequencies()[0]),
+      emin_ripple_figure("ripple_10_khz", channel::ripple_frequencies()[1]),
+      emin_ripple_figure("ripple_100_khz", channel::ripple_frequencies()[2]),
       {{"max_duty", "largest envelope duty that the AGC lets pass", burst_length, {"duty", "1"}},
        max_duty},
       {{"min_repetition",
@@ -148,8 +148,8 @@ const std::vector<Figure<ModuleData>>& module_figures() {
         burst_length,
         {"repetition", "ms"}},
        min_repetition_ms},
-      emin_against("temperature", {"temperature", "degree_C"},
-                   [](const ModuleData& m, double c) { return emin_under(m, {.celsius = c}); }),
+      emin_figure("temperature", {"temperature", "degree_C"},
+                  [](const ModuleData& m, double c) { return emin_under(m, {.celsius = c}); }),
       {{"spectral", "response against wavelength", {"wavelength", "nm"}, {"response", "1"}},
        spectral},
       {{"directivity",
@@ -162,8 +162,8 @@ const std::vector<Figure<ModuleData>>& module_figures() {
         {"angle", "degree"},
         {"distance", "1"}},
        relative_distance_above},
-      emin_against("supply", {"supply voltage", "V"},
-                   [](const ModuleData& m, double v) { return emin_under(m, {.supply_v = v}); }),
+      emin_figure("supply", {"supply voltage", "V"},
+                  [](const ModuleData& m, double v) { return emin_under(m, {.supply_v = v}); }),
   };
   return figures;
 }

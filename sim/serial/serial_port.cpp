@@ -22,7 +22,7 @@ Descriptor open_device(const std::filesystem::path& device) {
                                            ") plug it in, or check its name and permissions");
 }
 
-bool is_for_later() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+bool port_is_for_later() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
 }  // namespace
 
@@ -67,14 +67,14 @@ protocol::Bytes SerialPort::read() {
   std::array<std::uint8_t, 4096> buffer{};
   const ssize_t n = ::read(open_.get(), buffer.data(), buffer.size());
   if (n > 0) return {buffer.begin(), buffer.begin() + n};
-  if (n < 0 && is_for_later()) return {};
+  if (n < 0 && port_is_for_later()) return {};
   vanished();
 }
 
 std::size_t SerialPort::write(std::span<const std::uint8_t> bytes) {
   const ssize_t n = ::write(open_.get(), bytes.data(), bytes.size());
   if (n >= 0) return static_cast<std::size_t>(n);
-  if (is_for_later()) return 0;
+  if (port_is_for_later()) return 0;
   vanished();
 }
 

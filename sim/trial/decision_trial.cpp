@@ -42,8 +42,8 @@ unsigned to_be_decoded(const DecisionLink& decisions, const channel::WrongBits& 
   return std::accumulate(wrong.begin(), wrong.end(), 0u, std::bit_or<>());
 }
 
-GroupResult count_group(const Link& link, std::uint32_t first, std::size_t n,
-                        const channel::WrongBits& wrong) {
+GroupResult count_decisions(const Link& link, std::uint32_t first, std::size_t n,
+                            const channel::WrongBits& wrong) {
   const DecisionLink& decisions = *link.decisions;
   const unsigned decoded = to_be_decoded(decisions, wrong);
   GroupResult result;
@@ -89,7 +89,7 @@ GroupResult decide_group(const Link& link, std::uint32_t first, int n, bool prof
   const double messages_s = watch.lap();
   const channel::WrongBits wrong = channel::decide(link.decisions->bits, trials);
   const double decisions_s = watch.lap();
-  GroupResult result = count_group(link, first, trials.size(), wrong);
+  GroupResult result = count_decisions(link, first, trials.size(), wrong);
   result.profile = {
       .messages_s = messages_s, .decisions_s = decisions_s, .decoding_s = watch.seconds()};
   return result;

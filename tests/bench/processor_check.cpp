@@ -3,10 +3,16 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 namespace {
 
-constexpr int skipped = 77;  // ctest's SKIP_RETURN_CODE (CMakeLists.txt)
+/// ctest's SKIP_RETURN_CODE (CMakeLists.txt), or a failure in the gate.
+int skipped() {
+  const char* no_skips = std::getenv("COSYS_NO_SKIPS");
+  return no_skips != nullptr && std::strcmp(no_skips, "1") == 0 ? 1 : 77;
+}
 
 [[gnu::constructor(101)]] void check_processor() {  // 101: before those without a number
   __builtin_cpu_init();
@@ -15,7 +21,7 @@ constexpr int skipped = 77;  // ctest's SKIP_RETURN_CODE (CMakeLists.txt)
     return;
   std::fputs("bench: this processor lacks AVX2, FMA or BMI2 (the stages are built for them)\n",
              stderr);
-  ::_exit(skipped);
+  ::_exit(skipped());
 }
 
 }  // namespace

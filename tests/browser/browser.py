@@ -1,6 +1,7 @@
 """Headless Chromium, as a person uses it, for the scripts beside."""
 import base64
 import pathlib
+import subprocess
 import sys
 
 from selenium import webdriver
@@ -21,6 +22,13 @@ def opened(report):
     record_texts(driver)
     driver.get(pathlib.Path(report).resolve().as_uri())
     return driver
+
+
+def skip_part(name, reason):
+    """The rest of a test goes on without this part, or ends as failed in the gate (skip.sh)."""
+    script = pathlib.Path(__file__).parent.parent / "skip.sh"
+    if subprocess.run([script, name, reason], check=False).returncode == 1:
+        sys.exit(f"{name} is skipped: {reason}")
 
 
 def expect(condition, what):

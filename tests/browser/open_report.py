@@ -10,7 +10,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from browser import drag_over, drag_with_shift, enter, expect, expect_no_complaints, image, opened, press
-from browser import save_whole_page, send, send_with_control
+from browser import save_whole_page, send, send_with_control, skip_part
 from layouts import look_at_layouts, look_without_scripts
 from made_up import look_at_made_up
 from tables import use_tables
@@ -155,7 +155,7 @@ def use_pictures(driver):
     charts = driver.find_elements(By.CLASS_NAME, "chart")
     expect(charts, "there is no chart")
     if not has_live_pictures(driver):
-        print("built without uPlot: charts stand still")
+        skip_part("browser.charts", "built without uPlot (npm), so charts stand still")
         expect(all(chart.find_element(By.TAG_NAME, "svg").is_displayed() for chart in charts),
                "a still picture is not shown")
         return

@@ -230,7 +230,7 @@ TEST(ReceiverModule, R7_ThresholdInAmbientLight) {
 }
 
 // R8: no output pulse in 60 s of that light without a signal. 82459: "DC light suppressed".
-TEST(ReceiverModule, R8_SilentInDaylight) {
+TEST(ReceiverModule, MeasuredR8_SilentInDaylight) {
   for (const double ambient : {.1, 1., 10., 50.}) {
     const Bench bench = in_light(ambient);
     const auto pin = output_of(bench, BurstTrain{.period_s = 60, .bursts = 1}, 0);

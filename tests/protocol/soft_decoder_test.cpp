@@ -121,7 +121,7 @@ Tally tally_of(const Damage& damage, const std::function<Messages(const LogicTra
   return tally;
 }
 
-TEST(SoftDecoder, DeliversMoreThanPlainOnesAndAcceptsNoMoreWrongMessages) {
+TEST(SoftDecoder, MeasuredDeliversMoreThanPlainOnesAndAcceptsNoMoreWrongMessages) {
   for (const Damage& damage : {Damage{.holes = 0.1, .flashes = 0, .length = 0.15},
                                Damage{.holes = 0.5, .flashes = 0, .length = 0.15},
                                Damage{.holes = 0, .flashes = 0.3, .length = 0.15},
@@ -153,7 +153,7 @@ Messages heard_evenly(const LogicTrace& line) {
   return messages;
 }
 
-TEST(SoftDecoder, DeliversMoreByKnowingWhetherHolesOrFlashesAreRare) {
+TEST(SoftDecoder, MeasuredDeliversMoreByKnowingWhetherHolesOrFlashesAreRare) {
   for (const Damage& damage : {Damage{.holes = 0.5, .flashes = 0, .length = 0.2},
                                Damage{.holes = 0, .flashes = 0.3, .length = 0.2}}) {
     const Tally knowing =
@@ -189,7 +189,7 @@ std::string changed(std::string message, Random& random) {
 }
 
 // The last digit of a status that goes from 1 to 0 is one bit, and its checksum another.
-TEST(SoftDecoder, NeverRepeatsTheOldMessageWhereACharacterChanged) {
+TEST(SoftDecoder, MeasuredNeverRepeatsTheOldMessageWhereACharacterChanged) {
   Random random(5);
   int repeated = 0;
   for (const double holes : {0.5, 1.0, 1.5, 2.0, 3.0})
@@ -231,7 +231,7 @@ LogicTrace noise(double mean_dark, double mean_light, Seconds length, Random& ra
   return line;
 }
 
-TEST(SoftDecoder, AcceptsNoMoreOfNoiseThanPlainOnes) {
+TEST(SoftDecoder, MeasuredAcceptsNoMoreOfNoiseThanPlainOnes) {
   Random random(6);
   std::size_t soft = 0, plain = 0;
   for (const double dark : {1.0, 3.0, 10.0})

@@ -52,7 +52,7 @@ class Memory : public testing::Test {
   SoftJudge judge_{SoftMemory::of_messages};
 };
 
-TEST_F(Memory, IsOfWhatWasHeardAloneWithinSixSeconds) {
+TEST_F(Memory, MeasuredIsOfWhatWasHeardAloneWithinSixSeconds) {
   expect_nothing(weak("A", 0));
   expect_heard(clear("A", 1), "A");
   expect_repeated(weak("A", 6.9), "A");
@@ -61,25 +61,25 @@ TEST_F(Memory, IsOfWhatWasHeardAloneWithinSixSeconds) {
   expect_repeated(weak("A", 13.9), "A");
 }
 
-TEST_F(Memory, IsNotRenewedByWhatItMadeBelievable) {
+TEST_F(Memory, MeasuredIsNotRenewedByWhatItMadeBelievable) {
   expect_heard(clear("A", 0), "A");
   expect_repeated(weak("A", 4), "A");
   expect_nothing(weak("A", 8));
 }
 
-TEST_F(Memory, IsOfTheLatestTimeOfAMessage) {
+TEST_F(Memory, MeasuredIsOfTheLatestTimeOfAMessage) {
   expect_heard(clear("A", 0), "A");
   expect_heard(clear("A", 4), "A");
   expect_repeated(weak("A", 9), "A");
 }
 
-TEST_F(Memory, HelpsNoOtherMessage) {
+TEST_F(Memory, MeasuredHelpsNoOtherMessage) {
   expect_heard(clear("IND 011111 OK", 0), "IND 011111 OK");
   expect_nothing(weak("IND 011110 OK", 1));
   expect_nothing(faint("IND 011111 OK", 1));
 }
 
-TEST_F(Memory, HasRoomForEightMessages) {
+TEST_F(Memory, MeasuredHasRoomForEightMessages) {
   const std::string names = "BCDEFGHI";
   expect_heard(clear("A", 0), "A");
   for (const char name : names.substr(1)) expect_heard(clear({name}, 1), {name});

@@ -104,7 +104,7 @@ dsp::LogicTrace glitchy_wire(Random& random) {
   return line;
 }
 
-TEST(UartStream, ForgetsNoLevelThatASampleSaw) {
+TEST(UartStream, MeasuredForgetsNoLevelThatASampleSaw) {
   Random random(13);
   for (int trial = 0; trial < 200; ++trial) {
     const dsp::LogicTrace wire = glitchy_wire(random);

@@ -62,13 +62,13 @@ std::vector<Reading> beyond(const std::vector<Reading>& all, double cycles) {
 
 class AgcFamily : public testing::TestWithParam<Family> {};
 
-TEST_P(AgcFamily, R10_LegalDutyIsReported) {
+TEST_P(AgcFamily, MeasuredR10_LegalDutyIsReported) {
   const channel::Bench bench = bench_of(GetParam().part);
   for (const Reading& r : GetParam().legal)
     EXPECT_TRUE(all_heard(bench, train_of(bench, r.cycles, gap_at(r, 0.9)))) << r.cycles;
 }
 
-TEST_P(AgcFamily, R11_ExcessDutyIsNot) {
+TEST_P(AgcFamily, MeasuredR11_ExcessDutyIsNot) {
   const channel::Bench bench = bench_of(GetParam().part);
   for (const Reading& r : GetParam().excess)
     EXPECT_TRUE(some_lost(bench, train_of(bench, r.cycles, gap_at(r, 1.15)))) << r.cycles;

@@ -33,7 +33,7 @@ std::string crowd(int n, const char* pauses_ms) {
 // F before or behind the start of another's is then 2 F / P, whatever it did before, as two that
 // have drifted apart by random pauses know nothing of each other. With N - 1 of them and
 // G = N F / P, (1 - 2 F / P)^(N - 1) tends to exp(-2 G (N - 1) / N) for F / P -> 0.
-TEST(PureAloha, TheShareThatMeetsNobodyIsExponentialInTheLoad) {
+TEST(PureAloha, MeasuredTheShareThatMeetsNobodyIsExponentialInTheLoad) {
   for (const int n : {2, 50, 150}) {
     const Arena arena =
         arena_of(crowd(n, "20000\ninterval_max_ms = 60000\n"), {"arena.duration_s=300"});
@@ -66,7 +66,7 @@ TEST(PureAloha, TheShareThatMeetsNobodyIsExponentialInTheLoad) {
 
 // Through the chain: of equal lights none captures, and what meets nobody is delivered but where
 // a collision shortly before it left the line without its end. At a small load that is rare.
-TEST(PureAloha, ThroughputIsOnItsCurveAtASmallLoad) {
+TEST(PureAloha, MeasuredThroughputIsOnItsCurveAtASmallLoad) {
   constexpr int n = 16;
   const ArenaPoint point =
       arena_point(crowd(n, "25000\ninterval_max_ms = 95000\n"), {"arena.runs=32"});
@@ -83,7 +83,7 @@ TEST(PureAloha, ThroughputIsOnItsCurveAtASmallLoad) {
   EXPECT_LT(all[FrameFate::uart] + all[FrameFate::checksum], all.n_overlapped / 4);
 }
 
-TEST(PureAloha, HasItsMaximumWhereAbramsonSays) {
+TEST(PureAloha, MeasuredHasItsMaximumWhereAbramsonSays) {
   EXPECT_NEAR(pure_aloha(0.5), 1 / (2 * std::exp(1)), 1e-12);
   EXPECT_LT(pure_aloha(0.49), pure_aloha(0.5));
   EXPECT_LT(pure_aloha(0.51), pure_aloha(0.5));

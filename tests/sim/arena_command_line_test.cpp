@@ -64,7 +64,7 @@ TEST_F(ArenaProgram, ASweepPrintsARowAPoint) {
   EXPECT_EQ(std::ranges::count(o.out, '\n'), 3 + 3 + 1) << o.out;
 }
 
-TEST_F(ArenaProgram, TwoHundredDevicesRunInLittleMemory) {
+TEST_F(ArenaProgram, MeasuredTwoHundredDevicesRunInLittleMemory) {
   const Outcome o =
       program({"run", "a.toml", "-t", "2", "--set", "devices.crowd.count=199", "--set",
                "arena.duration_s=2", "--set", "arena.runs=16", "--set", "path.x_m=0,2"});

@@ -135,7 +135,7 @@ TEST(ArenaDeterminism, AnyNumberOfThreadsGivesTheSame) {
     EXPECT_TRUE(json_of({"receiver.module=TSOP4856"}, threads) == one) << threads;
 }
 
-TEST(ArenaDeterminism, TheFirstRunsOfMoreAreTheSameRuns) {
+TEST(ArenaDeterminism, MeasuredTheFirstRunsOfMoreAreTheSameRuns) {
   const ArenaPoint few = arena_point(busy, {"arena.runs=3"}), more = arena_point(busy);
   std::size_t in_few = 0;
   for (const HeardFrame& heard : more.heard) in_few += heard.run < 3;
@@ -147,7 +147,7 @@ TEST(ArenaDeterminism, TheFirstRunsOfMoreAreTheSameRuns) {
   }
 }
 
-TEST(ArenaDeterminism, SeedsAndRunsDiffer) {
+TEST(ArenaDeterminism, MeasuredSeedsAndRunsDiffer) {
   EXPECT_FALSE(json_of({"simulation.seed=2"}, 2) == json_of({}, 2));
   const ArenaPoint point = arena_point(busy);
   std::set<double> starts;

@@ -49,7 +49,7 @@ Tally link_at_its_limit(const std::vector<std::string>& set) {
   return tally;
 }
 
-TEST(ArenaLight, ALoneDeviceIsLostAsOftenAsOnALink) {
+TEST(ArenaLight, MeasuredALoneDeviceIsLostAsOftenAsOnALink) {
   for (const char* metres : {"12.35", "12.45"}) {
     const Tally link =
         link_at_its_limit({"receiver.module=TSSP4056", "simulation.warmup_messages=1",
@@ -100,7 +100,7 @@ const std::string drive_past =
     "[devices.b]\nx_m = -1\ny_m = 0.5\nleds = 3\nheight_mm = 60\n"
     "[devices.c]\nx_m = 4\ny_m = -1\nyaw_deg = 170\nled = \"TSAL6400\"\ncurrent_ma = 40\n";
 
-TEST(LightTrack, IsTheGeometrysAllAlongTheWay) {
+TEST(LightTrack, MeasuredIsTheGeometrysAllAlongTheWay) {
   Scenario s = point_scenario(loaded_arena(drive_past, {"floor.part=concrete"}), {});
   s.module = module_of(s);
   const Way way(s.path);

@@ -49,7 +49,7 @@ sim::Interval plain_interval(const sim::ClusterSums& sums) {
 }
 
 // Clopper-Pearson on the counts holds the truth in 40 and 39 % of the first two.
-TEST(ClusteredRatio, CoversTheTruthWhenLossesOfARunHangTogether) {
+TEST(ClusteredRatio, MeasuredCoversTheTruthWhenLossesOfARunHangTogether) {
   for (const int n : {8, 30}) {
     EXPECT_GE(clustered_coverage(n, 0.4), 0.94) << n;
     EXPECT_LE(clustered_coverage(n, 0.4), 0.985) << n;

@@ -204,7 +204,7 @@ TEST_F(CommandLine, DecodeReadsMoreThanMemoryMayHold) {
   EXPECT_LT(o.peak_kb, 100 * 1024);
 }
 
-TEST_F(CommandLine, DecodeRefusesMoreVariablesThanMemoryMayHold) {
+TEST_F(CommandLine, MeasuredDecodeRefusesMoreVariablesThanMemoryMayHold) {
   for (const std::string& name : {std::string("x"), std::string(4000, 'x')}) {
     std::ofstream out(path("many.vcd"));
     out << "$timescale 1 us $end\n";
@@ -219,7 +219,7 @@ TEST_F(CommandLine, DecodeRefusesMoreVariablesThanMemoryMayHold) {
   }
 }
 
-TEST_F(CommandLine, DecodeReadsAsManyFlipsAsThereAre) {
+TEST_F(CommandLine, MeasuredDecodeReadsAsManyFlipsAsThereAre) {
   std::ofstream out(path("many.ook"));
   out << ";pulse data\n;version 1\n;timescale 1us\n";
   for (int i = 0; i < 1'000'000; ++i) out << "60 40\n";  // too short for any character

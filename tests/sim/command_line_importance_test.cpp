@@ -65,7 +65,7 @@ TEST_F(Importance, OfTheOptionIsThatOfTheKey) {
       "list) use brute-force or importance");
 }
 
-TEST_F(Importance, IsGoneOnWithAndAddedUp) {
+TEST_F(Importance, MeasuredIsGoneOnWithAndAddedUp) {
   const std::string whole =
       digest_of(program({"run", "s.toml", "-q", "-n", "400", "-e", "0", "-o", "whole.h5"}).out);
   const Words run{"run", "s.toml", "-q", "-n", "400", "-e", "0", "-t", "1"};

@@ -10,7 +10,7 @@ namespace {
 
 // Twenty kills at random instants, half of them kill -9, each time gone on with; with other numbers
 // of threads. The file is written each second.
-TEST_F(CommandLine, TwentyKillsChangeNothing) {
+TEST_F(CommandLine, MeasuredTwentyKillsChangeNothing) {
   write_scenario("s.toml", "receiver.range_m = \"1:0.5:6\"");
   const Words run{"run", "s.toml", "-n", "4000", "-e", "0", "-q"};
   const std::string whole = digest_of(program(run).out);

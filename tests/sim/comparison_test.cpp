@@ -88,7 +88,7 @@ sim::ExperimentResult lost(const std::vector<double>& errors, std::mt19937_64& r
 }
 
 // Where every frame is lost bit errors tell results apart.
-TEST(Comparison, OfBitErrorsThatComeInBursts) {
+TEST(Comparison, MeasuredOfBitErrorsThatComeInBursts) {
   const std::vector<double> errors{0.05, 0.5, 2, 5, 10};
   std::mt19937_64 random(5);
   int alarms = 0, found = 0;

@@ -48,7 +48,7 @@ const std::vector<double> ranges{5, 6, 7, 8, 9, 10, 11, 12};
 
 double loss_over_range(double x) { return logistic(12 * std::log(x / 10)); }
 
-TEST(Crossing, IntervalCoversTheTruth) {
+TEST(Crossing, MeasuredIntervalCoversTheTruth) {
   const double truth = 10 * std::exp(std::log(0.01 / 0.99) / 12);
   int covered = 0, fitted = 0, covered_by_fit = 0;
   double mean = 0;
@@ -176,7 +176,7 @@ double shoulder(double x) {
 
 // The steep end would draw a logit curve behind the shoulder, the more surely wrong the fewer
 // frames there are to contradict it.
-TEST(Crossing, IntervalCoversTheTruthOfAShoulder) {
+TEST(Crossing, MeasuredIntervalCoversTheTruthOfAShoulder) {
   for (const std::uint64_t frames : {8U, 24U, 60U, 120U, 400U, 2000U}) {
     int covered = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
@@ -189,7 +189,7 @@ TEST(Crossing, IntervalCoversTheTruthOfAShoulder) {
 
 // TSSP4056 of scenarios/quickstart.toml at the end of its reach, ratios of 6000 frames a point. Its
 // lower tail is heavier than a logistic curve's, which 100 frames a point do not contradict.
-TEST(Crossing, IntervalCoversTheTruthOfAHeavyTail) {
+TEST(Crossing, MeasuredIntervalCoversTheTruthOfAHeavyTail) {
   const std::vector<double> at{11.9, 12, 12.1, 12.2, 12.3, 12.4, 12.5, 12.6};
   const std::vector<double> losses{1e-6, 1e-5, 3e-4, 0.0077, 0.0728, 0.4552, 0.9742, 1};
   const auto loss = [&](double x) {

@@ -80,7 +80,7 @@ TEST(EngineDeterminism, OfNoFramesIsOver) {
 }
 
 // A point is finished as soon as its interval is as narrow as asked, and not a group before.
-TEST(EngineDeterminism, StopsWhereTheIntervalIsNarrow) {
+TEST(EngineDeterminism, MeasuredStopsWhereTheIntervalIsNarrow) {
   const Link link = link_of(half_lost);
   const StopRule stop{.max_frames = 100000, .rel_ci = 0.2};
   const PointResult result = run(link, stop, 2);
@@ -95,7 +95,7 @@ TEST(EngineDeterminism, StopsWhereTheIntervalIsNarrow) {
   EXPECT_EQ(run(link, stop, 1).tally, result.tally);
 }
 
-TEST(EngineDeterminism, StopsWhereTheLossIsTold) {
+TEST(EngineDeterminism, MeasuredStopsWhereTheLossIsTold) {
   const Link link = link_of(half_lost);
   const double flr = frame_loss_ratio(run(link, {.max_frames = 800}, 2).tally, 0.95).value;
   ASSERT_TRUE(flr > 0.05 && flr < 0.95) << flr;

@@ -64,13 +64,13 @@ void expect_agreement(const Point& point, std::uint64_t frames) {
 const Keys short_pauses{"device.interval_min_ms=10", "device.interval_max_ms=20"};
 
 // Without a slow AGC noise decides, 19 standard deviations below the threshold.
-TEST(EnvelopeAgrees, WhereNoiseDecides) {
+TEST(EnvelopeAgrees, MeasuredWhereNoiseDecides) {
   expect_agreement({"TSSP4056", "12.2", 1e-4, short_pauses}, 2000);
   expect_agreement({"TSSP4056", "12.4", 3.7e-3, short_pauses}, 800);
   expect_agreement({"TSSP4056", "12.6", 8e-2, short_pauses}, 80);
 }
 
-TEST(EnvelopeAgrees, WhereTheGainDecides) {
+TEST(EnvelopeAgrees, MeasuredWhereTheGainDecides) {
   const Keys long_pauses{"device.interval_min_ms=300"};
   expect_agreement({"TSOP4156", "5.74", 6e-4, long_pauses}, 480);
   expect_agreement({"TSOP4156", "6.5", 4e-2, long_pauses}, 160);
@@ -82,20 +82,20 @@ TEST(EnvelopeAgrees, WhereTheGainDecides) {
 }
 
 // Pauses in which the gain does not always come back: all of it depends on the last one's length.
-TEST(EnvelopeAgrees, WherePausesAreShort) {
+TEST(EnvelopeAgrees, MeasuredWherePausesAreShort) {
   expect_agreement({"TSOP38256", "1.8", 8.5e-2}, 320);
   expect_agreement({"TSOP4856", "2.5", 8e-2}, 320);
 }
 
 // A message that drew little jitter ends early; the pause behind it is no longer for that.
-TEST(EnvelopeAgrees, WhereCharactersJitter) {
+TEST(EnvelopeAgrees, MeasuredWhereCharactersJitter) {
   const Keys jitter{"device.start_jitter_us=5000", "device.interval_min_ms=20",
                     "device.interval_max_ms=20"};
   expect_agreement({"TSOP4856", "1.5", 0.39, jitter}, 320);
 }
 
 // With more samples a cycle, as near 60 kHz the waveform has whole cycles in its samples.
-TEST(EnvelopeAgrees, OffTheCentreAndAtAnotherDuty) {
+TEST(EnvelopeAgrees, MeasuredOffTheCentreAndAtAnotherDuty) {
   const Keys fine = with(short_pauses, {"simulation.sample_rate_hz=1010000"});
   expect_agreement({"TSSP4056", "11.3", 4e-3, with(fine, {"device.carrier_hz=60200"})}, 320);
   expect_agreement({"TSSP4056", "12.4", 2.6e-3, with(fine, {"device.carrier_hz=53000"})}, 400);
@@ -103,7 +103,7 @@ TEST(EnvelopeAgrees, OffTheCentreAndAtAnotherDuty) {
 }
 
 // What is accepted of a module ends here, or where its keys do.
-TEST(EnvelopeAgrees, AtTheCornersOfWhatIsAccepted) {
+TEST(EnvelopeAgrees, MeasuredAtTheCornersOfWhatIsAccepted) {
   const auto module = [](const char* set) {
     return with(short_pauses, {std::string("module.") + set});
   };

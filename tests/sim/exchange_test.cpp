@@ -56,7 +56,7 @@ TEST(Exchange, InGoodLightEverythingArrives) {
   EXPECT_GT(all.n_answered, all.n_asked * 3 / 4);
 }
 
-TEST(Exchange, NodesWaitWhileTheOtherIsHeard) {
+TEST(Exchange, MeasuredNodesWaitWhileTheOtherIsHeard) {
   // With pauses of 0.1 to 0.9 s and messages of 0.3 to 0.7 s half of them would meet.
   const DirectionTally all =
       together(only_point({"exchange.compressed=false", "exchange.duration_s=60"}).tally);
@@ -65,7 +65,7 @@ TEST(Exchange, NodesWaitWhileTheOtherIsHeard) {
             0.05 * static_cast<double>(all.n_sent));
 }
 
-TEST(Exchange, AgesCountFromTheTurnThatBroughtTheValue) {
+TEST(Exchange, MeasuredAgesCountFromTheTurnThatBroughtTheValue) {
   // Without compression each turn brings all values: a turn of B's comes every 1 to 2 s, and its
   // message takes 0.67 s, so values are no younger than that when they come.
   const DirectionTally all = together(
@@ -89,7 +89,7 @@ TEST(Exchange, OutOfReachNothingArrives) {
   }
 }
 
-TEST(Exchange, EachHearsItselfOffTheFloor) {
+TEST(Exchange, MeasuredEachHearsItselfOffTheFloor) {
   const DirectionTally real = together(only_point(patient).tally);
   EXPECT_GE(real.n_own + 2, real.n_sent) << "the floor gives back what the LED says";
   const DirectionTally shielded =

@@ -137,7 +137,7 @@ void expect_right_density(const Link& link, const TrialProposal& trial, std::uin
       << drawn.value << " and " << natural.value;
 }
 
-TEST(Proposal, DensityOfAModuleIsRight) {
+TEST(Proposal, MeasuredDensityOfAModuleIsRight) {
   const Link link = rare_link({"receiver.ebn0_db=35.1"});
   const DrawnTrials drawn = draw_trials(link, 0, 1);
   const std::vector<TrialProposal> trials = module_proposals(link, drawn, nullptr, nullptr);
@@ -146,7 +146,7 @@ TEST(Proposal, DensityOfAModuleIsRight) {
   expect_right_density(link, trial, 400, 800);
 }
 
-TEST(Proposal, DensityOfAMatchedReceiverIsRight) {
+TEST(Proposal, MeasuredDensityOfAMatchedReceiverIsRight) {
   for (const char* receiver : {"ideal-coherent", "ideal-noncoherent"}) {
     const Link link =
         rare_link({std::string("receiver.module=") + receiver, "receiver.ebn0_db=10"});
@@ -209,7 +209,7 @@ Known known_failures(const Link& link, std::uint32_t trials) {
 
 // What the mixture does not know is drawn as often as it comes: below 1e-5 never, and estimates are
 // low without a sign of it.
-TEST(ModuleProposal, KnowsHowFramesFail) {
+TEST(ModuleProposal, MeasuredKnowsHowFramesFail) {
   for (const auto& [module, ebn0_db] :
        {std::pair("TSSP4056", "35.2"), std::pair("TSOP4156", "48.2"),
         std::pair("TSSP96056", "37.75")}) {

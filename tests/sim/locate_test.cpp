@@ -249,11 +249,11 @@ void expect_efficient(const LocationTrialsSettings& settings) {
   EXPECT_GE(result.coverage.high, 0.95);
 }
 
-TEST(LocationTrials, FourReceiversReachTheBound) {
+TEST(LocationTrials, MeasuredFourReceiversReachTheBound) {
   expect_efficient(trials_of(inverse_square(), {1.1, 0.7}, four_corners(), 0.01));
 }
 
-TEST(LocationTrials, HeadingsOfOneRobotReachTheBound) {
+TEST(LocationTrials, MeasuredHeadingsOfOneRobotReachTheBound) {
   LightModel model = indoors();
   model.all_round = true;
   auto s = trials_of(model, {1.4, 0.5}, headings(0, 0, {-40, 0, 40, 80}), 0.01);
@@ -261,14 +261,14 @@ TEST(LocationTrials, HeadingsOfOneRobotReachTheBound) {
   expect_efficient(s);
 }
 
-TEST(LocationTrials, IntensityAndBearingReachTheBound) {
+TEST(LocationTrials, MeasuredIntensityAndBearingReachTheBound) {
   const Position truth{1, 0.5};
   auto s = trials_of(inverse_square(), truth, {receiver_at(0, 0, 0), receiver_at(0, 1, 0)}, 0.02);
   add_bearings(s.readings, truth, 1);
   expect_efficient(s);
 }
 
-TEST(LocationTrials, UnknownIntensityReachesItsBound) {
+TEST(LocationTrials, MeasuredUnknownIntensityReachesItsBound) {
   auto s = trials_of(inverse_square(), {1.1, 0.7}, four_corners(), 0.01);
   s.locate.intensity_unknown = true;
   s.locate.area = Area{-1, 4, -1, 3};

@@ -126,7 +126,7 @@ TEST(LocationScenario, AListIsTheSamePointHoweverItIsTyped) {
   EXPECT_NE(text("0,3,3,0"), text("0,3,3,0.1"));
 }
 
-TEST(LocationScenario, TheShippedOneReachesTheBoundWhereReadingsAreGood) {
+TEST(LocationScenario, MeasuredTheShippedOneReachesTheBoundWhereReadingsAreGood) {
   const LoadedScenario scenario = load_scenario(
       COSYS_SOURCE_DIR "/scenarios/location.toml",
       {"location.relative_sigma=0.01", "location.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});

@@ -46,7 +46,7 @@ std::vector<double> working_range(const ModuleData& module) {
 }
 
 // R1: Emin of the characteristics table comes out of the bench.
-TEST(PartAcceptance, R1_EminOfEveryModuleIsThatOfItsFile) {
+TEST(PartAcceptance, MeasuredR1_EminOfEveryModuleIsThatOfItsFile) {
   ASSERT_GE(shipped_modules().size(), 17u);
   for (const ModuleData& module : shipped_modules())
     EXPECT_NEAR(measured_emin({.module = module}, signal_for(module)) / module.emin_mw_per_m2, 1,
@@ -66,7 +66,7 @@ constexpr Window widths[] = {{"TSOP4856", -5, 6},  {"TSOP4456", -5, 6},  {"TSOP3
                              {"TSOP94256", -4, 4}, {"TSOP94456", -4, 4}, {"TSOP94656", -5, 6},
                              {"TSSP96056", -5, 6}, {"TSSP4056", -5, 6}};
 
-TEST(PartAcceptance, R2_PulseWidthsStayInTheWindow) {
+TEST(PartAcceptance, MeasuredR2_PulseWidthsStayInTheWindow) {
   for (const Window& window : widths) {
     const ModuleData module = module_of(window.name);
     const auto train = signal_for(module);
@@ -87,7 +87,7 @@ constexpr Window delays[] = {{"TSOP4856", 7, 15},   {"TSOP4456", 7, 15},  {"TSOP
                              {"TSOP38456", 7, 15},  {"TSOP34856", 7, 15}, {"TSOP57256", 7, 15},
                              {"TSOP94256", 11, 17}, {"TSOP94456", 7, 13}};
 
-TEST(PartAcceptance, R3_OutputDelaysStayInTheWindow) {
+TEST(PartAcceptance, MeasuredR3_OutputDelaysStayInTheWindow) {
   for (const Window& window : delays) {
     const ModuleData module = module_of(window.name);
     const auto train = signal_for(module);
@@ -114,7 +114,7 @@ double reported_until(const ModuleData& module, double e_mw_per_m2) {
 
 // R9: "continuous signals are suppressed" by AGC1 to AGC6 (82459 p. 5 and its sisters), within a
 // second of ours; fixed gain (AGC0: 82737, 82868; no AGC: Sharp OP06012) reports them to the end.
-TEST(PartAcceptance, R9_ContinuousCarrierIsSuppressedUnlessTheGainIsFixed) {
+TEST(PartAcceptance, MeasuredR9_ContinuousCarrierIsSuppressedUnlessTheGainIsFixed) {
   for (const ModuleData& module : shipped_modules())
     for (const double e : {3 * module.emin_mw_per_m2, 30.0, 1e3 * module.emax_w_per_m2}) {
       const double until = reported_until(module, e);
@@ -126,7 +126,7 @@ TEST(PartAcceptance, R9_ContinuousCarrierIsSuppressedUnlessTheGainIsFixed) {
 }
 
 // The sheets that have fixed gain say so; no other part of the catalogue may be without an AGC.
-TEST(PartAcceptance, FixedGainIsOfTheseThree) {
+TEST(PartAcceptance, MeasuredFixedGainIsOfTheseThree) {
   std::string fixed;
   for (const ModuleData& module : shipped_modules())
     if (module.agc_attack_db_per_ms == 0) fixed += module.name + " ";

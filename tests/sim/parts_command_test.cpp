@@ -158,7 +158,7 @@ void expect_below(const Deviations& rms, const Deviations& most) {
 }
 
 // Vishay 82459 rev 1.8 Fig. 2, 4 to 7, 9 to 12: cycles, ms, and shares of the sheet's value.
-TEST(ModelAgainstSheet, Tsop4856IsNearEveryCurveOfItsSheet) {
+TEST(ModelAgainstSheet, MeasuredTsop4856IsNearEveryCurveOfItsSheet) {
   expect_below(deviations("tsop4856"), {{"pulse_width", 0.81},
                                         {"on_time", 0.049},
                                         {"off_time", 0.052},
@@ -175,7 +175,7 @@ TEST(ModelAgainstSheet, Tsop4856IsNearEveryCurveOfItsSheet) {
 }
 
 // Vishay 82491 rev 1.9, 82834 rev 1.2, 82836 rev 1.1.
-TEST(ModelAgainstSheet, OtherModulesAreNearTheirs) {
+TEST(ModelAgainstSheet, MeasuredOtherModulesAreNearTheirs) {
   expect_below(deviations("tsop38256"), {{"pulse_width", 1.72},
                                          {"ambient", 0.121},
                                          {"max_duty", 0.023},
@@ -189,7 +189,7 @@ TEST(ModelAgainstSheet, OtherModulesAreNearTheirs) {
 // With no number from a curve of its own a part still comes near its curves: how near is told in
 // scenarios/README.md. Vishay 82459 rev 1.8, 82491 rev 1.9, 82834 rev 1.2, 82836 rev 1.1, 81010
 // rev 2.4.
-TEST(TablesAlone, APartComesNearItsCurvesWithoutThem) {
+TEST(TablesAlone, MeasuredAPartComesNearItsCurvesWithoutThem) {
   const fs::path folder = fs::path(COSYS_SOURCE_DIR) / "tests/sim/tables_alone";
   expect_below(deviations("tsop4856", folder), {{"pulse_width", 1.2},
                                                 {"on_time", 0.065},
@@ -214,7 +214,7 @@ TEST(TablesAlone, APartComesNearItsCurvesWithoutThem) {
 }
 
 // Vishay 81010 rev 2.4 Fig. 5, 7, 9.
-TEST(ModelAgainstSheet, Tsal6200IsNearEveryCurveOfItsSheet) {
+TEST(ModelAgainstSheet, MeasuredTsal6200IsNearEveryCurveOfItsSheet) {
   const auto rms = deviations("tsal6200");
   ASSERT_EQ(rms.size(), 3u);
   for (const auto& [figure, deviation] : rms) EXPECT_LT(deviation, 0.01) << figure;

@@ -32,7 +32,7 @@ struct Closed {
 
 class RareEventsInTheory : public testing::TestWithParam<Closed> {};
 
-TEST_P(RareEventsInTheory, BitErrorRatio) {
+TEST_P(RareEventsInTheory, MeasuredBitErrorRatio) {
   const Closed at = GetParam();
   const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 1600);
   const double theory = measured.operating.ber_theory;
@@ -76,12 +76,12 @@ void expect_agreement(const std::vector<std::string>& set) {
   expect_agreement(frame_loss_ratio(drawn, 0.99), frame_loss_ratio(counted, 0.99));
 }
 
-TEST_P(RareEventsAsCounted, BitErrorsAndLosses) {
+TEST_P(RareEventsAsCounted, MeasuredBitErrorsAndLosses) {
   expect_agreement(set_of(GetParam().module, GetParam().ebn0_db));
 }
 
 // Some units hear everything, some nothing, so those near the edge are run most.
-TEST(RareEvents, OfUnitsThatDiffer) {
+TEST(RareEvents, MeasuredOfUnitsThatDiffer) {
   std::vector<std::string> set = set_of("TSSP4056", "37.5");
   set.emplace_back("receiver.population=true");
   expect_agreement(set);

@@ -81,29 +81,31 @@ void expect_nominal(const Coverage& c) {
   EXPECT_LE(c.flr, 0.97);
 }
 
-TEST(SequentialCoverage, StoppedByFrames) { expect_nominal(coverage({.max_frames = 2000})); }
+TEST(SequentialCoverage, MeasuredStoppedByFrames) {
+  expect_nominal(coverage({.max_frames = 2000}));
+}
 
 // Of ten bad frames, and of one or two, of which little is known: intervals are wide.
-TEST(SequentialCoverage, OfFewBadFrames) {
+TEST(SequentialCoverage, MeasuredOfFewBadFrames) {
   EXPECT_GE(coverage({.max_frames = 100}).ber, 0.94);
   EXPECT_GE(coverage({.max_frames = 16}).ber, 0.94);
 }
 
-TEST(SequentialCoverage, StoppedByFrameErrors) {
+TEST(SequentialCoverage, MeasuredStoppedByFrameErrors) {
   expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}));
 }
 
-TEST(SequentialCoverage, StoppedByFrameErrorsOfSixteenShards) {
+TEST(SequentialCoverage, MeasuredStoppedByFrameErrorsOfSixteenShards) {
   expect_nominal(coverage({.max_frames = 1000000, .max_frame_errors = 100}, 16));
 }
 
-TEST(SequentialCoverage, StoppedByTheWidthOfTheInterval) {
+TEST(SequentialCoverage, MeasuredStoppedByTheWidthOfTheInterval) {
   expect_nominal(coverage({.max_frames = 1000000, .rel_ci = 0.2}));
 }
 
 // A target stops where chance went one way, so intervals hold the truth less often than they say
 // (sim/README.md).
-TEST(SequentialCoverage, StoppedByATargetTheyHoldLessOften) {
+TEST(SequentialCoverage, MeasuredStoppedByATargetTheyHoldLessOften) {
   for (const double target : {0.02, 0.07, 0.13, 0.2, 0.5}) {
     const Coverage c = coverage({.max_frames = 5000, .target_flr = target});
     EXPECT_GE(c.ber, 0.93) << target;

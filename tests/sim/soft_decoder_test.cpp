@@ -40,7 +40,7 @@ PairedLosses paired(const DecodedFrames& candidate, const DecodedFrames& baselin
   return losses;
 }
 
-TEST(SoftDecoders, LoseLessThanEachPlainOneWithoutMoreWrongMessages) {
+TEST(SoftDecoders, MeasuredLoseLessThanEachPlainOneWithoutMoreWrongMessages) {
   const auto names = built_in_decoders();
   for (const JudgedPoint& point : points_of_decoders()) {
     const auto all = decoded_by_all(point);

@@ -128,7 +128,7 @@ double poisson(std::uint64_t events, double mean) {
 }
 
 // Exact: it misses the truth in 5 % of all experiments at most, to either side in 2.5 %.
-TEST(PoissonRate, CoversTheTruthWhateverItIs) {
+TEST(PoissonRate, MeasuredCoversTheTruthWhateverItIs) {
   for (double mean = 0.05; mean < 40; mean *= 1.07) {
     double too_low = 0, too_high = 0;
     for (std::uint64_t events = 0; events < 150; ++events) {
@@ -163,7 +163,7 @@ TEST(ClopperPearson, KnowsNothingWithoutTrials) {
   EXPECT_EQ(ci.high, 1);
 }
 
-TEST(BitErrorInterval, CoversTheTruthWhenBitsFailTogether) {
+TEST(BitErrorInterval, MeasuredCoversTheTruthWhenBitsFailTogether) {
   const Coverage c = coverage({.p_bad_frame = 0.1, .p_bit_in_bad_frame = 0.2});
   EXPECT_GE(c.clustered, 0.935);
   EXPECT_LE(c.clustered, 0.98);
@@ -171,7 +171,7 @@ TEST(BitErrorInterval, CoversTheTruthWhenBitsFailTogether) {
 }
 
 // Six in the mean: exact intervals of so few are wide, and how long bursts are is not well known.
-TEST(BitErrorInterval, CoversTheTruthWhenBadFramesAreRare) {
+TEST(BitErrorInterval, MeasuredCoversTheTruthWhenBadFramesAreRare) {
   const Coverage c = coverage({.p_bad_frame = 0.02, .p_bit_in_bad_frame = 0.2});
   EXPECT_GE(c.clustered, 0.945);
   EXPECT_LE(c.clustered, 0.985);

@@ -40,12 +40,12 @@ void expect_ber(const Link& link, std::uint64_t frames, double theory) {
   EXPECT_NEAR(link.operating.ber_theory / theory, 1, 1e-4) << db << " dB";
 }
 
-TEST(TheoryDecision, Coherent) {
+TEST(TheoryDecision, MeasuredCoherent) {
   for (int db = 0; db <= 14; ++db)
     expect_ber(decision_link("ideal-coherent", db), frames_at(db), coherent_ook_ber(ratio_of(db)));
 }
 
-TEST(TheoryDecision, NoncoherentAtTheOptimum) {
+TEST(TheoryDecision, MeasuredNoncoherentAtTheOptimum) {
   for (int db = 0; db <= 14; ++db) {
     const Link link = decision_link("ideal-noncoherent", db);
     const double ebn0 = ratio_of(db);
@@ -55,7 +55,7 @@ TEST(TheoryDecision, NoncoherentAtTheOptimum) {
   }
 }
 
-TEST(TheoryDecision, ThresholdsOffTheOptimum) {
+TEST(TheoryDecision, MeasuredThresholdsOffTheOptimum) {
   for (const double share : {0.3, 0.65, 1.2})
     for (const int db : {0, 6, 10}) {
       const std::vector<std::string> fixed{"module.detector_threshold=" + std::to_string(share)};
@@ -95,13 +95,13 @@ void expect_agreement(const std::string& module, double db, int warmups) {
 }
 
 // Bit error ratios of about 1e-1, 1e-2 and 1e-3.
-TEST(TheoryDecision, AgreesWithTheWaveform) {
+TEST(TheoryDecision, MeasuredAgreesWithTheWaveform) {
   for (const double db : {2.2, 7.3, 9.8}) expect_agreement("ideal-coherent", db, 0);
   for (const double db : {4.2, 8.4, 10.5}) expect_agreement("ideal-noncoherent", db, 0);
 }
 
 // A message whose end is missed spoils the next: the decoder remembers, if the receiver does not.
-TEST(TheoryDecision, MessagesBeforeTheCountedOneMatter) {
+TEST(TheoryDecision, MeasuredMessagesBeforeTheCountedOneMatter) {
   expect_agreement("ideal-coherent", 9.8, 1);
   const auto lost = [](const char* warmups) {
     const Tally tally = tally_of(decision_link("ideal-coherent", 9.8, {warmups}), 20000);

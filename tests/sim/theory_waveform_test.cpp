@@ -47,7 +47,7 @@ void expect_ber(const Link& link, double theory, const std::string& what) {
   EXPECT_NEAR(link.operating.ber_theory / theory, 1, 1e-4) << what;
 }
 
-TEST(TheoryWaveform, Coherent) {
+TEST(TheoryWaveform, MeasuredCoherent) {
   for (int db = 0; db <= 14; ++db) {
     const Link link = link_of(keys_of("ideal-coherent", db));
     EXPECT_NEAR(link.operating.ebn0_db, db, 1e-9);
@@ -56,13 +56,13 @@ TEST(TheoryWaveform, Coherent) {
 }
 
 // Told by the energy of a lit bit, the same points are 3.01 dB to the right.
-TEST(TheoryWaveform, CoherentByPeakEnergy) {
+TEST(TheoryWaveform, MeasuredCoherentByPeakEnergy) {
   for (const double peak_db : {3.0, 7.0, 10.0})
     expect_ber(link_of(keys_of("ideal-coherent", peak_db - 10 * std::log10(2.0))),
                coherent_ook_ber_peak(ratio_of(peak_db)), std::to_string(peak_db) + " dB peak");
 }
 
-TEST(TheoryWaveform, NoncoherentAtTheOptimum) {
+TEST(TheoryWaveform, MeasuredNoncoherentAtTheOptimum) {
   for (int db = 0; db <= 14; ++db) {
     const Link link = link_of(keys_of("ideal-noncoherent", db));
     const double ebn0 = ratio_of(db);
@@ -72,7 +72,7 @@ TEST(TheoryWaveform, NoncoherentAtTheOptimum) {
   }
 }
 
-TEST(TheoryWaveform, NoncoherentAtAFixedThreshold) {
+TEST(TheoryWaveform, MeasuredNoncoherentAtAFixedThreshold) {
   for (const double share : {0.4, 0.5, 0.65})
     for (const int db : {0, 4, 8, 11}) {
       const Link link = link_of(
@@ -83,7 +83,7 @@ TEST(TheoryWaveform, NoncoherentAtAFixedThreshold) {
     }
 }
 
-TEST(TheoryWaveform, NeitherSampleRateNorCarrierNorDutyMatters) {
+TEST(TheoryWaveform, MeasuredNeitherSampleRateNorCarrierNorDutyMatters) {
   for (const char* key :
        {"simulation.sample_rate_hz=250000", "simulation.sample_rate_hz=700000",
         "device.carrier_hz=58800", "device.carrier_error_ppm=12345", "device.carrier_duty=0.3",

@@ -1,0 +1,60 @@
+# Writes OUTPUT, which CTest reads: an entry for each suite of a test program, so that a process is started once
+# for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
+# `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
+# (-LE measured). Suites of which the pattern THREADS finds a part of a name have the label `threads`.
+# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D OUTPUT=... -P suites.cmake
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
+string(REPLACE "\n" ";" lines "${listed}")
+
+set(entries "")
+function(add_entry suite name filter labels)
+  string(APPEND entries
+         "add_test([=[${PREFIX}.${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)\n"
+         "set_tests_properties([=[${PREFIX}.${name}]=] PROPERTIES LABELS [=[${labels}]=]")
+  if(labels MATCHES "measured")
+    string(APPEND entries " COST 100")  # begun first, so that nothing long is left for the end
+  endif()
+  string(APPEND entries ")\n")
+  set(entries "${entries}" PARENT_SCOPE)
+endfunction()
+
+function(add_suite suite cases)
+  set(measured FALSE)
+  set(plain FALSE)
+  set(labels "")
+  foreach(case ${cases})
+    if(case MATCHES "^Measured")
+      set(measured TRUE)
+    else()
+      set(plain TRUE)
+    endif()
+    if("${suite}.${case}" MATCHES "${THREADS}")
+      set(labels "threads")
+    endif()
+  endforeach()
+  if(plain)
+    add_entry("${suite}" "${suite}" "${suite}.*-${suite}.Measured*" "${labels}")
+  endif()
+  if(measured)
+    add_entry("${suite}" "${suite}.measured" "${suite}.Measured*" "measured")
+  endif()
+  set(entries "${entries}" PARENT_SCOPE)
+endfunction()
+
+set(suite "")
+set(cases "")
+foreach(line ${lines})
+  if(line MATCHES "^  (.+)$")
+    list(APPEND cases "${CMAKE_MATCH_1}")
+  elseif(line MATCHES "^([^ ].*)[.]$")
+    set(next "${CMAKE_MATCH_1}")  # add_suite() matches too
+    if(suite)
+      add_suite("${suite}" "${cases}")
+    endif()
+    set(suite "${next}")
+    set(cases "")
+  endif()
+endforeach()
+add_suite("${suite}" "${cases}")
+file(WRITE ${OUTPUT} "${entries}")
