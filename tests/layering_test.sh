@@ -20,7 +20,7 @@ Eigen/.*             channel/(.*[.]cpp|bump[.]hpp)|dsp/truncated_orthant[.][ch]p
 armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/result/(netcdf(_reader)?[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/scenario/entries[.]cpp
-CLI/.*               sim/command/(command_line|commands_added|.*_options)[.].pp
+CLI/.*               sim/command/(command_line|commands_added|read_usage|.*_options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 xxhash[.]h           sim/.*[.]cpp

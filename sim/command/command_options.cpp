@@ -1,10 +1,12 @@
 #include "sim/command/command_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <map>
 
+#include "sim/command/read_usage.hpp"
 #include "sim/counting/shard.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
@@ -31,6 +33,7 @@ void check_short_form(const std::string& name, const std::string& value, const s
 
 const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty" : ""; },
                             "");
+const CLI::Validator a_place = a_name.name(std::string(place_check));
 const CLI::Validator an_index(
     [](const std::string& text) {
       const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
@@ -46,6 +49,16 @@ const CLI::Validator a_shard(
                                most_shards);
     },
     "");
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words).description("").name(
+      fmt::format("{} {}", words_check, fmt::join(words, " ")));
+}
+
+CLI::Validator likely(const std::vector<std::string>& words) {
+  return {[](const std::string&) { return std::string(); }, "",
+          fmt::format("{} {}", some_words_check, fmt::join(words, " "))};
+}
 
 CLI::Validator a_count(double most) {
   return {[=](const std::string& text) {
@@ -109,7 +122,7 @@ void add_part_folders(CLI::App& app, PartRoots& parts) {
                  "several times")
       ->type_name("DIR")
       ->expected(1)
-      ->check(CLI::ExistingDirectory.description(""))
+      ->check(CLI::ExistingDirectory.description("").name(std::string(place_check)))
       ->take_all();
 }
 
@@ -129,7 +142,7 @@ void add_protocol(CLI::App& app, std::string& protocol) {
                  fmt::format("format of the messages: {}; cosys if not given",
                              fmt::join(wire_protocol_names(), " or ")))
       ->type_name("NAME")
-      ->check(CLI::IsMember(wire_protocol_names()).description(""));
+      ->check(one_of(wire_protocol_names()));
 }
 
 void add_threads(CLI::App& app, int& threads) {

@@ -13,6 +13,15 @@ constexpr double last_trial = 4294967295;  // trials are numbered in 32 bits
 
 extern const CLI::Validator a_name, an_index, a_shard;
 
+/// A name of a file or folder, and known as one to completions and the manual (read_usage.hpp).
+extern const CLI::Validator a_place;
+
+/// One of some words, which are known there too.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// Any text; these are words that are known, beside others.
+CLI::Validator likely(const std::vector<std::string>& words);
+
 /// A whole number from 1 on, written as any number: 1e6.
 CLI::Validator a_count(double most);
 
@@ -29,7 +38,7 @@ CLI::Validator a_time();
 template <class Place>
 CLI::Option* add_place(CLI::App& app, const char* name, Place& place, const char* type,
                        const char* what) {
-  return app.add_option(name, place, what)->type_name(type)->check(a_name);
+  return app.add_option(name, place, what)->type_name(type)->check(a_place);
 }
 
 /// A short form of --set: `--seed 7` is `--set simulation.seed=7`, and is recorded as such.

@@ -52,7 +52,7 @@ void add_program_settings(CLI::App& command, ProgramSettings& settings) {
           [&settings](const std::string& mode) { settings.serves = mode == "serve"; },
           "a command is run once for each capture, or serves all of them; once if not given")
       ->type_name("once|serve")
-      ->check(CLI::IsMember({"once", "serve"}).description(""));
+      ->check(one_of({"once", "serve"}));
   command
       .add_option_function<std::string>(
           "--decoder-output",
@@ -60,7 +60,7 @@ void add_program_settings(CLI::App& command, ProgramSettings& settings) {
           "what a command prints: the bytes that it received, or the messages that it accepted, a "
           "line each; bytes if not given")
       ->type_name("bytes|frames")
-      ->check(CLI::IsMember({"bytes", "frames"}).description(""));
+      ->check(one_of({"bytes", "frames"}));
   command
       .add_option_function<double>(
           "--decoder-timeout",
@@ -76,7 +76,8 @@ void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& setti
                  const std::string& otherwise) {
   command.add_option("--decoder", decoder, decoder_help(otherwise))
       ->type_name("NAME|CMD")
-      ->check(a_name);
+      ->check(a_name)
+      ->check(likely(built_in_decoders()));
   add_program_settings(command, settings);
 }
 
@@ -161,6 +162,7 @@ void add_compare(CLI::App& app, CompareRequest& request) {
                   decoder_help("give it for each; all that are built in if not given"))
       ->type_name("NAME|CMD")
       ->check(a_name)
+      ->check(likely(built_in_decoders()))
       ->take_all()
       ->expected(1);
   add_program_settings(compare, request.program_settings);

@@ -37,7 +37,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       ->type_name("NAME");
   decode.add_option("--format", request.format, "of the capture, where its name does not say it")
       ->type_name("NAME")
-      ->check(CLI::IsMember(capture_format_names()).description(""));
+      ->check(one_of(capture_format_names()));
   decode
       .add_option("--sample-rate", request.sample_rate_hz,
                   "samples a second, for a capture that does not say it")
@@ -54,7 +54,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
           "the receiver: atmega (majority of three samples), mid-bit (one), software-serial "
           "(Arduino's) or edge-timing (widths of pulses); atmega if not given")
       ->type_name("NAME")
-      ->check(CLI::IsMember(find_key("uart.receiver")->choices).description(""));
+      ->check(one_of(find_key("uart.receiver")->choices));
   decode
       .add_option_function<std::string>(
           "--baud", [&request](const std::string& text) { request.baud = parse_number(text); },
@@ -74,7 +74,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       .add_option("--polarity", request.polarity,
                   "idle-high (light is 0) or idle-low; if not given or auto, found in the capture")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "idle-high", "idle-low"}).description(""));
+      ->check(one_of({"auto", "idle-high", "idle-low"}));
   add_protocol(decode, request.protocol);
   decode.add_flag("--json", request.json,
                   "one JSON object a line for each message, and a last one of the line");

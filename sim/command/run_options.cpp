@@ -1,6 +1,7 @@
 // Options of run, trace, find, merge and diff.
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace sim {
 
@@ -25,7 +26,8 @@ void add_run(CLI::App& app, RunRequest& request) {
            request.options.overrides.push_back("simulation.method=" + name);
          },
          "brute-force, or importance for errors too rare to wait for (the key simulation.method)")
-      ->type_name("METHOD");
+      ->type_name("METHOD")
+      ->check(likely(find_key("simulation.method")->choices));
   add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
                  "frame loss ratio; a point is finished when its own is surely below or above");
   run.add_flag("--resume", request.resume,
@@ -132,8 +134,8 @@ void add_report(CLI::App& app, ReportRequest& request) {
 void add_diff(CLI::App& app, DiffRequest& request) {
   auto& diff = *app.add_subcommand(
       "diff", "Say whether two results of the same sweep are equal, compatible or different");
-  add_place(diff, "A", request.one, "", "result file")->required();
-  add_place(diff, "B", request.other, "", "result file to compare it with")->required();
+  add_place(diff, "A", request.one, "", "result file (.h5)")->required();
+  add_place(diff, "B", request.other, "", "result file (.h5) to compare it with")->required();
   diff.add_option("--alpha", request.alpha,
                   "probability of calling equals different, all points together; 0.01 if not given")
       ->type_name("P")

@@ -1,0 +1,40 @@
+#pragma once
+// What the command line offers, as plain data: completions and the manual page are written from it.
+#include <string>
+#include <vector>
+
+namespace sim {
+
+enum class ValueKind {
+  none,        // that of a flag
+  free,        // of which nothing is known
+  words,       // one of a few
+  some_words,  // one of a few, or another
+  file,
+  folder
+};
+
+/// An option, or an argument: that has one name, which nobody types.
+struct OptionUsage {
+  std::vector<std::string> names;  // "-o", "--output"; "SCENARIO"
+  std::string value;               // "OUT.h5"; empty of flags and arguments
+  std::string help;
+  ValueKind kind = ValueKind::free;
+  std::vector<std::string> words;     // of both kinds of words
+  std::vector<std::string> endings;   // of files, those that the help names: ".toml"; none: all
+  std::vector<std::string> excludes;  // names of options that it cannot go with
+  bool required = false;
+  bool repeated = false;  // may be given several times
+};
+
+struct CommandUsage {
+  std::string name, summary, footer;
+  std::vector<OptionUsage> arguments, options;
+};
+
+struct ProgramUsage {
+  CommandUsage program;  // what it takes before a command
+  std::vector<CommandUsage> commands;
+};
+
+}  // namespace sim
