@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   try {
     return sim::run_command_line(argc, argv,
                                  {.program = {"cosys-sim", COSYS_VERSION, COSYS_COMMIT},
+                                  .commit_date = COSYS_COMMIT_DATE,
                                   .command = typed_command(argc, argv),
                                   .shipped_parts = shipped_parts()});
   } catch (const sim::Failure& e) {

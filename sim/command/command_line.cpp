@@ -4,6 +4,7 @@
 
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/command/read_usage.hpp"
 #include "sim/engine/team.hpp"
 #include "sim/text/spelling.hpp"
 
@@ -66,12 +67,15 @@ struct Requests {
   CheckRequest check;
   BaselineRequest baseline;
   CompareRequest compare;
+  CompletionRequest completion;
+  ManualRequest manual;
 };
 
 void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = to.baseline.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = to.baseline.program =
-      from.program;
+      to.manual.program = from.program;
+  to.manual.date = from.commit_date;
   for (PartRoots* parts :
        {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts,
         &to.locate.options.parts, &to.serve.options.parts, &to.check.options.parts,
@@ -89,7 +93,7 @@ bool is_alone() {
   });
 }
 
-ExitCode carry_out(const CLI::App& app, const Requests& requests) {
+ExitCode carry_out(CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("run")) return run_command(requests.run);
   if (!is_alone()) return ExitCode::done;
   if (app.got_subcommand("trace")) return trace_command(requests.trace);
@@ -105,6 +109,9 @@ ExitCode carry_out(const CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("baseline")) return baseline_command(requests.baseline);
   if (app.got_subcommand("compare")) return compare_command(requests.compare);
   if (app.got_subcommand("diff")) return diff_command(requests.diff);
+  if (app.got_subcommand("completion"))
+    return completion_command(requests.completion, usage_of(app));
+  if (app.got_subcommand("manual")) return manual_command(requests.manual, usage_of(app));
   return decode_command(requests.decode);
 }
 
@@ -146,6 +153,8 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_baseline(app, requests.baseline);
   add_check(app, requests.check);
   add_compare(app, requests.compare);
+  add_completion(app, requests.completion);
+  add_manual(app);
   try {
     app.parse(words_of(app, argc, argv));
   } catch (const CLI::ParseError& e) {

@@ -10,6 +10,7 @@ namespace sim {
 /// What the program knows of itself when it starts.
 struct Surroundings {
   ProgramInfo program;
+  std::string commit_date;              // "2024-05-31"; empty where there is no git
   std::string command;                  // as the user typed it
   std::filesystem::path shipped_parts;  // the folder with the program's own modules/ and leds/
 };

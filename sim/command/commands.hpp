@@ -10,6 +10,7 @@
 
 #include "sim/check/gate.hpp"
 #include "sim/check/program_decoder.hpp"
+#include "sim/command/usage.hpp"
 #include "sim/counting/shard.hpp"
 #include "sim/failure.hpp"
 #include "sim/parts/parts.hpp"
@@ -222,5 +223,18 @@ struct LocateRequest {
 /// Where readings of light, measured or drawn, say that a device is; inconclusive if they leave it
 /// open.
 ExitCode locate_command(const LocateRequest& request);
+
+struct CompletionRequest {
+  std::string shell;  // "bash" or "zsh"
+};
+/// A script for it, to stdout.
+ExitCode completion_command(const CompletionRequest& request, const ProgramUsage& usage);
+
+struct ManualRequest {
+  ProgramInfo program;
+  std::string date;  // of the commit
+};
+/// The manual page, to stdout.
+ExitCode manual_command(const ManualRequest& request, const ProgramUsage& usage);
 
 }  // namespace sim

@@ -21,5 +21,7 @@ void add_locate(CLI::App& app, LocateRequest& request);
 void add_check(CLI::App& app, CheckRequest& request);
 void add_compare(CLI::App& app, CompareRequest& request);
 void add_baseline(CLI::App& app, BaselineRequest& request);
+void add_completion(CLI::App& app, CompletionRequest& request);
+void add_manual(CLI::App& app);
 
 }  // namespace sim
