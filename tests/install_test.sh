@@ -20,3 +20,26 @@ printf '[receiver]\nmodule = "TSOP4856"\n[led]\npart = "MINE"\n[stop]\nmax_frame
 [[ -s mine.h5 && -s quickstart.h5 ]] || fail 'no result file' "$(cat table.txt)"
 ! "$program" run mine.toml --set receiver.module=none 2>error.txt || fail 'a module that nobody has was found'
 grep -qF "$shared/modules" error.txt || fail 'its own modules are not looked for:' "$(cat error.txt)"
+
+# What the program wrote of itself: a manual page with all commands, and what shells complete.
+share=$folder/installed/share
+mapfile -t commands < <("$program" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]\+\) .*/\1/p')
+[[ ${#commands[@]} -gt 10 ]] || fail 'the help names too few commands:' "${commands[@]}"
+for command in "${commands[@]}"; do
+  grep -qx "\.SS $command" "$share/man/man1/cosys-sim.1" || fail "$command is not in the manual page"
+done
+words=$(bash --norc -c 'source "$1"; COMP_WORDS=(cosys-sim decode --uart mid) COMP_CWORD=3; _cosys_sim
+  echo "${COMPREPLY[@]}"' bash "$share/bash-completion/completions/cosys-sim")
+[[ $words == mid-bit ]] || fail "bash makes this of decode --uart mid: $words"
+# shellcheck disable=SC2016 # the $ are those of zsh, at whose terminal somebody presses the tabulator
+press_tab='
+  zmodload zsh/zpty
+  zpty shell zsh -f -i
+  zpty -w shell "PS1=; fpath=($1 \$fpath); autoload -U compinit; compinit -u -D; echo re\"\"ady"
+  zpty -r -m shell seen "*ready*"
+  zpty -w -n shell "cosys-sim decode --uart mid'$'\t''"
+  zpty -r -m shell seen "*mid-bit*"'
+if command -v zsh >/dev/null; then
+  timeout 30 zsh -f -c "$press_tab" zsh "$share/zsh/site-functions" || fail 'zsh does not complete decode --uart mid'
+fi
+[[ -s $share/libsigrokdecode/decoders/cosys/pd.py ]] || fail 'sigrok would not find the decoder'
