@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 root=$folder/root
 
 fail() { printf '%s\n' "$@"; exit 1; }
-skip() { echo "skipped: $*"; exit 77; }
+skip() { exec "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/skip.sh" package "$*"; }
 for tool in cpack dpkg-shlibdeps file; do
   command -v "$tool" >/dev/null || skip "no $tool here"
 done

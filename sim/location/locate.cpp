@@ -53,7 +53,7 @@ Area reachable(const LightModel& model, const std::vector<Reading>& readings) {
   return {x - reach, x + reach, y - reach, y + reach};
 }
 
-Area area_of(const LocateSettings& settings, const std::vector<Reading>& readings) {
+Area search_area(const LocateSettings& settings, const std::vector<Reading>& readings) {
   if (readings.empty()) throw bad_input("no readings", "there is nothing to locate by", "add some");
   for (std::size_t i = 0; i < readings.size(); ++i) check(readings[i], i);
   if (settings.area) return *settings.area;
@@ -131,12 +131,12 @@ const std::vector<std::string>& locate_outcome_names() {
 }
 
 void check_readings(const LocateSettings& settings, const std::vector<Reading>& readings) {
-  area_of(settings, readings);
+  search_area(settings, readings);
 }
 
 Locator::Locator(const LocateSettings& settings, const std::vector<Reading>& readings)
     : settings_(settings),
-      area_(area_of(settings, readings)),
+      area_(search_area(settings, readings)),
       grid_(settings.model, readings, area_) {}
 
 void Locator::prepare(const std::vector<Reading>& readings) {

@@ -98,15 +98,15 @@ std::vector<Reading> readings_of(const Scenario& s, const LightModel& model, con
   return readings;
 }
 
-std::optional<Area> settings_area(const LocationScenario& l, const Places& places) {
+std::optional<Area> scenario_area(const LocationScenario& l, const Places& places) {
   if (l.area_m.empty()) return std::nullopt;
   const std::string problem = given("location.area_m", l.area_m, places);
-  return sim::area_of(parse_values(l.area_m, problem), problem);
+  return area_of(parse_values(l.area_m, problem), problem);
 }
 
 }  // namespace
 
-Area settings_area(const std::vector<double>& numbers, const std::string& problem) {
+Area area_of(const std::vector<double>& numbers, const std::string& problem) {
   constexpr const char* how = "write x from,to and y from,to: -3,3,0,5";
   if (numbers.size() != 4) throw bad_input(problem, "an area has four numbers", how);
   const Area area{numbers[0], numbers[1], numbers[2], numbers[3]};
@@ -119,7 +119,7 @@ LocationTrialsSettings location_settings(const Scenario& s, const Places& places
   LocationTrialsSettings settings;
   settings.locate.model = model_of(s);
   settings.locate.intensity_unknown = s.location.intensity_unknown != 0;
-  settings.locate.area = settings_area(s.location, places);
+  settings.locate.area = scenario_area(s.location, places);
   settings.truth = {s.location.device_x_m, s.location.device_y_m};
   settings.readings = readings_of(s, settings.locate.model, places);
   settings.trials = static_cast<std::uint32_t>(s.location.trials);

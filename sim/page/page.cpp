@@ -175,7 +175,8 @@ std::string page_as_html(const Page& page) {
           "</div>\n" + contents_html(page.sections);
   for (std::size_t i = 0; i < page.sections.size(); ++i) html += section_html(page.sections[i], i);
   html += "</main>\n" + data_of(page);
-  if (!uplot_script.empty()) html += fmt::format("<script>{}</script>\n", uplot_script);
+  if (!uplot_script.empty())
+    html += fmt::format("<script>/*!\n{}*/\n{}</script>\n", uplot_license, uplot_script);
   return html +
          fmt::format("<script>\n'use strict';\n{{\n{}{}{}{}{}}}\n</script>\n</body>\n</html>\n",
                      axis_script, chart_script, trial_script, table_script, report_script);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "occurrences.hpp"
+#include "sim/page/embedded.hpp"
 #include "sim/page/page.hpp"
 #include "sim/page/picture_sections.hpp"
 
@@ -41,6 +42,13 @@ TEST(Page, ShowsTextsAsTexts) {
   EXPECT_EQ(occurrences(page, "<!--"), 2U) << "its own mark, and the drawing's";
   EXPECT_GE(occurrences(page, "&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)"), 8U);
   EXPECT_EQ(charts_of(page)[0]["x"]["label"], hostile);
+}
+
+TEST(Page, HasTheLicenceOfWhatItEmbeds) {
+  if (uplot_script.empty()) GTEST_SKIP() << "built without uPlot (npm)";
+  const std::string page = page_as_html({.title = "a", .verdict = {}, .sections = {}});
+  EXPECT_EQ(occurrences(page, "Leon Sorokin"), 1U);
+  EXPECT_EQ(occurrences(page, "Permission is hereby granted"), 1U);
 }
 
 TEST(Page, KeepsTextThatIsNoUtf8) {
