@@ -18,7 +18,7 @@ namespace {
 constexpr double plan_width = 720, plan_left = 60, plan_top = 40, widest = 640, tallest = 560;
 constexpr double plan_margin = 26;  // around what is shown, for its labels
 constexpr double plan_legend_step = 16;
-constexpr double disc = 3, tip = 17, corner = 8, dot = 1.2, track = 5;
+constexpr double disc = 3, tip = 17, mark_corner = 8, dot = 1.2, track = 5;
 
 /// The class of a mark, with another behind it.
 std::string style_of(const PlanMark& mark, const std::string& other) {
@@ -168,9 +168,9 @@ void draw_receiver(SvgDrawing& drawing, const PlanMark& mark, const Ground& grou
   if (!is_somewhere(mark.at)) return;
   const SvgPoint at = ground(mark.at);
   const double heading = mark.heading.value_or(M_PI / 2);
-  drawing.path(move_to(beside(at, heading, 1.5 * corner)) +
-                   line_to(beside(at, heading + 2.4, corner)) +
-                   line_to(beside(at, heading - 2.4, corner)) + "Z",
+  drawing.path(move_to(beside(at, heading, 1.5 * mark_corner)) +
+                   line_to(beside(at, heading + 2.4, mark_corner)) +
+                   line_to(beside(at, heading - 2.4, mark_corner)) + "Z",
                "dot");
   draw_label(drawing, mark, ground);
 }
