@@ -13,10 +13,14 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
+/// In double and not in long double: seven times as fast, within 3e-15. Rules of stopping ask
+/// often.
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
 double as_real(std::uint64_t count) { return static_cast<double>(count); }
 
 double student_quantile(double degrees_of_freedom, double level) {
-  const boost::math::students_t t(degrees_of_freedom);
+  const boost::math::students_t_distribution<double, InDouble> t(degrees_of_freedom);
   return quantile(complement(t, (1 - level) / 2));
 }
 
@@ -117,9 +121,10 @@ Interval clopper_pearson(double successes, double trials, double level) {
   assert(successes >= 0 && successes <= trials && level > 0 && level < 1);
   const double tail = (1 - level) / 2;
   Interval ci;
-  if (successes > 0) ci.low = boost::math::ibeta_inv(successes, trials - successes + 1, tail);
+  if (successes > 0)
+    ci.low = boost::math::ibeta_inv(successes, trials - successes + 1, tail, InDouble());
   if (successes < trials)
-    ci.high = boost::math::ibetac_inv(successes + 1, trials - successes, tail);
+    ci.high = boost::math::ibetac_inv(successes + 1, trials - successes, tail, InDouble());
   return ci;
 }
 

@@ -24,6 +24,10 @@ def opened(report):
     return driver
 
 
+def has_live_pictures(driver):
+    return driver.execute_script("return typeof uPlot !== 'undefined'")
+
+
 def skip_part(name, reason):
     """The rest of a test goes on without this part, or ends as failed in the gate (skip.sh)."""
     script = pathlib.Path(__file__).parent.parent / "skip.sh"

@@ -1,12 +1,16 @@
-"""A chart and a trial of which it is known how they must look, in the place of a report's first ones."""
+"""A chart and a trial of which it is known how they must look, in the place of a report's first ones.
+
+Usage: made_up.py REPORT SCREENSHOT; one report is enough, as nothing but its scripts is looked at.
+"""
 import json
 import pathlib
 import re
+import sys
 
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser import enter, expect, expect_no_complaints, send
+from browser import enter, expect, expect_no_complaints, has_live_pictures, opened, send, skip_part
 from layouts import expect_heads_apart, open_tables, set_width
 from texts import lower_labels, marks, texts, touching
 
@@ -214,3 +218,17 @@ def look_at_made_up(driver, report):
     look_at_narrow_legends(driver)
     look_at_long_heads(driver)
     look_at_narrow_marks(driver)
+
+
+def main(report, screenshot):
+    driver = opened(report)
+    if has_live_pictures(driver):
+        look_at_made_up(driver, report)
+        driver.save_screenshot(screenshot)
+    else:
+        skip_part("browser.made_up", "built without uPlot (npm), so charts stand still")
+    expect_no_complaints(driver)
+    driver.quit()
+
+
+main(*sys.argv[1:])

@@ -9,10 +9,10 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from browser import drag_over, drag_with_shift, enter, expect, expect_no_complaints, image, opened, press
+from browser import drag_over, drag_with_shift, enter, expect, expect_no_complaints, has_live_pictures, image, opened
+from browser import press
 from browser import save_whole_page, send, send_with_control, skip_part
 from layouts import look_at_layouts, look_without_scripts
-from made_up import look_at_made_up
 from tables import use_tables
 from texts import marks, texts, touching, upright_labels
 
@@ -147,10 +147,6 @@ def use_trial(driver, trial):
         expect(images() == views[0], "the whole frame does not come back")
 
 
-def has_live_pictures(driver):
-    return driver.execute_script("return typeof uPlot !== 'undefined'")
-
-
 def use_pictures(driver):
     charts = driver.find_elements(By.CLASS_NAME, "chart")
     expect(charts, "there is no chart")
@@ -175,8 +171,6 @@ def main(report, screenshot):
     look_at_layouts(driver)
     expect(driver.execute_script("return performance.getEntriesByType('resource').length") == 0,
            "it loads something")
-    if has_live_pictures(driver):
-        look_at_made_up(driver, report)
     look_without_scripts(driver, report)
     expect_no_complaints(driver)
     driver.quit()
