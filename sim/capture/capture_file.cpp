@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void as_vcd(const fs::path& path, const CaptureSettings&, Capture& capture) {
-  capture.logic = open_vcd(*capture.in, path.string());
+void as_vcd(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  capture.logic = open_vcd(*capture.in, path.string(), settings);
 }
 
 void as_csv(const fs::path& path, const CaptureSettings& settings, Capture& capture) {

@@ -20,6 +20,7 @@ struct CaptureSettings {
   std::optional<dsp::Hertz> sample_rate;  // for formats that do not say it; overrides a file's own
   std::string format;                     // empty: by the file's ending, else by its first bytes
   std::optional<int> sample_bytes{};      // of raw files, 1 to 8; nothing: 1
+  std::optional<dsp::Seconds> tick{};     // time unit of a file that does not say its own
 };
 
 /// One of the two is there: `samples` where the wanted channel is an analogue one.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sim/capture/text_lines.hpp"
+#include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
 
 namespace sim {
@@ -46,9 +47,13 @@ class Words {
     return word;
   }
 
-  [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
+  [[noreturn]] void fail(std::string_view problem, std::string_view why,
+                         const std::string& suggestion =
+                             "give a complete text VCD file, as "
+                             "sigrok-cli -O vcd or PulseView write "
+                             "it") const {
     throw bad_input(fmt::format("{} in {}:{}", problem, file_, line_), std::string(why),
-                    "give a complete text VCD file, as sigrok-cli -O vcd or PulseView write it");
+                    suggestion);
   }
 
  private:
@@ -62,17 +67,21 @@ class Words {
 
 class VcdCapture : public LogicCapture {
  public:
-  VcdCapture(std::istream& in, std::string file) : words_(in, std::move(file)) {
+  VcdCapture(std::istream& in, std::string file, const CaptureSettings& settings)
+      : words_(in, std::move(file)), names_(settings.wire), tick_(settings.tick) {
     read_declarations();
+    names_.finish();
   }
 
-  const std::vector<std::string>& wires() const override { return wires_; }
+  const std::vector<std::string>& wires() const override { return names_.list(); }
   Seconds now() const override { return now_; }
 
+  /// A change of a code is one of each of its names.
   std::optional<WireLevel> next() override {
-    for (std::string word = words_.next(); !word.empty(); word = words_.next())
-      if (const auto change = read_change(word)) return change;
-    return std::nullopt;
+    if (!place_ && !read_level()) return std::nullopt;
+    change_.wire = *place_;
+    place_ = names_.behind(*place_);
+    return change_;
   }
 
  private:
@@ -84,6 +93,11 @@ class VcdCapture : public LogicCapture {
         read_timescale();
       } else if (word == "$var") {
         read_variable();
+      } else if (word == "$scope") {
+        read_scope();
+      } else if (word == "$upscope") {
+        names_.leave();
+        skip_section();
       } else if (word.front() == '$') {
         skip_section();
       } else {
@@ -91,7 +105,8 @@ class VcdCapture : public LogicCapture {
       }
     }
     skip_section();
-    if (tick_.value <= 0) words_.fail("no $timescale", "times have no unit without it");
+    if (!tick_)
+      words_.fail("no $timescale", "times have no unit without it", "say --time-unit 1us");
   }
 
   void skip_section() {
@@ -114,49 +129,81 @@ class VcdCapture : public LogicCapture {
     tick_ = Seconds(count * unit->second);
   }
 
-  void read_variable() {
-    const std::string type = words_.need("a variable's type");
-    const std::string size = words_.need("a variable's size");
-    const std::string id = words_.need("a variable's code");
+  /// The words up to $end as one: "data [3]" is one bit of a vector, data[3].
+  std::string read_name() {
     std::string name;
-    for (std::string word = words_.need("$end"); word != "$end"; word = words_.need("$end")) {
-      if (name.size() < 256) name += word;  // "data [3]" is one bit of a vector: data[3]
-    }
-    room_used_ += room_of_variable + id.size() + name.size();
-    if (room_used_ > most_room) words_.fail("too many variables", "they would take over 64 MiB");
-    const bool scalar = size == "1" && std::ranges::find(not_wires, type) == std::end(not_wires);
-    if (!ids_.try_emplace(id, scalar ? wires_.size() : skipped).second || !scalar) return;
-    wires_.push_back(std::move(name));
-    seen_.push_back(false);
+    for (std::string word = words_.need("$end"); word != "$end"; word = words_.need("$end"))
+      if (name.size() < longest_name) name += word;
+    return name;
   }
 
-  std::optional<WireLevel> read_change(const std::string& word) {
+  void read_scope() {
+    if (words_.need("a scope's type") == "$end") return names_.enter("");
+    names_.enter(read_name());
+    check_room();
+  }
+
+  void read_variable() {
+    const std::string type = words_.need("a variable's type");
+    if (type == "port") refuse_extended("'$var port'");
+    const std::string size = words_.need("a variable's size");
+    const std::string id = words_.need("a variable's code");
+    std::string name = read_name();
+    room_of_codes_ += room_of_code + id.size();
+    check_room();
+    const bool scalar = size == "1" && std::ranges::find(not_wires, type) == std::end(not_wires);
+    const auto code = codes_.try_emplace(id, scalar ? seen_.size() : skipped);
+    if (!scalar || code.first->second == skipped) return;
+    if (code.second) seen_.push_back(false);
+    names_.add(std::move(name), code.first->second);
+  }
+
+  void check_room() const {
+    if (room_of_codes_ + names_.bytes() > most_room)
+      words_.fail("too many variables", "they would take over 96 MiB");
+  }
+
+  [[noreturn]] void refuse_extended(std::string_view what) const {
+    words_.fail(what, "an extended VCD says who drives a port", "dump it with $dumpvars");
+  }
+
+  /// Goes on to the next known level of a wire.
+  bool read_level() {
+    for (std::string word = words_.next(); !word.empty(); word = words_.next())
+      if (read_change(word)) return true;
+    return false;
+  }
+
+  bool read_change(const std::string& word) {
     const char kind = word.front();
-    if (kind == '#') {
+    if (levels.find(kind) != std::string_view::npos) {
+      return level(word.size() > 1 ? word.substr(1) : words_.need("a value's code"), kind);
+    } else if (kind == '#') {
       read_time(word);
-    } else if (word == "$comment") {
-      skip_section();
-    } else if (kind == 'b' || kind == 'B') {
-      return level(words_.need("a vector's code"), word.back());  // some programs write a bit as b1
+    } else if (kind == 'b' || kind == 'B') {  // some programs write a bit as b1
+      if (levels.find(word.back()) == std::string_view::npos)
+        words_.fail("'" + shown(word) + "'", "not a VCD value change");
+      return level(words_.need("a vector's code"), word.back());
     } else if (kind == 'r' || kind == 'R' || kind == 's' || kind == 'S') {
       words_.need("a value's code");
+    } else if (word == "$comment") {
+      skip_section();
+    } else if (word.starts_with("$dumpports")) {
+      refuse_extended(word);
     } else if (kind != '$') {  // $dumpvars, $dumpon, ... and their $end only wrap changes
-      if (levels.find(kind) == std::string_view::npos) {
-        words_.fail("'" + shown(word) + "'", "not a VCD value change");
-      }
-      return level(word.substr(1), kind);
+      words_.fail("'" + shown(word) + "'", "not a VCD value change");
     }
-    return std::nullopt;
+    return false;
   }
 
   void read_time(const std::string& word) {
-    std::uint64_t ticks = 0;
+    double ticks = 0;
     const char* end = word.data() + word.size();
-    const auto number = std::from_chars(word.data() + 1, end, ticks);
-    if (number.ec != std::errc() || number.ptr != end) {
-      words_.fail("time '" + shown(word) + "'", "it must be # and a whole number of ticks");
-    }
-    const Seconds time = static_cast<double>(ticks) * tick_;
+    const auto number = std::from_chars(word.data() + 1, end, ticks, std::chars_format::fixed);
+    const bool whole = number.ec == std::errc() && number.ptr == end;
+    if (!whole || word[1] < '0' || word[1] > '9')
+      words_.fail("time '" + shown(word) + "'", "it must be # and a number of ticks");
+    const Seconds time = ticks * *tick_;
     if (time < now_) words_.fail("time " + shown(word), "it is before the time that it follows");
     if (time > longest_capture)
       words_.fail("time " + shown(word), "it is after more than 30 years");
@@ -164,38 +211,46 @@ class VcdCapture : public LogicCapture {
     now_ = time;
   }
 
-  std::optional<WireLevel> level(const std::string& id, char value) {
-    const auto found = ids_.find(id);
-    if (found == ids_.end()) words_.fail("value of '" + shown(id) + "'", "no $var declares it");
-    const std::size_t wire = found->second;
-    if (wire == skipped || (value != '0' && value != '1')) return std::nullopt;
-    const bool first = !seen_[wire];
-    seen_[wire] = true;
-    return WireLevel{wire, now_, value == '1', first && now_ == first_time_.value_or(now_)};
+  /// Whether it is a known level of a wire, which is then the change at hand.
+  bool level(const std::string& id, char value) {
+    const auto found = codes_.find(id);
+    if (found == codes_.end()) words_.fail("value of '" + shown(id) + "'", "no $var declares it");
+    const std::size_t code = found->second;
+    const bool high = ones.find(value) != std::string_view::npos;
+    if (code == skipped || (!high && zeros.find(value) == std::string_view::npos)) return false;
+    const bool first = !seen_[code];
+    seen_[code] = true;
+    change_ = {0, now_, high, first && now_ == first_time_.value_or(now_)};
+    place_ = names_.first_of(code);
+    return true;
   }
 
   static inline const std::map<std::string, double, std::less<>> units = {
       {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"ps", 1e-12}, {"fs", 1e-15}};
   static constexpr std::string_view not_wires[] = {"real", "realtime", "string", "event"};
-  static constexpr std::string_view levels = "01xXzZ";
-  static constexpr std::size_t room_of_variable = 128;  // in map and vector, about
-  static constexpr std::size_t most_room = std::size_t{64} << 20U;
+  static constexpr std::string_view zeros = "0Ll", ones = "1Hh", levels = "01LlHhXxZzUuWw-";
+  static constexpr std::size_t longest_name = 256;
+  static constexpr std::size_t room_of_code = 96;  // in the map, about
+  static constexpr std::size_t most_room = std::size_t{96} << 20U;
   static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
 
   Words words_;
-  Seconds tick_;
+  WireNames names_;
+  std::optional<Seconds> tick_;
   Seconds now_;
   std::optional<Seconds> first_time_;
-  std::map<std::string, std::size_t, std::less<>> ids_;
-  std::vector<std::string> wires_;
-  std::vector<bool> seen_;  // whether a wire had a level
-  std::size_t room_used_ = 0;
+  std::map<std::string, std::size_t, std::less<>> codes_;
+  std::vector<bool> seen_;  // whether a code had a level
+  std::size_t room_of_codes_ = 0;
+  WireLevel change_;
+  std::optional<std::size_t> place_;  // of the name that the change is given for next
 };
 
 }  // namespace
 
-std::unique_ptr<LogicCapture> open_vcd(std::istream& in, std::string file) {
-  return std::make_unique<VcdCapture>(in, std::move(file));
+std::unique_ptr<LogicCapture> open_vcd(std::istream& in, std::string file,
+                                       const CaptureSettings& settings) {
+  return std::make_unique<VcdCapture>(in, std::move(file), settings);
 }
 
 }  // namespace sim

@@ -26,10 +26,13 @@ std::string written(const std::vector<VcdWire>& wires, Seconds duration) {
   return out.str();
 }
 
-std::vector<NamedTrace> read(const std::string& text) {
+std::vector<NamedTrace> read(const std::string& text, const CaptureSettings& settings = {}) {
   std::istringstream in(text);
-  return read_whole(*open_vcd(in, "a.vcd"));
+  return read_whole(*open_vcd(in, "a.vcd", settings));
 }
+
+CaptureSettings told(Seconds tick) { return {"", {}, "", {}, tick}; }
+CaptureSettings asked_for(const std::string& wire) { return {wire, {}, ""}; }
 
 /// A file with one wire `rx` of code `!` and this body.
 std::string one_wire(const std::string& body, const std::string& timescale = "1 us") {
@@ -134,8 +137,10 @@ TEST(Vcd, SkipsWhatIsNoOneBitWire) {
       "$var integer 32 i n $end $upscope $end $enddefinitions $end\n"
       "$dumpvars r0.5 r b10101010 v 0a bx i $end\n"
       "#10 1a 1e r1e3 r $comment 0a #3 $end b1 v #20 b0 a #30 sIDLE v #40 B1 a #50\n");
-  ASSERT_EQ(back.size(), 1U);
+  ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[0].name, "data[3]");
+  EXPECT_EQ(back[1].name, "inner");
+  EXPECT_TRUE(back[1].trace == back[0].trace);
   EXPECT_FALSE(back[0].trace.initial());
   EXPECT_EQ(flips_us(back[0].trace), (std::vector<double>{10, 20, 40}));
 }
@@ -155,6 +160,136 @@ TEST(Vcd, UnknownLevelsKeepTheLastAndAnUnknownStartIsIdle) {
   EXPECT_EQ(flips(""), Times{});
 }
 
+// VHDL simulators (GHDL, nvc) write the nine values of IEEE 1164.
+TEST(Vcd, TheNineValuesOfVhdlAreLevelsOrSayNothing) {
+  for (const std::string nothing : {"U", "X", "Z", "W", "-", "u", "x", "z", "w"})
+    for (const std::string low : {"0", "L", "l"})
+      for (const std::string high : {"1", "H", "h"}) {
+        const std::string body = "#0 " + nothing + "! " + high + "! #5 " + low + "! #6 " + nothing +
+                                 "! #7 b" + nothing + " ! #9 b" + high + " !";
+        const auto trace = read(one_wire(body)).at(0).trace;
+        EXPECT_TRUE(trace.initial()) << body;
+        EXPECT_EQ(flips_us(trace), (std::vector<double>{5, 9})) << body;
+      }
+}
+
+TEST(Vcd, ADumpThatIsSwitchedOffSaysNothing) {
+  EXPECT_EQ(flips_us(read(one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
+                                   "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
+                         .at(0)
+                         .trace),
+            (std::vector<double>{5, 9}));
+}
+
+// Scopy and migen.
+TEST(Vcd, ABlankMayPartAValueFromItsCode) {
+  const auto both = read(
+      "$timescale 1 us $end $var wire 1 $ a $end $var wire 1 # b $end $enddefinitions $end\n"
+      "#0 1 $ 0 # #5 0 $\n#7\n1\n#\n#9 1\t$ #12");
+  EXPECT_EQ(flips_us(both.at(0).trace), (std::vector<double>{5, 9}));
+  EXPECT_EQ(flips_us(both.at(1).trace), (std::vector<double>{7}));
+}
+
+TEST(Vcd, TimesMayHaveAFraction) {
+  const auto trace = read(one_wire("#0.000 1! #12.5 0! #31666.667 1! #40000.")).at(0).trace;
+  EXPECT_EQ(flips_us(trace), (std::vector<double>{12.5, 31666.667}));
+  EXPECT_DOUBLE_EQ(trace.end().value, 0.04);
+}
+
+TEST(Vcd, AMissingTimescaleMayBeTold) {
+  const std::string bare = "$var wire 1 ! rx $end $enddefinitions $end\n#0 1! #5 0! #7";
+  EXPECT_EQ(flips_us(read(bare, told(Seconds(1e-6))).at(0).trace), (std::vector<double>{5}));
+  EXPECT_EQ(flips_us(read(bare, told(Seconds(1e-3))).at(0).trace), (std::vector<double>{5e3}));
+  // One that is there holds.
+  EXPECT_EQ(flips_us(read(one_wire("#0 1! #5 0!"), told(Seconds(1))).at(0).trace),
+            (std::vector<double>{5}));
+}
+
+TEST(Vcd, AnExtendedDumpIsRefusedByName) {
+  const std::string why = " (an extended VCD says who drives a port) dump it with $dumpvars";
+  EXPECT_EQ(failure_of(std::string("$timescale 1ns $end\n$var port 1 <0 rx $end\n")),
+            "'$var port' in a.vcd:2" + why);
+  EXPECT_EQ(failure_of(one_wire("#0\n$dumpports\npD 6 6 <0\n")), "$dumpports in a.vcd:3" + why);
+}
+
+// --- names
+
+/// The names of wires, and of each the time of its flip.
+std::string names_and_flips(const std::string& text, const std::string& asked = "") {
+  std::string line;
+  for (const NamedTrace& wire : read(text, asked_for(asked)))
+    line += wire.name + "@" + std::to_string(std::lround(flips_us(wire.trace).at(0))) + " ";
+  return line;
+}
+
+std::string scoped(const std::string& variables) {
+  return "$timescale 1 us $end\n$scope module top $end\n" + variables +
+         "$upscope $end $enddefinitions $end\n#0 1! 1\" 1# #1 0! #2 0\" #3 0#";
+}
+
+TEST(Vcd, AWireHasEachOfItsNames) {
+  const std::string text = scoped(
+      "$var wire 1 ! uart_line $end $scope module dut $end $var wire 1 ! rx $end "
+      "$var wire 1 \" tx $end $upscope $end $var wire 1 # tx_n $end\n");
+  EXPECT_EQ(names_and_flips(text), "uart_line@1 rx@1 tx@2 tx_n@3 ");
+  EXPECT_EQ(names_and_flips(text, "rx"), names_and_flips(text));
+  EXPECT_EQ(names_and_flips(text, "top.dut.rx"), names_and_flips(text) + "top.dut.rx@1 ");
+  EXPECT_EQ(names_and_flips(text, "top.tx_n"), names_and_flips(text) + "top.tx_n@3 ");
+  EXPECT_EQ(names_and_flips(text, "dut.tx_n"), names_and_flips(text));  // no such wire
+}
+
+TEST(Vcd, WiresOfOneNameAreToldApartByTheirPlaces) {
+  const std::string text = scoped(
+      "$var wire 1 ! rx $end $scope module dut $end $var wire 1 \" rx $end "
+      "$scope module pad $end $var wire 1 \" rx $end $upscope $end "
+      "$upscope $end $var wire 1 # tx $end\n");
+  EXPECT_EQ(names_and_flips(text), "top.rx@1 top.dut.rx@2 tx@3 rx@1 ");
+  EXPECT_EQ(names_and_flips(text, "top.dut.pad.rx"), names_and_flips(text) + "top.dut.pad.rx@2 ");
+}
+
+TEST(Vcd, WiresOfOneNameAndPlaceAreListedAsDeclared) {
+  EXPECT_EQ(names_and_flips("$timescale 1 us $end $var wire 1 ! rx $end $var wire 1 \" rx $end "
+                            "$upscope $end $enddefinitions $end #0 1! 1\" #1 0! #2 0\""),
+            "rx@1 rx@2 ");
+}
+
+// Each name of each wire, in random designs: its flip is that of its code.
+TEST(Vcd, NamesLeadToTheirCodesInAnyDesign) {
+  Random random(24);
+  for (int round = 0; round < 300; ++round) {
+    std::string text = "$timescale 1 us $end\n", place;
+    std::map<std::string, std::size_t> code_of;   // by the place
+    std::map<std::string, std::size_t> first_of;  // by the name alone
+    for (auto n = 1 + random() % 20; n > 0; --n) {
+      const std::string name(1, static_cast<char>('a' + random() % 4));
+      const auto kind = random() % 4;
+      if (kind == 0) {
+        text += "$scope module s" + name + " $end\n";
+        place += "s" + name + ".";
+      } else if (kind == 1 && !place.empty()) {
+        text += "$upscope $end\n";
+        place.resize(place.size() - 3);
+      } else if (const auto code = random() % 6; code_of.try_emplace(place + name, code).second) {
+        text +=
+            "$var wire 1 " + std::string(1, static_cast<char>('!' + code)) + " " + name + " $end\n";
+        first_of.try_emplace(name, code);
+      }
+    }
+    text += "$enddefinitions $end\n#0\n";
+    for (std::size_t code = 0; code < 6; ++code)
+      if (std::ranges::any_of(code_of, [&](const auto& one) { return one.second == code; }))
+        text += "#" + std::to_string(code + 1) + " 0" + static_cast<char>('!' + code) + "\n";
+    const auto flip_of = [&](const std::string& wire) {
+      const auto wires = read(text, asked_for(wire));
+      const auto found = std::ranges::find(wires, wire, &NamedTrace::name);
+      return found == wires.end() ? -1.0 : flips_us(found->trace).at(0);
+    };
+    for (const auto& [place_of, code] : code_of) first_of[place_of] = code;
+    for (const auto& [wire, code] : first_of)
+      EXPECT_EQ(flip_of(wire), static_cast<double>(code) + 1) << wire << " of\n" << text;
+  }
+}
+
 TEST(Vcd, ALateFirstTimeGivesTheInitialLevel) {
   const auto trace = read(one_wire("#1000 0! #1500 1!")).at(0).trace;
   EXPECT_FALSE(trace.initial());
@@ -171,7 +306,8 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains("PK\x03\x04 zip",
            "'PK?"
            "?' in a.vcd:1 (not a VCD declaration)");
-  contains("$enddefinitions $end", "no $timescale in a.vcd:1");
+  contains("$enddefinitions $end",
+           "no $timescale in a.vcd:1 (times have no unit without it) say --time-unit 1us");
   contains(one_wire("", "us"), "timescale 'us'");
   contains(one_wire("", "1 lightyear"), "timescale '1lightyear'");
   contains(one_wire("", "0 us"), "timescale '0us'");
@@ -180,11 +316,16 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains(one_wire("\n#5 1!\n#abc"), "time '#abc' in a.vcd:4");
   contains(one_wire("#-5"), "time '#-5' in a.vcd:2");
   contains(one_wire("#"), "time '#' in a.vcd:2");
-  contains(one_wire("#99999999999999999999999"), "a whole number of ticks");
+  contains(one_wire("#99999999999999999999999"), "more than 30 years");
+  for (const char* time : {"#1e5", "#1.5x", "#.5", "#nan", "#0x9", "#1,5"})
+    contains(one_wire(time),
+             std::string("time '") + time + "' in a.vcd:2 (it must be # and a numb");
   contains(one_wire("#18446744073709551615"), "more than 30 years");
   contains(one_wire("#9 0!\n#5 1!"), "time #5 in a.vcd:3 (it is before");
   contains(one_wire("#5 1?"), "value of '?' in a.vcd:2 (no $var declares it)");
-  contains(one_wire("#5 1"), "value of '' in a.vcd:2");
+  contains(one_wire("#5 1"), "in a.vcd:2 (a value's code is missing)");
+  contains(one_wire("#5 b2 !"), "'b2' in a.vcd:2 (not a VCD value change)");
+  contains(one_wire("#5 b !"), "'b' in a.vcd:2 (not a VCD value change)");
   contains(one_wire("#5 b1"), "a vector's code is missing");
   contains(one_wire("#5 q!"), "'q!' in a.vcd:2 (not a VCD value change)");
   contains(one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
