@@ -11,6 +11,7 @@
 #include "sim/capture/raw_capture.hpp"
 #include "sim/capture/session_capture.hpp"
 #include "sim/capture/sigmf_capture.hpp"
+#include "sim/capture/text_mark.hpp"
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
@@ -59,16 +60,43 @@ struct Format {
   std::string_view name;       // also the file's ending, behind a dot
   std::string_view beginning;  // of every such file; empty: none is sure
   void (*open)(const fs::path&, const CaptureSettings&, Capture&);
+  bool is_text = false;  // read from Capture::in: a mark may stand before it
 };
 
-constexpr Format formats[] = {{"vcd", "$", as_vcd},
+constexpr Format formats[] = {{"vcd", "$", as_vcd, true},
                               {"sr", "PK\x03\x04", as_session},
-                              {"ook", ";pulse data", as_pulses},
+                              {"ook", ";pulse data", as_pulses, true},
                               {"wav", "RIFF", as_wav},
                               {"sigmf-meta", "", as_sigmf},
-                              {"csv", "", as_csv},
+                              {"sigmf-data", "", as_sigmf},
+                              {"csv", "", as_csv, true},
                               {"h5", "\x89HDF", as_netcdf},
                               {"bin", "", as_raw}};
+
+/// What is near a format and not read.
+struct OtherFile {
+  std::string_view ending, why, suggestion;
+};
+
+constexpr OtherFile other_files[] = {
+    {"sigmf", "it is a SigMF archive", "unpack it with tar -xf, and give the .sigmf-meta in it"},
+    {"sigmf-collection", "it is a SigMF collection", "give a .sigmf-meta that it names"}};
+
+/// In small letters, as file systems of instruments write capitals alone.
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  });
+  return ending.empty() ? "" : ending.substr(1);
+}
+
+void refuse_other(const fs::path& path, std::string_view ending) {
+  const auto* row = std::ranges::find(other_files, ending, &OtherFile::ending);
+  if (row != std::end(other_files))
+    throw bad_input("cannot decode " + path.string(), std::string(row->why),
+                    std::string(row->suggestion));
+}
 
 const Format* named(std::string_view name) {
   const auto* row = std::ranges::find(formats, name, &Format::name);
@@ -84,16 +112,23 @@ const Format* recognised(std::string_view beginning) {
 
 const Format& format_of(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
   if (!settings.format.empty()) return *named(settings.format);
-  const std::string ending = path.extension().string();
-  if (const Format* by_name = ending.empty() ? nullptr : named(ending.substr(1))) return *by_name;
-  if (const Format* by_content = recognised(capture.in->beginning())) return *by_content;
-  if (capture.in->beginning().empty())
+  const std::string ending = ending_of(path);
+  refuse_other(path, ending);
+  if (const Format* by_name = named(ending)) return *by_name;
+  const std::string_view beginning = capture.in->beginning();
+  const std::size_t mark = mark_bytes(beginning, path.string());
+  if (const Format* by_content = recognised(beginning.substr(mark))) return *by_content;
+  if (beginning.empty())
     throw bad_input("cannot decode " + path.string(), "nothing is in it",
                     "of a pipe, start the writer first");
   throw bad_input(
       "cannot decode " + path.string(),
       "neither its ending nor its first bytes name a capture format",
       fmt::format("give a .{} file, or say --format", fmt::join(capture_format_names(), " or .")));
+}
+
+void skip_mark(InputStream& in, const fs::path& path) {
+  for (std::size_t n = mark_bytes(in.beginning(), path.string()); n > 0; --n) in.rdbuf()->sbumpc();
 }
 
 }  // namespace
@@ -106,6 +141,7 @@ Capture open_capture(const fs::path& named, const CaptureSettings& settings) {
   if (settings.sample_bytes && format.open != as_raw)
     throw bad_input("--sample-bytes is not for " + path.string(), "its format says them itself",
                     "leave it out");
+  if (format.is_text) skip_mark(*capture.in, path);
   format.open(path, settings, capture);
   return capture;
 }

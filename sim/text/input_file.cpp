@@ -45,8 +45,14 @@ InputStream::InputStream(const fs::path& path, const std::string& what)
   rdbuf(&bytes_);
 }
 
+/// A pipe gives what was written so far, which may be one byte.
 std::string_view InputStream::Bytes::at_hand() {
-  if (gptr() == egptr()) underflow();
+  constexpr std::ptrdiff_t enough = 16;
+  if (gptr() == egptr()) setg(chunk_.data(), chunk_.data(), chunk_.data());
+  for (std::size_t n = 1; n > 0 && egptr() - gptr() < enough;) {
+    n = file_.read(egptr(), static_cast<std::size_t>(chunk_.data() + chunk_.size() - egptr()));
+    setg(eback(), gptr(), egptr() + n);
+  }
   return {gptr(), egptr()};
 }
 

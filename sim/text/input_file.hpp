@@ -35,7 +35,8 @@ class InputStream : public std::istream {
  public:
   InputStream(const std::filesystem::path& path, const std::string& what);
 
-  /// The bytes at hand before any was read: what a format is recognised by.
+  /// The bytes at hand before any was read, 16 or more unless there are fewer: what a format is
+  /// recognised by.
   std::string_view beginning() { return bytes_.at_hand(); }
 
  private:
