@@ -11,12 +11,16 @@ namespace sim {
 
 using dsp::Seconds;
 
-LogicSamples::LogicSamples(std::vector<std::string> wires, std::size_t unit_bytes,
+LogicSamples::LogicSamples(const std::vector<std::string>& bits, std::size_t unit_bytes,
                            dsp::Hertz sample_rate, Blocks blocks)
-    : wires_(std::move(wires)),
-      unit_bytes_(unit_bytes),
-      sample_rate_(sample_rate),
-      blocks_(std::move(blocks)) {}
+    : unit_bytes_(unit_bytes), sample_rate_(sample_rate), blocks_(std::move(blocks)) {
+  for (std::size_t bit = 0; bit < bits.size(); ++bit) {
+    if (bits[bit].empty()) continue;
+    wire_of_[bit] = wires_.size();
+    wired_ |= std::uint64_t{1} << bit;
+    wires_.push_back(bits[bit]);
+  }
+}
 
 Seconds LogicSamples::at(std::uint64_t sample) const {
   return Seconds(static_cast<double>(sample) / sample_rate_.value);
@@ -27,7 +31,7 @@ bool LogicSamples::read_unit(std::uint64_t& unit) {
   for (std::size_t i = 0; i < unit_bytes_; ++i) {
     if (block_.empty()) block_ = blocks_();
     if (block_.empty()) return false;
-    unit |= std::uint64_t{block_.front()} << (8 * i);
+    if (i < sizeof(unit)) unit |= std::uint64_t{block_.front()} << (8 * i);
     block_ = block_.subspan(1);
   }
   ++samples_;
@@ -45,12 +49,10 @@ void LogicSamples::skip_equal() {
 }
 
 bool LogicSamples::read_change() {
-  const std::uint64_t wired =
-      wires_.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << wires_.size()) - 1;
   first_ = samples_ == 0;
   std::uint64_t unit = 0;
   while (read_unit(unit)) {
-    changed_ = (first_ ? ~std::uint64_t{0} : unit ^ unit_) & wired;
+    changed_ = (first_ ? ~std::uint64_t{0} : unit ^ unit_) & wired_;
     unit_ = unit;
     if (changed_ != 0) return true;
     skip_equal();
@@ -60,9 +62,9 @@ bool LogicSamples::read_change() {
 
 std::optional<WireLevel> LogicSamples::next() {
   if (changed_ == 0 && !read_change()) return std::nullopt;
-  const auto wire = static_cast<std::size_t>(std::countr_zero(changed_));
+  const auto bit = static_cast<std::size_t>(std::countr_zero(changed_));
   changed_ &= changed_ - 1;
-  return WireLevel{wire, at(samples_ - 1), ((unit_ >> wire) & 1U) != 0, first_};
+  return WireLevel{wire_of_[bit], at(samples_ - 1), ((unit_ >> bit) & 1U) != 0, first_};
 }
 
 std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,

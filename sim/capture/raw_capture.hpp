@@ -2,6 +2,7 @@
 // Logic samples as logic analysers store them: a unit of some bytes a sample, bit 0 of its first
 // byte being the first channel. Raw files (.bin) have no header; sigrok's `binary` output has a
 // byte a sample for up to eight channels, two for up to sixteen, and so on.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <istream>
@@ -21,8 +22,9 @@ class LogicSamples : public LogicCapture {
   /// The next bytes, any number; none at the end.
   using Blocks = std::function<std::span<const std::uint8_t>()>;
 
-  /// A unit of 1 to 8 bytes has room for all wires.
-  LogicSamples(std::vector<std::string> wires, std::size_t unit_bytes, dsp::Hertz sample_rate,
+  /// The name of each bit's wire, for up to 64; bits without a name are none. A unit has room for
+  /// all, and may have more.
+  LogicSamples(const std::vector<std::string>& bits, std::size_t unit_bytes, dsp::Hertz sample_rate,
                Blocks blocks);
 
   const std::vector<std::string>& wires() const override { return wires_; }
@@ -37,6 +39,8 @@ class LogicSamples : public LogicCapture {
   void skip_equal();
 
   std::vector<std::string> wires_;
+  std::array<std::size_t, 64> wire_of_{};  // by the bit
+  std::uint64_t wired_ = 0;                // bits that have one
   std::size_t unit_bytes_;
   dsp::Hertz sample_rate_;
   Blocks blocks_;

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <sstream>
 #include <utility>
 
+#include "sim/capture/key_file.hpp"
 #include "sim/capture/raw_capture.hpp"
 #include "sim/capture/text_lines.hpp"
 #include "sim/failure.hpp"
@@ -54,8 +54,10 @@ class Archive {
     return static_cast<std::size_t>(n);
   }
 
-  [[noreturn]] void fail(const std::string& why) const {
-    throw bad_input("cannot read " + name_, why, "give a session as sigrok or PulseView save it");
+  [[noreturn]] void fail(const std::string& why, const std::string& suggestion =
+                                                     "give a session as sigrok or PulseView "
+                                                     "save it") const {
+    throw bad_input("cannot read " + name_, why, suggestion);
   }
 
  private:
@@ -70,6 +72,7 @@ class Chunks {
   Chunks(std::shared_ptr<Archive> archive, std::string name)
       : archive_(std::move(archive)), name_(std::move(name)) {
     open_ = archive_->open(name_) || archive_->open(name_ + "-1");
+    if (!open_) archive_->fail("it has no member " + shown(name_));
   }
 
   std::size_t read(void* to, std::size_t size) {
@@ -95,19 +98,29 @@ struct Metadata {
   std::map<std::string, std::size_t> analogue;  // channel numbers by name
 };
 
-using Entries = std::map<std::string, std::string, std::less<>>;
+void refuse_other_version(Archive& archive) {
+  char version = '2';
+  if (archive.open("version")) archive.read(&version, 1);
+  if (version != '1' && version != '2') archive.fail("its version is neither 1 nor 2");
+}
 
-Entries read_entries_of(Archive& archive) {
+std::string read_metadata(Archive& archive) {
   if (!archive.open("metadata")) archive.fail("it has no member metadata");
-  std::array<char, longest_metadata> text;
+  std::string text(longest_metadata + 1, '\0');
   std::size_t size = 0;
   while (const std::size_t n = archive.read(text.data() + size, text.size() - size)) size += n;
-  std::istringstream lines(std::string(text.data(), size));
-  Entries entries;
-  for (std::string line; std::getline(lines, line);)
-    if (const std::size_t equal = line.find('='); equal != std::string::npos)
-      entries.emplace(line.substr(0, equal), line.substr(equal + 1));
-  return entries;
+  if (size > longest_metadata) archive.fail("its metadata are over 64 KiB");
+  return text.substr(0, size);
+}
+
+/// The first device that has logic samples, else the first.
+KeyGroup device_of(const Archive& archive, const std::string& metadata) {
+  std::vector<KeyGroup> groups = read_key_file(metadata);
+  std::erase_if(groups, [](const KeyGroup& group) { return !group.name.starts_with("device "); });
+  if (groups.empty()) archive.fail("its metadata have no device");
+  const auto with_logic = std::ranges::find_if(
+      groups, [](const KeyGroup& group) { return !group.value("capturefile").empty(); });
+  return with_logic == groups.end() ? groups.front() : *with_logic;
 }
 
 /// `number` of a key like probe3; nothing for other keys.
@@ -121,11 +134,12 @@ std::optional<std::size_t> number_behind(std::string_view prefix, std::string_vi
   return number;
 }
 
-std::vector<std::string> wires_of(const Archive& archive, const Entries& entries) {
+/// Channels without a name are not used.
+std::vector<std::string> wires_of(const Archive& archive, const KeyGroup& device) {
   std::vector<std::string> wires;
-  for (const auto& [key, value] : entries) {
+  for (const auto& [key, value] : device.entries) {
     const auto probe = number_behind("probe", key);
-    if (!probe) continue;
+    if (!probe || value.empty()) continue;
     if (*probe > most_wires) archive.fail("it has more than 64 logic channels");
     if (*probe > wires.size()) wires.resize(*probe);
     wires[*probe - 1] = value;
@@ -133,21 +147,26 @@ std::vector<std::string> wires_of(const Archive& archive, const Entries& entries
   return wires;
 }
 
-Metadata parse(const Archive& archive, const Entries& entries) {
-  const auto entry = [&](const char* key, const std::string& otherwise) {
-    const auto found = entries.find(key);
-    return found == entries.end() ? otherwise : found->second;
-  };
+/// Where the metadata do not say it, sessions have room for all channels, used or not.
+std::size_t unit_bytes_of(const Archive& archive, const KeyGroup& device, std::size_t wires) {
+  const std::size_t channels = number_behind("", device.value("total probes")).value_or(0);
+  const std::string said = device.value("unitsize");
+  if (said.empty()) return (std::max({wires, channels, std::size_t{1}}) + 7) / 8;
+  const std::size_t bytes = number_behind("", said).value_or(0);
+  if (bytes == 0 || bytes < (wires + 7) / 8) archive.fail("its unitsize does not fit its channels");
+  return bytes;
+}
+
+Metadata parse(const Archive& archive, const KeyGroup& device) {
   Metadata metadata;
-  metadata.logic_name = entry("capturefile", "logic-1");
-  metadata.sample_rate = parse_sample_rate(entry("samplerate", ""));
-  metadata.wires = wires_of(archive, entries);
-  metadata.unit_bytes = number_behind("", entry("unitsize", "1")).value_or(0);
-  if (metadata.unit_bytes < (metadata.wires.size() + 7) / 8 || metadata.unit_bytes > 8 ||
-      metadata.unit_bytes == 0)
-    archive.fail("its unitsize does not fit its channels");
-  for (const auto& [key, value] : entries)
-    if (const auto number = number_behind("analog", key)) metadata.analogue[value] = *number;
+  if (const std::string name = device.value("capturefile"); !name.empty())
+    metadata.logic_name = name;
+  metadata.sample_rate = parse_sample_rate(device.value("samplerate"));
+  metadata.wires = wires_of(archive, device);
+  metadata.unit_bytes = unit_bytes_of(archive, device, metadata.wires.size());
+  for (const auto& [key, value] : device.entries)
+    if (const auto number = number_behind("analog", key); number && !value.empty())
+      metadata.analogue[value] = *number;
   return metadata;
 }
 
@@ -204,9 +223,11 @@ std::unique_ptr<LogicCapture> open_logic(const std::shared_ptr<Archive>& archive
 
 void open_session(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
   const auto archive = std::make_shared<Archive>(path);
-  Metadata metadata = parse(*archive, read_entries_of(*archive));
+  refuse_other_version(*archive);
+  Metadata metadata = parse(*archive, device_of(*archive, read_metadata(*archive)));
   if (settings.sample_rate) metadata.sample_rate = settings.sample_rate;
-  if (!metadata.sample_rate) archive->fail("its metadata has no samplerate of 1 Hz to 1 THz");
+  if (!metadata.sample_rate)
+    archive->fail("its metadata have no samplerate of 1 Hz to 1 THz", "say --sample-rate");
   const auto analogue = metadata.wires.empty() && settings.wire.empty()
                             ? metadata.analogue.begin()
                             : metadata.analogue.find(settings.wire);

@@ -49,7 +49,8 @@ std::string shown(std::string_view text) {
 
 std::optional<dsp::Hertz> parse_sample_rate(std::string_view text) {
   static const std::map<std::string, double, std::less<>> units = {
-      {"", 1}, {"Hz", 1}, {"kHz", 1e3}, {"MHz", 1e6}, {"GHz", 1e9}};
+      {"", 1},    {"Hz", 1},    {"k", 1e3}, {"kHz", 1e3}, {"KHz", 1e3},
+      {"M", 1e6}, {"MHz", 1e6}, {"G", 1e9}, {"GHz", 1e9}};
   const std::size_t digits = std::min(text.find_first_not_of("0123456789.+e "), text.size());
   const auto number = parse_number(text.substr(0, digits));
   const auto unit = units.find(text.substr(digits));

@@ -118,8 +118,10 @@ TEST(SampleRate, IsReadWithItsUnit) {
   EXPECT_EQ(parse_sample_rate("44.1 kHz"), Hertz(44.1e3));
   EXPECT_EQ(parse_sample_rate("96000"), Hertz(96000));
   EXPECT_EQ(parse_sample_rate("2 GHz"), Hertz(2e9));
+  EXPECT_EQ(parse_sample_rate("3k"), Hertz(3e3));
+  EXPECT_EQ(parse_sample_rate("1 M"), Hertz(1e6));
   for (const char* wrong :
-       {"", "Hz", "-1", "0", "1 mHz", "inf", "1e999", "nan kHz", "0.9", "1000.1 GHz"})
+       {"", "Hz", "-1", "0", "1 mHz", "1 m", "1 kk", "inf", "1e999", "nan kHz", "0.9", "1000.1 GHz"})
     EXPECT_EQ(parse_sample_rate(wrong), std::nullopt) << wrong;
 }
 
