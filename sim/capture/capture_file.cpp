@@ -11,6 +11,7 @@
 #include "sim/capture/raw_capture.hpp"
 #include "sim/capture/session_capture.hpp"
 #include "sim/capture/sigmf_capture.hpp"
+#include "sim/capture/sigmf_meta.hpp"
 #include "sim/capture/text_mark.hpp"
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
@@ -52,6 +53,10 @@ void as_sigmf(const fs::path& path, const CaptureSettings& settings, Capture& ca
   capture.samples = open_sigmf(path, settings);
 }
 
+void as_sigmf_data(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  as_sigmf(sigmf_beside(path, ".sigmf-meta"), settings, capture);
+}
+
 void as_netcdf(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
   open_netcdf(path, settings, capture);
 }
@@ -68,7 +73,7 @@ constexpr Format formats[] = {{"vcd", "$", as_vcd, true},
                               {"ook", ";pulse data", as_pulses, true},
                               {"wav", "RIFF", as_wav},
                               {"sigmf-meta", "", as_sigmf},
-                              {"sigmf-data", "", as_sigmf},
+                              {"sigmf-data", "", as_sigmf_data},
                               {"csv", "", as_csv, true},
                               {"h5", "\x89HDF", as_netcdf},
                               {"bin", "", as_raw}};
