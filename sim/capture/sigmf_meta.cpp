@@ -68,6 +68,8 @@ class SigmfMeta {
       json_ = Json::parse(std::string_view(text).substr(mark_bytes(text, file.string())));
     } catch (const Json::parse_error& error) {
       throw unreadable_recording(file, fmt::format("no JSON from byte {} on", error.byte));
+    } catch (const Json::out_of_range&) {
+      throw unreadable_recording(file, "it has a number that no computer has room for");
     }
     if (!global().is_object()) fail("it has no object global");
     if (!captures().is_array()) fail("its captures are no list");

@@ -19,7 +19,8 @@ void WireNames::leave() {
 }
 
 void WireNames::add(std::string name, std::size_t code) {
-  const Variable& added = variables_.emplace_back(std::move(name), open_.back(), code);
+  variables_.push_back({std::move(name), open_.back(), code});
+  const Variable& added = variables_.back();
   if (!asked_code_ && is_asked(added)) asked_code_ = code;
   // Of a variable, of its place in an order, and of its name in the list.
   bytes_ += sizeof(Variable) + 3 * sizeof(std::size_t) + sizeof(std::string) + added.name.size();

@@ -1,4 +1,6 @@
 // Captures of samples: WAV and SigMF, of every kind that is read, and what is wrong with others.
+#include <algorithm>
+
 #include "capture_fixture.hpp"
 #include "sim/capture/text_lines.hpp"
 
@@ -226,6 +228,7 @@ TEST_F(Sigmf, WhatMayChangeTheMeaningIsRefusedByName) {
   EXPECT_EQ(global(R"("core:dataset":"../x")"),
             "core:dataset is not the name of a file beside it" + give);
   EXPECT_EQ(global(R"("core:trailing_bytes":-1)"), "core:trailing_bytes is no count" + give);
+  EXPECT_EQ(global(R"("x:y":1e999)"), "it has a number that no computer has room for" + give);
   EXPECT_EQ(global(R"("core:offset":1)"), "no failure");  // there are no captures
   EXPECT_EQ(why(meta("ri8", R"(,"core:offset":1)", R"({"core:sample_start":0})")),
             "a core:sample_start is before core:offset" + give);
