@@ -61,10 +61,11 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   write("garbage.vcd", "garbage\n");
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   expect_refused({"decode", "missing.vcd"}, bad_input, "missing.vcd (no such file) check the path");
-  expect_refused({"decode", "s.toml"}, bad_input,
-                 "cannot decode s.toml (neither its ending nor its first bytes name a capture "
-                 "format) give a .vcd or .sr or .ook or .wav or .sigmf-meta or .csv or .h5 or "
-                 ".bin file, or say --format");
+  expect_refused(
+      {"decode", "s.toml"}, bad_input,
+      "cannot decode s.toml (neither its ending nor its first bytes name a capture "
+      "format) give a .vcd or .sr or .ook or .wav or .sigmf-meta or .sigmf-data or .csv or .h5 or "
+      ".bin file, or say --format");
   for (const char* baud : {"nan", "inf", "0", "1e7", "x", ""})
     EXPECT_EQ(program({"decode", "t.vcd", "--baud", baud}).code, bad_input) << baud;
   expect_refused({"decode", "t.vcd", "--wire", "tr"}, bad_input,
