@@ -16,7 +16,6 @@
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
-#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {
@@ -132,6 +131,28 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
       fmt::format("give a .{} file, or say --format", fmt::join(capture_format_names(), " or .")));
 }
 
+/// Looks at the wires, and takes one.
+void choose_wire(const std::string& file, const CaptureSettings& settings, Capture& capture) {
+  if (capture.logic->wires().empty())
+    throw bad_input(file + " holds no one-bit wire", "there is nothing to decode",
+                    "give a capture of the receiver's output");
+  auto surveyed = std::make_unique<SurveyedCapture>(std::move(capture.logic), settings.hints);
+  const std::vector<WireSurvey>& wires = surveyed->surveys();
+  WireChoice choice;
+  if (settings.wire.empty())
+    choice = choice_of_wire(wires);
+  else
+    choice.wire = named_wire(surveyed->wires(), settings.wire, file);
+  CaptureFacts& facts = capture.facts;
+  facts.channels.clear();
+  for (const WireSurvey& wire : wires) facts.channels.push_back({wire.name, wire.edges});
+  facts.channel = wires[choice.wire].name;
+  facts.is_whole = surveyed->is_whole();
+  if (choice.rival) facts.rival = wires[*choice.rival].name;
+  capture.wire = choice.wire;
+  capture.logic = std::move(surveyed);
+}
+
 void skip_mark(InputStream& in, const fs::path& path) {
   for (std::size_t n = mark_bytes(in.beginning(), path.string()); n > 0; --n) in.rdbuf()->sbumpc();
 }
@@ -148,19 +169,9 @@ Capture open_capture(const fs::path& named, const CaptureSettings& settings) {
                     "leave it out");
   if (format.is_text) skip_mark(*capture.in, path);
   format.open(path, settings, capture);
+  capture.facts.format = format.name;
+  if (capture.logic) choose_wire(path.string(), settings, capture);
   return capture;
-}
-
-std::size_t wanted_wire(const std::vector<std::string>& wires, const std::string& wanted,
-                        const std::string& file) {
-  const auto found = std::ranges::find(wires, wanted.empty() ? "rx" : wanted);
-  if (found != wires.end()) return static_cast<std::size_t>(found - wires.begin());
-  if (wires.empty())
-    throw bad_input(file + " holds no one-bit wire", "there is nothing to decode",
-                    "give a capture of the receiver's output");
-  if (wanted.empty()) return 0;
-  throw bad_input(fmt::format("--wire {} is not in {}", wanted, file),
-                  "the capture has no such wire", "use " + nearest(wanted, wires));
 }
 
 std::vector<std::string> capture_format_names() {

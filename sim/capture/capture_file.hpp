@@ -10,6 +10,7 @@
 
 #include "sim/capture/logic_capture.hpp"
 #include "sim/capture/sample_capture.hpp"
+#include "sim/capture/wire_choice.hpp"
 #include "sim/text/input_file.hpp"
 
 namespace sim {
@@ -20,22 +21,37 @@ struct CaptureSettings {
   std::optional<dsp::Hertz> sample_rate;  // for formats that do not say it; overrides a file's own
   std::string format;                     // empty: by the file's ending, else by its first bytes
   std::optional<int> sample_bytes{};      // of raw files, 1 to 8; nothing: 1
-  std::optional<dsp::Seconds> tick{};     // time unit of a file that does not say its own
+  std::optional<dsp::Seconds> tick{};     // unit of time, where a file does not say its own
+  std::size_t skip_rows = 0;              // lines of a table that are passed over
+  LineHints hints{};                      // by which a wire is chosen
+};
+
+/// What was read, and how: to be said to the user.
+struct CaptureFacts {
+  struct Channel {
+    std::string name;
+    std::optional<std::uint64_t> edges;  // nothing: they were not counted
+  };
+
+  std::string format, channel;  // the one that is read
+  std::vector<Channel> channels;
+  bool is_whole = true;  // edges are those of the whole capture, not of its beginning
+  std::string time;      // how instants are told; empty: as the format says
+  std::vector<std::string> assumed;
+  std::optional<std::string> rival;  // another channel that reads as well
 };
 
 /// One of the two is there: `samples` where the wanted channel is an analogue one.
 struct Capture {
   std::unique_ptr<InputStream> in;
   std::unique_ptr<LogicCapture> logic;
+  std::size_t wire = 0;  // of `logic`: the one to read
   std::unique_ptr<SampleCapture> samples;
+  CaptureFacts facts;
 };
 
 /// Throws Failure(bad_input) for what is no capture.
 Capture open_capture(const std::filesystem::path& named, const CaptureSettings& settings);
-
-/// The wire that was asked for; without one "rx", else the first.
-std::size_t wanted_wire(const std::vector<std::string>& wires, const std::string& wanted,
-                        const std::string& file);
 
 std::vector<std::string> capture_format_names();
 

@@ -1,161 +1,240 @@
 #include "sim/capture/csv_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
+#include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
 
-constexpr std::size_t longest_head = 1000;  // lines
-constexpr std::string_view blanks = " \t";
+constexpr std::size_t most_first_lines = 1000, most_cells_ahead = 2'000'000;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-std::string_view trimmed(std::string_view text) {
-  const auto no_blank = [](char c) { return blanks.find(c) == std::string_view::npos && c != '"'; };
-  const auto first = std::ranges::find_if(text, no_blank);
-  auto last = text.end();
-  while (last != first && !no_blank(*(last - 1))) --last;
-  return {first, last};
+std::string unquoted(std::string_view field) {
+  std::string_view text = trimmed(field);
+  while (!text.empty() && text.front() == '"') text.remove_prefix(1);
+  while (!text.empty() && text.back() == '"') text.remove_suffix(1);
+  return std::string(trimmed(text));
 }
 
 bool is_remark(std::string_view line) {
   return line.empty() || line.front() == ';' || line.front() == '#' || line.front() == '%';
 }
 
-char separator_of(std::string_view line) {
-  for (const char separator : {';', '\t', ','})
-    if (line.find(separator) != std::string_view::npos) return separator;
-  return ' ';
+std::vector<std::string> without_empty_tail(std::vector<std::string> fields) {
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  return fields;
 }
 
-/// "(ms)", in a row of its own below the names: PicoScope, Siglent.
-bool is_unit(std::string_view field) {
-  const std::string_view text = trimmed(field);
-  return text.starts_with('(') && text.ends_with(')');
+/// "2024-05-01T12:00:00.25", "12:00:01.5": a time of day, which is no number.
+bool is_clock_time(const std::string& field) {
+  const std::size_t colon = field.find(':');
+  return colon != std::string::npos && colon > 0 && colon + 1 < field.size() &&
+         std::isdigit(static_cast<unsigned char>(field[colon - 1])) != 0 &&
+         std::isdigit(static_cast<unsigned char>(field[colon + 1])) != 0;
 }
 
-/// "; Channels (2/2): rx, tx" of sigrok.
-std::vector<std::string> sigrok_channels(std::string_view line) {
-  std::vector<std::string> names;
-  std::string_view rest = line.substr(std::min(line.find(": "), line.size() - 1) + 1);
-  while (!rest.empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    names.emplace_back(trimmed(rest.substr(0, comma)));
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  return names;
+bool says_nothing(const std::string& field) {
+  return field == "X" || field == "x" || field == "Z" || field == "z" || field == "-";
 }
 
 }  // namespace
 
-CsvTable::CsvTable(std::istream& in, std::string file)
+CsvTable::CsvTable(std::istream& in, std::string file, std::size_t skip)
     : lines_(in, std::move(file), "give rows of numbers, a column for each wire") {
+  read_first_lines(skip);
+  find_layout();
+  widen_to_names();
   read_head();
-  while (ahead_.size() < rows_ahead) {
+  const std::size_t most = most_cells_ahead / columns_.size();
+  while (ahead_.size() < most) {
     auto row = read_row();
-    if (!row) break;
+    whole_ = !row;
+    if (whole_) break;
     ahead_.push_back(std::move(*row));
+    ahead_numbers_.push_back(at_line_);
   }
+  if (ahead_.empty()) fail("no row of numbers", "there is nothing to decode");
 }
 
-void CsvTable::read_head() {
-  for (std::size_t count = 0; count < longest_head; ++count) {
+void CsvTable::read_first_lines(std::size_t skip) {
+  for (std::size_t i = 0; i < skip; ++i)
+    if (!lines_.next()) lines_.fail("--skip-rows", "the file has fewer lines");
+  while (first_lines_.size() < most_first_lines) {
     const auto line = lines_.next();
-    if (!line) break;
-    if (!is_remark(*line)) separator_ = separator_of(*line);
-    const auto row = is_remark(*line) || lines_.is_cut() ? std::nullopt : numbers(*line);
-    if (row) {
-      if (grid_field_ > 0 && !grid_) fail("no start and increment", "rows are counted by them");
-      name_columns(row->size());
-      ahead_.push_back(*row);
-      return;
-    }
-    read_head_line(*line);
-  }
-  fail("no row of numbers", "there is nothing to decode");
-}
-
-void CsvTable::read_head_line(std::string_view line) {
-  const std::size_t rate = line.find("amplerate: ");
-  if (rate != std::string_view::npos) {
-    sample_rate_ = parse_sample_rate(line.substr(line.find(' ', rate) + 1));
-  } else if (line.starts_with("; Channels (")) {
-    channels_ = sigrok_channels(line);
-  } else if (!is_remark(line)) {
-    read_names(line);
+    first_are_all_ = !line;
+    if (first_are_all_) break;
+    cut_ = lines_.is_cut();
+    first_lines_.push_back({lines_.number(), std::string(*line)});
   }
 }
 
-void CsvTable::read_names(std::string_view line) {
-  const auto fields = split(line);
-  if (grid_field_ > 0 && !grid_) return read_grid(fields);
-  if (!fields.empty() && fields.size() == columns_.size() && std::ranges::all_of(fields, is_unit)) {
-    columns_.front() += trimmed(fields.front());  // that of the time
-    return;
+std::vector<std::string> CsvTable::fields_of(std::string_view line, char separator) const {
+  std::vector<std::string> fields;
+  if (separator == ' ') {
+    for (const std::string_view field : split(line, ' '))
+      if (!trimmed(field).empty()) fields.push_back(unquoted(field));
+    return fields;
   }
-  columns_.clear();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string_view name = trimmed(fields[i]),
-                           next = i + 1 < fields.size() ? fields[i + 1] : "";
-    if (i > 0 && name.starts_with("t0") && name.find('=') != std::string_view::npos) return;
-    if (i > 0 && name == "Start" && trimmed(next) == "Increment") {
-      grid_field_ = i;
-      columns_.front() = "time";
-      return;
-    }
-    columns_.emplace_back(name);
-  }
-}
-
-void CsvTable::read_grid(const std::vector<std::string_view>& fields) {
-  if (fields.size() < grid_field_ + 2) return;
-  const auto start = parse_number(std::string(trimmed(fields[grid_field_])));
-  const auto increment = parse_number(std::string(trimmed(fields[grid_field_ + 1])));
-  if (start && increment && std::isfinite(*start) && *increment > 0) grid_ = {*start, *increment};
-}
-
-void CsvTable::name_columns(std::size_t count) {
-  if (channels_.size() == count) columns_ = channels_;
-  if (columns_.size() == count) return;
-  columns_.clear();
-  for (std::size_t i = 0; i < count; ++i) columns_.push_back(std::to_string(i));
-}
-
-std::vector<std::string_view> CsvTable::split(std::string_view line) const {
-  std::vector<std::string_view> fields;
-  while (!line.empty()) {
-    const std::size_t end = std::min(line.find(separator_), line.size());
-    if (separator_ != ' ' || end > 0) fields.push_back(line.substr(0, end));
-    line.remove_prefix(std::min(end + 1, line.size()));
-  }
+  for (const std::string_view field : split(line, separator)) fields.push_back(unquoted(field));
   return fields;
 }
 
-std::optional<std::vector<double>> CsvTable::numbers(std::string_view line) const {
-  std::vector<double> row;
-  auto fields = split(line);
-  while (!fields.empty() && trimmed(fields.back()).empty()) fields.pop_back();
-  for (const std::string_view field : fields) {
-    std::string text(trimmed(field));
-    if (separator_ == ';') std::ranges::replace(text, ',', '.');  // 0,5 is a half
-    const auto number = parse_number(text);
-    if (!number || !std::isfinite(*number)) return std::nullopt;
-    row.push_back(*number);
+/// NaN where it says nothing; nothing where it is no cell of a row.
+std::optional<double> CsvTable::cell_of(const std::string& field, bool decimal_comma) const {
+  if (field.empty() || says_nothing(field)) return nothing;
+  std::string text = field;
+  if (decimal_comma) std::ranges::replace(text, ',', '.');
+  const auto number = parse_number(text);
+  if (!number) return std::nullopt;
+  return std::isfinite(*number) ? *number : nothing;
+}
+
+/// How a line is a row: all of its fields, or those behind an empty one to which a head stands
+/// beside.
+std::optional<CsvTable::Layout> CsvTable::layout_of(const std::string& line, char separator,
+                                                    bool comma) const {
+  if (is_remark(line)) return std::nullopt;
+  const std::vector<std::string> fields = without_empty_tail(fields_of(line, separator));
+  const auto is_number = [&](const std::string& field) {
+    const auto cell = cell_of(field, comma);
+    return cell && std::isfinite(*cell);
+  };
+  const bool all = std::ranges::all_of(
+      fields, [&](const std::string& field) { return cell_of(field, comma).has_value(); });
+  if (!fields.empty() && all && is_number(fields.front()))
+    return Layout{separator, comma, 0, fields.size()};
+  std::size_t first = fields.size();
+  while (first > 0 && is_number(fields[first - 1])) --first;
+  if (fields.size() - first < 2 || first == 0 || !fields[first - 1].empty()) return std::nullopt;
+  return Layout{separator, comma, first, fields.size() - first};
+}
+
+/// The layout of most lines; of several of as many the one of more columns.
+void CsvTable::find_layout() {
+  using Key = std::tuple<char, bool, std::size_t, std::size_t>;
+  std::map<Key, std::size_t> counts;
+  for (const auto& [separator, comma] : {std::pair{',', false},
+                                         {';', false},
+                                         {';', true},
+                                         {'\t', false},
+                                         {'\t', true},
+                                         {' ', false}})
+    for (const Line& line : first_lines_)
+      if (const auto layout = layout_of(line.text, separator, comma))
+        ++counts[{separator, comma, layout->first, layout->count}];
+  const auto better = [](const auto& a, const auto& b) {
+    const auto& [sep_a, comma_a, first_a, count_a] = a.first;
+    const auto& [sep_b, comma_b, first_b, count_b] = b.first;
+    return std::tuple(a.second, count_a, !comma_a) < std::tuple(b.second, count_b, !comma_b);
+  };
+  const auto best = std::ranges::max_element(counts, better);
+  if (best == counts.end()) {
+    refuse_clock_times();
+    at_line_ = lines_.number();
+    fail("no row of numbers", "there is nothing to decode");
   }
-  if (row.empty()) return std::nullopt;
-  if (grid_) row.front() = grid_->start + grid_->increment * row.front();
-  if (!std::isfinite(row.front())) return std::nullopt;
+  std::tie(layout_.separator, layout_.decimal_comma, layout_.first, layout_.count) = best->first;
+}
+
+/// A last column of which no row says anything has its name all the same: the head's last line, if
+/// it has as many fields as rows have separators for.
+void CsvTable::widen_to_names() {
+  const std::vector<std::string>* names = nullptr;
+  std::vector<std::string> fields;
+  for (const Line& line : first_lines_) {
+    if (line.text.find("Increment") != std::string::npos) return;  // behind the names of Rigol
+    if (layout_.first > 0 || row_of(line.text)) break;
+    if (is_remark(line.text)) continue;
+    fields = without_empty_tail(fields_of(line.text, layout_.separator));
+    names = &fields;
+  }
+  if (names == nullptr || names->size() <= layout_.count) return;
+  const Layout narrow =
+      std::exchange(layout_, {layout_.separator, layout_.decimal_comma, 0, names->size()});
+  const bool all = std::ranges::any_of(
+      first_lines_, [&](const Line& line) { return row_of(line.text).has_value(); });
+  if (!all) layout_ = narrow;
+}
+
+void CsvTable::refuse_clock_times() {
+  for (const Line& line : first_lines_)
+    for (const char separator : {',', ';', '\t'})
+      for (const std::string& field : fields_of(line.text, separator)) {
+        at_line_ = line.number;
+        if (!is_remark(line.text) && is_clock_time(field))
+          fail("the time '" + shown(field) + "'", "it is a time of day, and no number of seconds");
+      }
+}
+
+void CsvTable::read_head() {
+  for (std::size_t i = 0; i < first_lines_.size(); ++i) {
+    const std::string& line = first_lines_[i].text;
+    at_line_ = first_lines_[i].number;
+    const bool is_row = row_of(line).has_value();
+    if (is_row && layout_.first == 0 && (!head_.has_grid_names() || head_.grid())) {
+      first_lines_.erase(first_lines_.begin(),
+                         first_lines_.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+    const std::vector<std::string> fields = fields_of(line, layout_.separator);
+    if (layout_.first == 0)
+      head_.read(fields, line);
+    else if (!fields.empty() && !fields.front().empty())
+      head_.read_beside({fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                              fields.size(), layout_.first))});
+  }
+  if (head_.unknown())
+    fail(head_.unknown()->of + " '" + shown(head_.unknown()->word) + "'",
+         "it is in no unit that is known here");
+  if (head_.has_grid_names() && !head_.grid())
+    fail("no start and increment", "rows are counted by them");
+  columns_ = head_.columns(layout_.count);
+  if (head_.grid()) columns_.front() = {"time", "", "time"};
+}
+
+std::optional<std::vector<double>> CsvTable::row_of(std::string_view line) const {
+  if (is_remark(line)) return std::nullopt;
+  const std::vector<std::string> all = fields_of(line, layout_.separator),
+                                 fields = without_empty_tail(all);
+  const std::size_t end = layout_.first + layout_.count;
+  if (fields.size() > end || all.size() < end) return std::nullopt;
+  std::vector<double> row(layout_.count, nothing);
+  for (std::size_t i = layout_.first; i < fields.size(); ++i) {
+    const auto cell = cell_of(fields[i], layout_.decimal_comma);
+    if (!cell) return std::nullopt;
+    row[i - layout_.first] = *cell;
+  }
+  if (fields.size() <= layout_.first || !std::isfinite(row.front())) return std::nullopt;
+  if (head_.grid()) row.front() = head_.grid()->start + head_.grid()->increment * row.front();
   return row;
 }
 
+std::optional<std::string> CsvTable::next_line() {
+  if (first_lines_.empty()) {
+    const auto line = first_are_all_ ? std::nullopt : lines_.next();
+    at_line_ = lines_.number();
+    if (!line) return std::nullopt;
+    cut_ = lines_.is_cut();
+    return std::string(*line);
+  }
+  Line line = std::move(first_lines_.front());
+  first_lines_.pop_front();
+  at_line_ = line.number;
+  return std::move(line.text);
+}
+
 std::optional<std::vector<double>> CsvTable::read_row() {
-  while (const auto line = lines_.next()) {
-    if (is_remark(*line)) continue;
-    auto row = numbers(*line);
-    if (row && row->size() == columns_.size()) return row;
-    if (lines_.is_cut()) return std::nullopt;
+  while (const auto line = next_line()) {
+    if (is_remark(*line) || trimmed(*line).empty()) continue;
+    if (auto row = row_of(*line)) return row;
+    if (cut_ && first_lines_.empty()) return std::nullopt;
     fail("'" + shown(*line) + "'", "not as many numbers as there are columns");
   }
   return std::nullopt;
@@ -164,7 +243,9 @@ std::optional<std::vector<double>> CsvTable::read_row() {
 std::optional<std::vector<double>> CsvTable::next() {
   if (ahead_.empty()) return read_row();
   std::vector<double> row = std::move(ahead_.front());
+  at_line_ = ahead_numbers_.front();
   ahead_.pop_front();
+  ahead_numbers_.pop_front();
   return row;
 }
 

@@ -1,60 +1,72 @@
 #pragma once
 // Rows of numbers out of text, as logic analysers, oscilloscopes and programs write them: columns
-// apart by comma, semicolon, tab or blanks, whatever lines stand before the first row of numbers.
-// The last of those with as many fields names the columns. Rigol's oscilloscopes end a line with a
-// comma and say behind the names how rows lie in time: "X,CH1,Start,Increment," and a line of the
-// two numbers, rows then being counted, or "Time(s),CH1(V),t0 = ..., tInc = ...,".
+// apart by comma, semicolon, tab or blanks, decimals with a point or, where a comma separates
+// nothing, with a comma. What is no row is the head (csv_head.hpp), above the rows or beside them.
+// A cell that says nothing (X, NaN, inf, empty) is NaN: Saleae's and PicoScope's where a channel is
+// off.
 #include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/capture/csv_head.hpp"
 #include "sim/capture/text_lines.hpp"
 
 namespace sim {
 
 class CsvTable {
  public:
-  /// Reads up to `rows_ahead` rows, to see what the columns hold.
-  CsvTable(std::istream& in, std::string file);
+  /// Passes `skip` lines over, then reads rows ahead, to see what the columns hold.
+  CsvTable(std::istream& in, std::string file, std::size_t skip);
 
-  const std::vector<std::string>& columns() const { return columns_; }
-  /// Of sigrok's header.
-  std::optional<dsp::Hertz> sample_rate() const { return sample_rate_; }
+  const std::vector<Heading>& columns() const { return columns_; }
+  std::optional<dsp::Hertz> sample_rate() const { return head_.sample_rate(); }
   const std::deque<std::vector<double>>& ahead() const { return ahead_; }
+  /// Whether `ahead` has all rows.
+  bool is_whole() const { return whole_; }
 
-  /// As many finite numbers as there are columns; nothing at the end. A last line that was cut
-  /// short is none.
+  /// A cell for each column, NaN where it says nothing; nothing at the end. A last line that was
+  /// cut short is none.
   std::optional<std::vector<double>> next();
 
   [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
-    lines_.fail(problem, why);
+    lines_.fail_at(at_line_, problem, why);
   }
 
  private:
-  static constexpr std::size_t rows_ahead = 1000;
+  /// Where rows stand in their lines.
+  struct Layout {
+    char separator = ',';
+    bool decimal_comma = false;
+    std::size_t first = 0, count = 0;  // fields
+  };
 
+  void read_first_lines(std::size_t skip);
+  void find_layout();
+  void widen_to_names();
+  void refuse_clock_times();
   void read_head();
-  void read_head_line(std::string_view line);
-  void read_names(std::string_view line);
-  void read_grid(const std::vector<std::string_view>& fields);
-  void name_columns(std::size_t count);
-  std::vector<std::string_view> split(std::string_view line) const;
-  std::optional<std::vector<double>> numbers(std::string_view line) const;
+  std::vector<std::string> fields_of(std::string_view line, char separator) const;
+  std::optional<double> cell_of(const std::string& field, bool decimal_comma) const;
+  std::optional<Layout> layout_of(const std::string& line, char separator, bool comma) const;
+  std::optional<std::vector<double>> row_of(std::string_view line) const;
   std::optional<std::vector<double>> read_row();
+  std::optional<std::string> next_line();
 
   TextLines lines_;
-  char separator_ = ',';
-  std::vector<std::string> columns_;   // while the head is read: its last line's fields
-  std::vector<std::string> channels_;  // of sigrok's header
-  std::optional<dsp::Hertz> sample_rate_;
-  struct Grid {
-    double start, increment;
+  struct Line {
+    std::size_t number;
+    std::string text;
   };
-  std::size_t grid_field_ = 0;  // of the start in the line behind the names; 0: none
-  std::optional<Grid> grid_;    // rows are counted, and lie on it
+  std::deque<Line> first_lines_;
+  std::size_t at_line_ = 1;
+  bool first_are_all_ = false, cut_ = false, whole_ = false;
+  Layout layout_;
+  CsvHead head_;
+  std::vector<Heading> columns_;
   std::deque<std::vector<double>> ahead_;
+  std::deque<std::size_t> ahead_numbers_;  // of their lines
 };
 
 }  // namespace sim

@@ -1,5 +1,7 @@
 #include "sim/capture/line_survey.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "protocol/cosys.hpp"
+#include "protocol/shared_link.hpp"
 #include "protocol/uart.hpp"
 #include "sim/capture/line_statistics.hpp"
 
@@ -23,6 +27,10 @@ constexpr double longest_light = 9.4;    // bits: a start bit and eight zeros, d
 constexpr double longest_fall_to_fall = 10.4;
 constexpr Hertz fastest{1e6};        // as --baud has it
 constexpr double grid_step = 1.003;  // ten bits are then known to 1/30 of one
+constexpr std::size_t most_rates = 8;
+constexpr double least_peak = 0.5;  // of the best; a slow sampler rounds times by a third of a bit
+constexpr double nearly = 0.9;      // of the worth of the best reading: about as good
+constexpr std::uint64_t fewest_to_doubt = 4;  // characters
 
 LogicTrace trace_of(const LineStretch& line, bool inverted) {
   LogicTrace trace(line.initial != inverted);
@@ -83,23 +91,35 @@ double score(const Pulses& pulses, double bit) {
   return (std::abs(light) + falls.real()) / 2;
 }
 
-std::optional<Hertz> rate_of(const Pulses& pulses) {
-  if (pulses.light.size() < fewest_pulses) return std::nullopt;
+using Score = std::pair<double, double>;  // a bit, and what score() says of it
+
+/// The longest bit first.
+std::vector<Score> scores_of(const Pulses& pulses) {
+  if (pulses.light.size() < fewest_pulses) return {};
   std::vector<double> sorted = pulses.light;
   std::ranges::sort(sorted);
   const double shortest = sorted[sorted.size() / 10];
-  std::vector<std::pair<double, double>> scores;  // bit, score; the longest bit first
+  std::vector<Score> scores;
   const double shortest_bit = std::max(shortest / 10, 1 / fastest.value);
   for (double bit = shortest / (1 - largest_excess); bit > shortest_bit; bit /= grid_step)
     scores.emplace_back(bit, score(pulses, bit));
-  if (scores.empty()) return std::nullopt;
-  const double best =
-      std::ranges::max_element(scores, {}, [](const auto& s) { return s.second; })->second;
-  if (best <= 0) return std::nullopt;
-  const auto good = [&](const auto& s) { return s.second >= 0.9 * best; };
-  auto peak = std::ranges::find_if(scores, good);
-  while (std::next(peak) != scores.end() && std::next(peak)->second > peak->second) ++peak;
-  return Hertz(1 / peak->first);
+  return scores;
+}
+
+/// Peaks of the score, the longest bit first; a slow sampler's own period may be the best of them.
+std::vector<Hertz> rates_of(const Pulses& pulses) {
+  const std::vector<Score> scores = scores_of(pulses);
+  double best = 0;
+  for (const Score& s : scores) best = std::max(best, s.second);
+  std::vector<Hertz> rates;
+  for (std::size_t i = 0; i < scores.size() && best > 0 && rates.size() < most_rates; ++i) {
+    const double before = i == 0 ? 0 : scores[i - 1].second,
+                 after = i + 1 == scores.size() ? 0 : scores[i + 1].second;
+    if (scores[i].second >= least_peak * best && scores[i].second >= before &&
+        scores[i].second > after)
+      rates.emplace_back(1 / scores[i].first);
+  }
+  return rates;
 }
 
 /// A standard rate that is near, else the rate that the characters themselves tell.
@@ -115,35 +135,138 @@ Hertz settled_rate(const LineStretch& line, bool inverted, Hertz found) {
   return fit ? fit->baud : found;
 }
 
-Hertz found_rate(const LineStretch& line, bool inverted) {
-  const auto rate = rate_of(pulses_of(line, inverted));
-  return rate ? settled_rate(line, inverted, *rate) : LineFacts().baud;
+std::vector<Hertz> found_rates(const LineStretch& line, bool inverted) {
+  std::vector<Hertz> rates;
+  for (const Hertz rate : rates_of(pulses_of(line, inverted)))
+    rates.push_back(settled_rate(line, inverted, rate));
+  if (rates.empty()) rates.push_back(LineFacts().baud);
+  return rates;
 }
 
-/// Characters without a framing error, less those with one.
-double worth(const LineStretch& line, bool inverted, std::optional<Hertz> baud) {
-  double good = 0;
-  const Hertz rate = baud ? *baud : found_rate(line, inverted);
-  for (const auto& byte : protocol::receive_mid_bit(trace_of(line, inverted), rate))
-    good += byte.framing_error ? -1 : 1;
-  return good;
+bool is_of_text(std::uint8_t byte) {
+  return (byte >= 0x20 && byte < 0x7f) || byte == '\r' || byte == '\n' || byte == '\t';
 }
 
-bool found_inverted(const LineStretch& line, std::optional<Hertz> baud) {
+LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
+  line.end = end_of_line(line, baud);
+  LineReading reading{inverted, baud};
+  protocol::CosysDecoder cosys;
+  protocol::SharedLinkDecoder shared_link;
+  for (const auto& byte : protocol::receive_mid_bit(trace_of(line, inverted), baud)) {
+    ++reading.characters;
+    if (byte.framing_error) {
+      ++reading.framing_errors;
+    } else if (is_of_text(byte.value)) {
+      ++reading.of_text;
+    }
+    const auto frame = cosys.push(byte);
+    if (frame && frame->outcome == protocol::CosysOutcome::ok) ++reading.messages;
+    const auto message = shared_link.push(byte);
+    if (message && message->outcome == protocol::SharedLinkOutcome::ok) ++reading.messages;
+  }
+  return reading;
+}
+
+std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool> inverted,
+                                     std::optional<Hertz> baud) {
+  std::vector<LineReading> readings;
+  for (const bool idle_low : {false, true}) {
+    if (inverted && *inverted != idle_low) continue;
+    const auto rates = baud ? std::vector<Hertz>{*baud} : found_rates(line, idle_low);
+    for (const Hertz rate : rates) readings.push_back(read_as(line, idle_low, rate));
+  }
+  return readings;
+}
+
+/// The idle level that the longest stretch tells.
+std::optional<bool> inverted_by_pauses(const LineStretch& line) {
   const double high = longest_at(line, true), low = longest_at(line, false);
-  if (line.flips.empty() || high >= 2 * low) return false;
-  if (low >= 2 * high) return true;
-  return worth(line, true, baud) > worth(line, false, baud);
+  if (line.flips.empty() || (high < 2 * low && low < 2 * high)) return std::nullopt;
+  return low > high;
+}
+
+bool is_about_as_good(const LineReading& reading, const LineReading& best) {
+  return reading.worth() >= nearly * best.worth();
+}
+
+/// Of several about as good: by the pauses, then the first, which has the longest bit.
+const LineReading& best_of(const std::vector<LineReading>& readings,
+                           std::optional<bool> by_pauses) {
+  const LineReading& best = *std::ranges::max_element(readings, {}, &LineReading::worth);
+  const LineReading* taken = nullptr;
+  for (const LineReading& reading : readings) {
+    if (!is_about_as_good(reading, best)) continue;
+    if (taken == nullptr ||
+        (by_pauses && taken->inverted != *by_pauses && reading.inverted == *by_pauses))
+      taken = &reading;
+  }
+  return *taken;
+}
+
+/// Another reading as good, which nothing sets apart from the one taken.
+std::optional<LineReading> rival_of(const std::vector<LineReading>& readings,
+                                    const LineReading& taken, std::optional<bool> by_pauses) {
+  for (const LineReading& reading : readings) {
+    const bool is_same =
+        reading.inverted == taken.inverted && std::abs(reading.baud / taken.baud - 1) < 0.1;
+    const bool pauses_tell = by_pauses && reading.inverted != taken.inverted;
+    if (is_same || pauses_tell || taken.characters < fewest_to_doubt ||
+        reading.characters < fewest_to_doubt)
+      continue;
+    if (reading.inverted == taken.inverted && reading.baud > taken.baud) continue;  // by rule
+    if (is_about_as_good(reading, taken)) return reading;
+  }
+  return std::nullopt;
+}
+
+bool any_differs(const std::vector<LineReading>& readings, const LineReading& taken) {
+  return std::ranges::any_of(readings, [&](const LineReading& reading) {
+    return reading.inverted != taken.inverted && !is_about_as_good(reading, taken);
+  });
+}
+
+LineFacts::Basis basis_of_polarity(const std::vector<LineReading>& readings,
+                                   const LineReading& taken, std::optional<bool> by_pauses) {
+  if (taken.characters > 0 && any_differs(readings, taken)) return LineFacts::Basis::characters;
+  return by_pauses == taken.inverted ? LineFacts::Basis::pauses : LineFacts::Basis::assumed;
 }
 
 }  // namespace
 
+double LineReading::worth() const {
+  if (characters == 0) return 0;
+  const auto all = static_cast<double>(characters + 1);  // one alone proves little
+  const double good = static_cast<double>(characters - framing_errors) / all,
+               text = static_cast<double>(of_text) / all;
+  return (good + text) / 2 + (messages > 0 ? 1 : 0);
+}
+
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<Hertz> baud) {
+  const std::vector<LineReading> readings = readings_of(line, inverted, baud);
+  const std::optional<bool> by_pauses = inverted_by_pauses(line);
+  const LineReading& taken = best_of(readings, by_pauses);
   LineFacts facts;
-  facts.inverted = inverted ? *inverted : found_inverted(line, baud);
-  facts.baud = baud ? *baud : found_rate(line, facts.inverted);
+  facts.inverted = taken.inverted;
+  facts.baud = taken.baud;
+  facts.polarity_by =
+      inverted ? LineFacts::Basis::told : basis_of_polarity(readings, taken, by_pauses);
+  const bool tells = taken.characters > 0 && !rates_of(pulses_of(line, taken.inverted)).empty();
+  facts.baud_by = baud    ? LineFacts::Basis::told
+                  : tells ? LineFacts::Basis::characters
+                          : LineFacts::Basis::assumed;
+  facts.reading = taken;
+  facts.rival = rival_of(readings, taken, by_pauses);
   return facts;
+}
+
+Seconds end_of_line(const LineStretch& line, Hertz baud) {
+  if (line.flips.empty() || line.end > line.flips.back()) return line.end;
+  return line.flips.back() + protocol::bits_per_byte * dsp::period(baud);
+}
+
+std::string reading_text(const LineReading& reading) {
+  return fmt::format("idle-{}, {:.6g} Bd", reading.inverted ? "low" : "high", reading.baud.value);
 }
 
 }  // namespace sim

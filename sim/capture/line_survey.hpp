@@ -1,15 +1,20 @@
 #pragma once
 // What a UART line is like, found in a stretch of it: which level is idle, and the bit rate.
 //
-// Idle is the level of the longest stretch, where that is at least twice as long as the longest at
-// the other level: 8N1 is never at the start bit's level for more than nine bits, but idles longer.
-// Where it is not, the level that gives more characters without a framing error.
-//
-// The bit is the longest time T of which nearly all distances from fall to fall are whole multiples
-// and nearly all light pulses whole multiples but for one and the same excess of at most 0.35 T
-// (pulse-width distortion moves rises against falls, never falls against falls).
+// The bit is a time T of which nearly all distances from fall to fall are whole multiples and
+// nearly all light pulses whole multiples but for one and the same excess of at most 0.35 T
+// (pulse-width distortion moves rises against falls, never falls against falls). Several times may
+// do, and either level may be idle: each such reading is tried, and what decides is whether the
+// characters make sense. Worth most are whole messages (COSYS, SharedLink) with a right checksum;
+// then characters without a framing error, and those of text more than others. Of readings that are
+// about as good the one is taken whose idle level is that of the longest stretch, where that is at
+// least twice as long as the longest at the other level (8N1 is never at the start bit's level for
+// more than nine bits, but idles longer); then the one of the longest bit. Where there is nothing
+// to go by, idle is high.
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "dsp/units.hpp"
 
@@ -22,14 +27,43 @@ struct LineStretch {
   dsp::Seconds end;
 };
 
-struct LineFacts {
+/// One way to read a line, and what it makes of it.
+struct LineReading {
   bool inverted = false;  // idle is low: light is 1
   dsp::Hertz baud{600};
+  std::uint64_t characters = 0, framing_errors = 0;
+  std::uint64_t of_text = 0;   // characters without a framing error that text has
+  std::uint64_t messages = 0;  // whole ones, by their checksums
+
+  /// From 0 to 1 by its characters; above where there are messages.
+  double worth() const;
+};
+
+struct LineFacts {
+  enum class Basis {
+    told,        // by the user
+    characters,  // it is what makes sense of them
+    pauses,      // the longest stretch is idle
+    assumed      // nothing tells
+  };
+
+  bool inverted = false;
+  dsp::Hertz baud{600};
+  Basis polarity_by = Basis::assumed, baud_by = Basis::assumed;
+  LineReading reading;               // the one taken
+  std::optional<LineReading> rival;  // another that is about as good
 };
 
 /// What is told is kept; what is found is at most 1 MBd. A line that tells nothing is idle high, of
 /// 600 Bd. A rate within 2.5 % of a standard one is that.
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<dsp::Hertz> baud);
+
+/// Until when a line is known: where a capture of changes ends with its last flip, the level goes
+/// on for the rest of a character.
+dsp::Seconds end_of_line(const LineStretch& line, dsp::Hertz baud);
+
+/// "idle-high, 600 Bd".
+std::string reading_text(const LineReading& reading);
 
 }  // namespace sim

@@ -12,6 +12,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/key_file.hpp"
 #include "sim/capture/raw_capture.hpp"
 #include "sim/capture/text_lines.hpp"

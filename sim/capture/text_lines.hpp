@@ -20,7 +20,14 @@ class TextLines {
   /// Whether the last line given had no end: it may be cut short.
   bool is_cut() const { return cut_; }
 
-  [[noreturn]] void fail(std::string_view problem, std::string_view why) const;
+  /// Of the last line given, the first being 1.
+  std::size_t number() const { return number_; }
+
+  [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
+    fail_at(number_, problem, why);
+  }
+  [[noreturn]] void fail_at(std::size_t number, std::string_view problem,
+                            std::string_view why) const;
 
  private:
   std::istream& in_;
@@ -31,9 +38,6 @@ class TextLines {
 
 /// Words of a file as a message may show them: short and printable.
 std::string shown(std::string_view text);
-
-/// "96000", "1 MHz", "250 kHz": a rate of 1 Hz to 1 THz, or nothing.
-std::optional<dsp::Hertz> parse_sample_rate(std::string_view text);
 
 /// Every receiver counts samples exactly in a double up to here: more than 30 years.
 inline constexpr dsp::Seconds longest_capture{1e9};

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -89,6 +90,87 @@ std::optional<Hertz> hertz(const std::optional<double>& rate) {
 double in_us(Seconds time) { return time.value * 1e6; }
 double in_ppm(Hertz measured, Hertz nominal) { return (measured / nominal - 1) * 1e6; }
 
+std::string words_of(LineFacts::Basis basis) {
+  switch (basis) {
+    case LineFacts::Basis::told:
+      return "as told";
+    case LineFacts::Basis::characters:
+      return "by the characters";
+    case LineFacts::Basis::pauses:
+      return "by the pauses";
+    case LineFacts::Basis::assumed:
+      return "assumed";
+  }
+  return "";
+}
+
+constexpr std::size_t few_channels = 4;  // all are named
+
+/// "channel rx (34 edges), not tx (0)".
+std::string channel_text(const CaptureFacts& facts) {
+  const auto named = [&](const CaptureFacts::Channel& channel, bool whole_words) {
+    if (!channel.edges) return channel.name;
+    return fmt::format("{} ({}{}{})", channel.name, *channel.edges, facts.is_whole ? "" : "+",
+                       whole_words ? " edges" : "");
+  };
+  std::string text = "channel " + facts.channel;
+  std::vector<std::string> others;
+  std::size_t dead = 0;
+  for (const CaptureFacts::Channel& channel : facts.channels) {
+    if (channel.name == facts.channel)
+      text = "channel " + named(channel, true);
+    else if (channel.edges == 0U && facts.channels.size() > few_channels)
+      ++dead;
+    else
+      others.push_back(named(channel, false));
+  }
+  if (dead > 0) others.push_back(fmt::format("{} without an edge", dead));
+  return others.empty() ? text : fmt::format("{}, not {}", text, fmt::join(others, ", "));
+}
+
+/// What was read, in one line.
+std::string reading_line(const std::string& file, const CaptureFacts& facts,
+                         const LineFacts& line) {
+  std::string text = fmt::format("read {} as {}", file, facts.format);
+  if (!facts.channel.empty()) text += ": " + channel_text(facts);
+  if (!facts.time.empty()) text += "; " + facts.time;
+  text += fmt::format("; idle-{} {}; {:.6g} Bd {}", line.inverted ? "low" : "high",
+                      words_of(line.polarity_by), line.baud.value, words_of(line.baud_by));
+  if (!facts.assumed.empty()) text += fmt::format("; assumed: {}", fmt::join(facts.assumed, ", "));
+  return text + "\n";
+}
+
+nlohmann::json reading_json(const std::string& file, const CaptureFacts& facts,
+                            const LineFacts& line) {
+  nlohmann::json channels = nlohmann::json::array();
+  for (const CaptureFacts::Channel& channel : facts.channels) {
+    nlohmann::json row = {{"name", channel.name}};
+    if (channel.edges) row["edges"] = *channel.edges;
+    channels.push_back(std::move(row));
+  }
+  nlohmann::json json = {{"file", file},
+                         {"format", facts.format},
+                         {"channels", channels},
+                         {"is_whole", facts.is_whole},
+                         {"polarity_by", words_of(line.polarity_by)},
+                         {"baud_by", words_of(line.baud_by)},
+                         {"assumed", facts.assumed}};
+  if (!facts.channel.empty()) json["channel"] = facts.channel;
+  if (!facts.time.empty()) json["time"] = facts.time;
+  return json;
+}
+
+/// Where another reading is about as good: what it is, and how to ask for it.
+std::optional<std::string> doubt_about(const CaptureFacts& facts, const LineFacts& line) {
+  if (facts.rival)
+    return fmt::format("channel {} reads as well as {} (nothing sets them apart) say --channel",
+                       *facts.rival, facts.channel);
+  if (!line.rival) return std::nullopt;
+  return fmt::format("{} reads as well as {} (nothing sets them apart) say --{}",
+                     reading_text(*line.rival), reading_text(line.reading),
+                     line.rival->inverted != line.reading.inverted ? "polarity" : "baud");
+}
+
 struct LineReport {
   LineFacts facts;
   Hertz carrier;  // 0: none
@@ -112,7 +194,7 @@ void print_line_table(const LineReport& report, const LineStatistics& statistics
   row("jitter", fmt::format("{:.2f} us rms", in_us(fit->jitter)));
 }
 
-void print_line_json(const LineReport& report, const LineStatistics& statistics) {
+nlohmann::json line_json(const LineReport& report, const LineStatistics& statistics) {
   const auto& [facts, carrier, fit] = report;
   nlohmann::json line = {{"polarity", facts.inverted ? "idle-low" : "idle-high"},
                          {"characters", statistics.characters()},
@@ -124,41 +206,51 @@ void print_line_json(const LineReport& report, const LineStatistics& statistics)
     line["pulse_width_distortion_us"] = in_us(fit->distortion);
     line["jitter_us_rms"] = in_us(fit->jitter);
   }
-  print(nlohmann::json{{"line", line}}.dump() + "\n");
+  return line;
 }
 
-void decode_line(FlipSource& line, Hertz carrier, const DecodeRequest& request) {
+ExitCode decode_line(FlipSource& line, Hertz carrier, const CaptureFacts& read,
+                     const DecodeRequest& request) {
   std::vector<Seconds> flips = next_flips(line);
   const LineFacts facts = survey_line({line.initial(), flips, line.known_until()},
                                       told_inverted(request), hertz(request.baud));
+  const std::string file = request.capture.string();
+  if (!request.json) print(reading_line(file, read, facts));
   CapturedLineDecoder decoder(request, facts, line.initial() != facts.inverted);
   for (; flips.size() == batch; flips = next_flips(line)) decoder.take(flips, flips.back());
-  decoder.take(flips, line.known_until());
+  decoder.take(flips, end_of_line({line.initial(), flips, line.known_until()}, facts.baud));
   decoder.end();
   const LineStatistics& statistics = decoder.statistics();
   if (!decoder.any_frame())
     say(fmt::format("cosys-sim: no {} message in {} characters\n", request.protocol,
                     statistics.characters()));
-  (request.json ? print_line_json : print_line_table)({facts, carrier, statistics.fit()},
-                                                      statistics);
+  const LineReport report{facts, carrier, statistics.fit()};
+  if (request.json) {
+    nlohmann::json json = line_json(report, statistics);
+    json["capture"] = reading_json(file, read, facts);
+    print(nlohmann::json{{"line", json}}.dump() + "\n");
+  } else {
+    print_line_table(report, statistics);
+  }
+  const auto doubt = doubt_about(read, facts);
+  if (doubt) say("cosys-sim: " + *doubt + "\n");
+  return doubt ? ExitCode::inconclusive : ExitCode::done;
 }
 
 }  // namespace
 
 ExitCode decode_command(const DecodeRequest& request) {
-  const Capture capture = open_capture(
-      request.capture,
-      {request.wire, hertz(request.sample_rate_hz), request.format, request.sample_bytes});
+  const LineHints hints{told_inverted(request), hertz(request.baud), hertz(request.carrier_hz)};
+  const Capture capture =
+      open_capture(request.capture, {request.wire, hertz(request.sample_rate_hz), request.format,
+                                     request.sample_bytes, request.tick, request.skip_rows, hints});
   if (capture.logic) {
-    WireFlips wire(*capture.logic,
-                   wanted_wire(capture.logic->wires(), request.wire, request.capture.string()));
-    KeyedWire line(wire, hertz(request.carrier_hz));
-    decode_line(line, line.carrier(), request);
-  } else {
-    SampledLine line(*capture.samples, {hertz(request.carrier_hz), hertz(request.baud)});
-    decode_line(line, line.carrier(), request);
+    WireFlips wire(*capture.logic, capture.wire);
+    KeyedWire line(wire, hints.carrier);
+    return decode_line(line, line.carrier(), capture.facts, request);
   }
-  return ExitCode::done;
+  SampledLine line(*capture.samples, {hints.carrier, hints.baud});
+  return decode_line(line, line.carrier(), capture.facts, request);
 }
 
 }  // namespace sim

@@ -1,11 +1,37 @@
 // Options of encode, decode, node and serve.
 #include "sim/capture/capture_file.hpp"
+#include "sim/capture/capture_units.hpp"
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {
+namespace {
+
+CLI::Validator a_sample_rate() {
+  return {[](const std::string& text) {
+            return parse_sample_rate(text) ? std::string()
+                                           : text + " is no rate from 1 to 1e12, such as 1MHz";
+          },
+          ""};
+}
+
+/// "us", "1us" or "10 ns".
+std::optional<dsp::Seconds> tick_of(const std::string& text) {
+  if (const auto unit = time_unit(text)) return unit;
+  const auto tick = parse_interval(text, {});
+  return tick && tick->value > 0 ? tick : std::nullopt;
+}
+
+CLI::Validator a_tick() {
+  return {[](const std::string& text) {
+            return tick_of(text) ? std::string() : text + " is no unit of time such as us or 10ns";
+          },
+          ""};
+}
+
+}  // namespace
 
 void add_encode(CLI::App& app, EncodeRequest& request) {
   auto& encode = *app.add_subcommand(
@@ -32,17 +58,30 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       ->required();
   decode
       .add_option("--wire,--channel", request.wire,
-                  "wire, channel or column to decode; if not given, rx, or the first where there "
-                  "is none")
+                  "wire, channel or column to decode, by name or by number from 1 on; if not "
+                  "given, by what is on them")
       ->type_name("NAME");
   decode.add_option("--format", request.format, "of the capture, where its name does not say it")
       ->type_name("NAME")
       ->check(one_of(capture_format_names()));
   decode
-      .add_option("--sample-rate", request.sample_rate_hz,
-                  "samples a second, for a capture that does not say it")
+      .add_option_function<std::string>(
+          "--sample-rate",
+          [&request](const std::string& text) {
+            request.sample_rate_hz = parse_sample_rate(text)->value;
+          },
+          "samples a second, such as 96000 or 1MHz, for a capture that does not say it")
       ->type_name("RATE")
-      ->check(between(1, 1e12));
+      ->check(a_sample_rate());
+  decode
+      .add_option_function<std::string>(
+          "--time-unit", [&request](const std::string& text) { request.tick = tick_of(text); },
+          "unit of time, such as us, 1us or 10ns, for a capture that does not say it")
+      ->type_name("UNIT")
+      ->check(a_tick());
+  decode.add_option("--skip-rows", request.skip_rows, "lines of a table to pass over first")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000000).description(""));
   decode
       .add_option("--sample-bytes", request.sample_bytes,
                   "bytes a sample of a .bin, eight channels each; 1 if not given")

@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const sim::Capture capture =
         sim::open_capture(written({reinterpret_cast<const char*>(data), size}), settings);
     if (capture.logic) {
-      sim::WireFlips wire(*capture.logic, sim::wanted_wire(capture.logic->wires(), "", "capture"));
+      sim::WireFlips wire(*capture.logic, capture.wire);
       sim::KeyedWire line(wire, {});
       read_line(line);
     } else {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "capture_fixture.hpp"
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/text_lines.hpp"
 
 namespace sim {

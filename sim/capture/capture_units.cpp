@@ -1,0 +1,162 @@
+#include "sim/capture/capture_units.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "sim/capture/sample_capture.hpp"
+#include "sim/text/number_text.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Hertz;
+using dsp::Seconds;
+using Spelling = std::pair<std::string_view, double>;
+
+/// In lower case; "µ" and "μ" are two signs that look alike.
+constexpr Spelling times[] = {{"s", 1},
+                              {"sec", 1},
+                              {"secs", 1},
+                              {"second", 1},
+                              {"seconds", 1},
+                              {"ms", 1e-3},
+                              {"msec", 1e-3},
+                              {"msecs", 1e-3},
+                              {"millisecond", 1e-3},
+                              {"milliseconds", 1e-3},
+                              {"us", 1e-6},
+                              {"usec", 1e-6},
+                              {"usecs", 1e-6},
+                              {"\u00b5s", 1e-6},
+                              {"\u03bcs", 1e-6},
+                              {"\u00b5sec", 1e-6},
+                              {"microsecond", 1e-6},
+                              {"microseconds", 1e-6},
+                              {"ns", 1e-9},
+                              {"nsec", 1e-9},
+                              {"nsecs", 1e-9},
+                              {"nanosecond", 1e-9},
+                              {"nanoseconds", 1e-9},
+                              {"ps", 1e-12},
+                              {"psec", 1e-12},
+                              {"picosecond", 1e-12},
+                              {"picoseconds", 1e-12},
+                              {"min", 60},
+                              {"minute", 60},
+                              {"minutes", 60}};
+/// As they are written: "mHz" would be a thousandth.
+constexpr Spelling rates[] = {
+    {"", 1},       {"Hz", 1},      {"hz", 1},      {"k", 1e3},     {"kHz", 1e3},  {"KHz", 1e3},
+    {"khz", 1e3},  {"M", 1e6},     {"MHz", 1e6},   {"mhz", 1e6},   {"G", 1e9},    {"GHz", 1e9},
+    {"Sa/s", 1},   {"kSa/s", 1e3}, {"MSa/s", 1e6}, {"GSa/s", 1e9}, {"S/s", 1},    {"kS/s", 1e3},
+    {"MS/s", 1e6}, {"GS/s", 1e9},  {"sps", 1},     {"Sps", 1},     {"ksps", 1e3}, {"kSps", 1e3},
+    {"Msps", 1e6}, {"MSps", 1e6},  {"Gsps", 1e9},  {"GSps", 1e9}};
+constexpr std::string_view others[] = {"v",  "volt", "volts",  "mv", "uv", "\u00b5v", "a",
+                                       "ma", "amp",  "ampere", "w",  "db", "dbm",     "hz"};
+
+std::string lowered(std::string_view text) {
+  std::string low(text);
+  std::ranges::transform(low, low.begin(), [](unsigned char c) {
+    return static_cast<char>(c < 0x80 ? std::tolower(c) : c);
+  });
+  return low;
+}
+
+std::string_view bare(std::string_view text) {
+  constexpr std::string_view around = " \t\"";
+  const std::size_t first = text.find_first_not_of(around);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(around) + 1 - first);
+}
+
+std::string_view without_brackets(std::string_view text) {
+  text = bare(text);
+  if (text.size() >= 2 &&
+      ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']')))
+    return bare(text.substr(1, text.size() - 2));
+  return text;
+}
+
+std::optional<double> found_in(std::span<const Spelling> table, std::string_view word) {
+  for (const auto& [written, factor] : table)
+    if (written == word) return factor;
+  return std::nullopt;
+}
+
+/// Where a number ends and its unit begins.
+std::size_t end_of_number(std::string_view text) {
+  std::size_t end = std::min(text.find_first_not_of("0123456789.+-"), text.size());
+  const bool has_exponent = end + 1 < text.size() && (text[end] == 'e' || text[end] == 'E') &&
+                            (std::isdigit(static_cast<unsigned char>(text[end + 1])) != 0 ||
+                             text[end + 1] == '-' || text[end + 1] == '+');
+  if (has_exponent) end = std::min(text.find_first_not_of("0123456789+-", end + 1), text.size());
+  return end;
+}
+
+std::optional<double> parse_with(std::span<const Spelling> table, std::string_view text,
+                                 double plain) {
+  text = bare(text);
+  const std::size_t end = end_of_number(text);
+  const auto number = parse_number(text.substr(0, end));
+  const std::string_view unit = bare(text.substr(end));
+  const auto factor = unit.empty() ? std::optional(plain) : found_in(table, unit);
+  if (!number || !factor || !std::isfinite(*number)) return std::nullopt;
+  return *number * *factor;
+}
+
+Heading split_at(std::string_view text, std::size_t at, std::string_view unit) {
+  return {std::string(bare(text.substr(0, at))), std::string(bare(unit))};
+}
+
+Heading parts_of(std::string_view text) {
+  const std::size_t open = text.find_last_of("([");
+  if (open != std::string_view::npos && (text.back() == ')' || text.back() == ']'))
+    return split_at(text, open, text.substr(open + 1, text.size() - open - 2));
+  if (text.starts_with("in ")) return {"", std::string(bare(text.substr(3)))};
+  if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos)
+    return split_at(text, in, text.substr(in + 4));
+  for (const char joint : {'/', '_', ',', ' '}) {
+    const std::size_t at = text.rfind(joint);
+    if (at != std::string_view::npos && time_unit(text.substr(at + 1)))
+      return split_at(text, at, text.substr(at + 1));
+  }
+  if (lowered(text).size() > 1 && time_unit(text)) return {"", std::string(text)};
+  return {std::string(text), ""};
+}
+
+}  // namespace
+
+std::optional<Seconds> time_unit(std::string_view word) {
+  const auto factor = found_in(times, lowered(without_brackets(word)));
+  return factor ? std::optional(Seconds(*factor)) : std::nullopt;
+}
+
+bool is_unit_word(std::string_view field) {
+  const std::string_view text = bare(field);
+  if (text.empty()) return false;
+  if (text.front() == '(' && text.back() == ')') return true;
+  const std::string word = lowered(without_brackets(text));
+  return found_in(times, word).has_value() || std::ranges::find(others, word) != std::end(others);
+}
+
+std::optional<Hertz> parse_sample_rate(std::string_view text) {
+  const auto number = parse_with(rates, text, 1);
+  if (!number || !is_sample_rate(Hertz(*number))) return std::nullopt;
+  return Hertz(*number);
+}
+
+std::optional<Seconds> parse_interval(std::string_view text, Seconds unit) {
+  const auto number = parse_with(times, lowered(text), unit.value);
+  return number ? std::optional(Seconds(*number)) : std::nullopt;
+}
+
+Heading heading_of(std::string_view field) {
+  Heading heading = parts_of(bare(field));
+  heading.text = bare(field);
+  return heading;
+}
+
+}  // namespace sim

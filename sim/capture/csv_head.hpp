@@ -1,0 +1,67 @@
+#pragma once
+// What the lines above the rows of a CSV file say, or those beside them: names and units of the
+// columns in either order, and how rows lie in time. Known layouts, and where they are documented:
+//   sigrok-cli -O csv          libsigrok, src/output/csv.c: "; Samplerate: 1 MHz", "; Channels
+//   (2/2): rx, tx" Saleae Logic 2             "Time [s],Channel 0" (support.saleae.com, "Export
+//   data file formats") Tektronix TDS, TBS, TPS    "Sample Interval,4e-06,,-0.01,3.2,": the head
+//   stands beside the rows (TDS1000 manual, "Save/Recall") Rigol DS1000 "X,CH1,Start,Increment,"
+//   and a row of the two numbers; "Time(s),CH1(V),t0 = .., tInc = .." Keysight, Agilent
+//   "x-axis,1,2" above "second,Volt,Volt" (InfiniiVision user's guide, "Save") Rohde & Schwarz "in
+//   s,CH1 in V" (RTB2000 manual, "Waveform export") GW Instek, Owon, Hantek    "Sampling
+//   Period,4e-06," and one column of numbers PicoScope                  names above "(ms),(V)"
+//   (PicoScope 6 user's guide, "Text formats")
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dsp/units.hpp"
+#include "sim/capture/capture_units.hpp"
+
+namespace sim {
+
+/// Lines of a head, told one after the other; what they cannot mean is thrown with the words that
+/// the file has.
+class CsvHead {
+ public:
+  /// A line's fields, trimmed, that are no row of numbers.
+  void read(const std::vector<std::string>& fields, std::string_view whole_line);
+
+  /// The same of a line whose fields stand beside a row: they name no columns.
+  void read_beside(const std::vector<std::string>& fields);
+
+  /// Of that many columns: names and units of the head's last line of as many fields; their numbers
+  /// where there is none.
+  std::vector<Heading> columns(std::size_t count) const;
+
+  std::optional<dsp::Hertz> sample_rate() const { return sample_rate_; }
+
+  /// "Start" and "Increment" behind the names: rows count from the start on.
+  bool has_grid_names() const { return grid_field_ > 0; }
+  struct Grid {
+    double start, increment;
+  };
+  const std::optional<Grid>& grid() const { return grid_; }
+
+  /// A name or rate that has a unit which nobody knows: "Sample Interval (fortnight)".
+  struct Unknown {
+    std::string word, of;
+  };
+  const std::optional<Unknown>& unknown() const { return unknown_; }
+
+ private:
+  bool read_channels(std::string_view line);
+  bool read_timing(const std::vector<std::string>& fields, std::string_view line);
+  bool read_grid(const std::vector<std::string>& fields);
+  void take_interval(const std::string& key, const std::string& value, const std::string& unit);
+
+  std::vector<std::vector<std::string>> rows_;  // of names or units, as they came
+  std::vector<std::string> channels_;           // of sigrok's remark
+  std::string source_;                          // "Source,CH1" beside the rows
+  std::optional<dsp::Hertz> sample_rate_;
+  std::size_t grid_field_ = 0;
+  std::optional<Grid> grid_;
+  std::optional<Unknown> unknown_;
+};
+
+}  // namespace sim

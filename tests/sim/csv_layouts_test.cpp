@@ -1,0 +1,244 @@
+// Tables as instruments and programs write them (sim/capture/csv_head.hpp names each and where its
+// layout is documented): one COSYS message in every layout, and what decode says that it read.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "protocol/cosys.hpp"
+
+namespace {
+
+constexpr double begin_s = 0.03, bit_s = 1 / 600.0;
+
+/// The line of "IND 011111 OK" at a time, idle high.
+bool level_at(double time) {
+  static const protocol::Bytes bytes = protocol::cosys_encode("IND 011111 OK");
+  const double slot = std::floor((time - begin_s) / bit_s + 1e-9);
+  const auto byte = static_cast<std::size_t>(slot / 10);
+  if (slot < 0 || byte >= bytes.size()) return true;
+  return protocol::line_bit(bytes[byte], static_cast<int>(slot) % 10);
+}
+
+/// Rows every `step` for 0.36 s, each by `row` of its time and level.
+std::string rows(double step, const std::function<std::string(double, bool)>& row) {
+  std::string text;
+  for (int i = 0; i * step < 0.36; ++i) text += row(i * step, level_at(i * step));
+  return text;
+}
+
+/// Rows where the level changes alone; times in `unit`, without decimals.
+std::string changes(double unit, const std::string& more = "") {
+  std::string text = "0,1" + more + "\n";
+  bool last = true;
+  for (int slot = 0; slot < 190; ++slot) {
+    const double time = begin_s + slot * bit_s;
+    if (level_at(time) == last) continue;
+    last = !last;
+    text += fmt::format("{:.0f},{}{}\n", time / unit, last ? 1 : 0, more);
+  }
+  return text;
+}
+
+class CsvLayouts : public CommandLine {
+ protected:
+  nlohmann::json line_of(const std::string& text, const Words& options = {}, int code = 0) const {
+    write("t.csv", text);
+    Words words{"decode", "t.csv", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome o = program(words);
+    EXPECT_EQ(o.code, code) << o.err << text.substr(0, 200);
+    EXPECT_NE(o.out.find("\"IND 011111 OK\",\"outcome\":\"ok\""), std::string::npos)
+        << o.out << text.substr(0, 200);
+    const std::size_t last = o.out.rfind("{\"line\"");
+    if (last == std::string::npos) return {};
+    return nlohmann::json::parse(o.out.substr(last)).at("line");
+  }
+
+  void expect_read(const std::string& text, const std::string& channel,
+                   const Words& options = {}) const {
+    const auto line = line_of(text, options);
+    if (line.empty()) return;
+    EXPECT_EQ(line.at("baud"), 600) << text.substr(0, 200);
+    EXPECT_EQ(line.at("polarity"), "idle-high") << text.substr(0, 200);
+    EXPECT_EQ(line.at("capture").at("channel"), channel) << text.substr(0, 200);
+  }
+};
+
+std::string volts(bool level) { return level ? "3.32" : "0.04"; }
+
+TEST_F(CsvLayouts, HeadsBesideTheRows) {
+  int i = 0;
+  const char* head[] = {"Record Length,1.08e+03,",
+                        "Sample Interval,3.333333e-04,",
+                        "Trigger Point,1.5e+02,",
+                        ",,",
+                        "Source,CH1,",
+                        "Vertical Units,V,",
+                        "Vertical Scale,1.0e+00,",
+                        "Vertical Offset,0.0e+00,",
+                        "Horizontal Scale,2.5e-02,",
+                        "Yzero,0.0e+00,"};
+  expect_read(rows(1 / 3000.0,
+                   [&](double t, bool level) {
+                     const char* beside = i < 10 ? head[i++] : ",,";
+                     return fmt::format("{},{:.9f},{},\n", beside, t - 0.05, volts(level));
+                   }),
+              "CH1");
+}
+
+TEST_F(CsvLayouts, NamesAndUnitsInEitherOrder) {
+  const auto two = [](double t, bool level) {
+    return fmt::format("{:.6E},{},{}\n", t - 0.05, 0.01 * std::sin(1e4 * t), volts(level));
+  };
+  expect_read("x-axis,1,2\nsecond,Volt,Volt\n" + rows(1 / 3000.0, two), "2");
+  expect_read("second,Volt,Volt\nx-axis,1,2\n" + rows(1 / 3000.0, two), "2", {"--channel", "2"});
+  expect_read("Time,A,B\n(s),(mV),(V)\n\n" + rows(1 / 3000.0, two), "B");
+  expect_read("in s,CH1 in V,CH2 in V\n" + rows(1 / 3000.0, two), "CH2 in V", {"--channel", "CH2"});
+  expect_read("seconds,CH1,CH2\n" + rows(1 / 3000.0, two), "CH2");
+}
+
+TEST_F(CsvLayouts, UnitsOfTimeInAllSpellings) {
+  for (const char* heading : {"Time (usec)", "Time [us]", "time_us", "Time(\u00b5s)", "t/us",
+                              "Time (microseconds)", "Time in us"})
+    expect_read(std::string(heading) + ",rx\n" + changes(1e-6), "rx");
+  expect_read("Time (ns),rx\n" + changes(1e-9), "rx");
+  expect_read("Time,rx\n" + changes(1e-6), "rx", {"--time-unit", "us"});
+  expect_read("Time,rx\n" + changes(1e-7), "rx", {"--time-unit", "100ns"});
+  write("t.csv", "Time (fortnight),rx\n" + changes(1e-6));
+  expect_refused(
+      {"decode", "t.csv"}, 2,
+      "the time's unit 'fortnight' in t.csv:101 (no such unit is known here) give rows of "
+      "numbers, a column for each wire");
+}
+
+TEST_F(CsvLayouts, TimesOfChangesAreInTheUnitThatFitsTheHeadsRate) {
+  const std::string head =
+      "; CSV generated by libsigrok 0.5.2\n; Channels (1/1): RX\n; Samplerate: 100 kHz\nTime,RX\n";
+  std::string text = head + "0,1\n";
+  bool last = true;
+  for (int sample = 0; sample < 36000; ++sample)
+    if (level_at(sample * 1e-5) != last) {
+      last = !last;
+      text += fmt::format("{},{}\n", sample * 10, last ? 1 : 0);
+    }
+  expect_read(text, "RX");
+}
+
+TEST_F(CsvLayouts, RatesAndIntervalsInTheHead) {
+  const auto one = [](double, bool level) { return level ? "83,\n" : "-1,\n"; };
+  expect_read("Memory Length,1080,\nSource,CH1,\nSampling Period,3.33333E-04,\nWaveform Data,\n" +
+                  rows(1 / 3000.0, one),
+              "Waveform Data");
+  expect_read("# Sample rate: 3 kSa/s\nvalue\n" + rows(1 / 3000.0, one), "value");
+  expect_read("Sample Interval,333.333,us\nvalue\n" + rows(1 / 3000.0, one), "value");
+  write("t.csv", "Sample Interval,3.3,fortnight\nvalue\n" + rows(1 / 3000.0, one));
+  expect_refused(
+      {"decode", "t.csv"}, 2,
+      "Sample Interval 'fortnight' in t.csv:3 (it is in no unit that is known here) give "
+      "rows of numbers, a column for each wire");
+}
+
+TEST_F(CsvLayouts, DecimalCommas) {
+  const auto row = [](const char* separator) {
+    return [separator](double t, bool level) {
+      std::string text = fmt::format("{:.6f}{}{}\n", 1e3 * t, separator, volts(level));
+      std::ranges::replace(text, '.', ',');
+      return text;
+    };
+  };
+  expect_read("Time\tChannel A\n(ms)\t(V)\n\n" + rows(1 / 3000.0, row("\t")), "Channel A");
+  expect_read("Time (ms);A (V)\n" + rows(1 / 3000.0, row(";")), "A (V)");
+}
+
+TEST_F(CsvLayouts, CellsThatSayNothing) {
+  expect_read("Time [us],Channel 0,Channel 1\n" + changes(1e-6, ",X"), "Channel 0");
+  for (const char* nothing : {"NaN", "inf", "-", ""})
+    expect_read("Time [us],Channel 0,Channel 1\n" + changes(1e-6, std::string(",") + nothing),
+                "Channel 0");
+}
+
+TEST_F(CsvLayouts, DeadColumnsAndColumnsOfNoiseAreNotPreferred) {
+  const auto with = [](const std::string& before, const std::string& behind) {
+    return rows(1 / 3000.0, [=](double t, bool level) {
+      return fmt::format("{:.7f}{},{}{}\n", t, before, volts(level), behind);
+    });
+  };
+  expect_read("Time(s),CH1(V),CH2(V)\n" + with("", ",0.000"), "CH1(V)");
+  expect_read("Time(s),CH1(V),CH2(V)\n" + with(",0.000", ""), "CH2(V)");
+  expect_read("Time(s),CLK,RX\n" + rows(1e-4,
+                                        [](double t, bool level) {
+                                          return fmt::format("{:.7f},0,{}\n", t, level ? 1 : 0);
+                                        }),
+              "RX");
+}
+
+TEST_F(CsvLayouts, ManyZerosBeforeTheFirstEdge) {
+  std::string text = "Time(s),CH1(V)\n";
+  for (int i = 0; i < 1500; ++i) text += fmt::format("{:.7f},0.00\n", i / 3000.0);
+  text += rows(1 / 3000.0, [](double t, bool level) {
+    return fmt::format("{:.7f},{}\n", 0.5 + t, level ? "0.00" : "3.30");
+  });
+  EXPECT_EQ(line_of(text).at("polarity"), "idle-low");
+}
+
+TEST_F(CsvLayouts, PairsOfRowsAtOneTime) {
+  expect_read("Time,CH1 in V\n" + rows(1 / 3000.0,
+                                       [](double t, bool level) {
+                                         return fmt::format("{0:.5E},{1}\n{0:.5E},{1}\n", t,
+                                                            volts(level));
+                                       }),
+              "CH1 in V");
+}
+
+TEST_F(CsvLayouts, DatesAsSecondsAndNoOthers) {
+  std::string text = "timestamp,rx\n";
+  bool last = false;
+  for (int sample = 0; sample < 36000; ++sample)
+    if (level_at(sample * 1e-5) != last) {
+      last = !last;
+      text += fmt::format("{:.5f},{}\n", 1.7e9 + sample * 1e-5, last ? 1 : 0);
+    }
+  expect_read(text, "rx");
+  write("t.csv", "time,rx\n2026-05-01T12:00:00.25,1\n2026-05-01T12:00:00.26,0\n");
+  expect_refused({"decode", "t.csv"}, 2,
+                 "the time '2026-05-01T12:00:00.25' in t.csv:2 (it is a time of day, and no number "
+                 "of seconds) give rows of numbers, a column for each wire");
+}
+
+TEST_F(CsvLayouts, FewSamplesABit) {
+  expect_read("; Samplerate: 2 kHz\nrx\n" +
+                  rows(1 / 2000.0, [](double, bool level) { return level ? "1\n" : "0\n"; }),
+              "rx");
+}
+
+TEST_F(CsvLayouts, IdleIsWhatLiesBetweenCharacters) {
+  std::string text = "Time [s],rx\n0,0\n2,1\n";  // no supply at first
+  bool last = true;
+  for (int slot = 0; slot < 190; ++slot) {
+    const double time = begin_s + slot * bit_s;
+    if (level_at(time) != last) {
+      last = !last;
+      text += fmt::format("{:.6f},{}\n", 2 + time, last ? 1 : 0);
+    }
+  }
+  expect_read(text, "rx");
+  EXPECT_EQ(line_of(text).at("capture").at("polarity_by"), "by the characters");
+}
+
+TEST_F(CsvLayouts, RowsAreSkippedWhenTold) {
+  expect_read("1,2\n3,4\nTime (us),rx\n" + changes(1e-6), "rx", {"--skip-rows", "2"});
+}
+
+TEST_F(CsvLayouts, TwoLinesThatReadAsWellAreSaid) {
+  std::string text = "Time [us],Channel 0,Channel 1\n";
+  std::istringstream lines(changes(1e-6));
+  for (std::string line; std::getline(lines, line);)
+    text += line + "," + line.substr(line.find(',') + 1) + "\n";
+  EXPECT_EQ(line_of(text, {}, 4).at("capture").at("channel"), "Channel 0");
+  EXPECT_EQ(line_of(text, {"--channel", "2"}).at("capture").at("channel"), "Channel 1");
+}
+
+}  // namespace
