@@ -17,45 +17,45 @@ using dsp::Seconds;
 using Spelling = std::pair<std::string_view, double>;
 
 /// In lower case; "µ" and "μ" are two signs that look alike.
-constexpr Spelling times[] = {{"s", 1},
-                              {"sec", 1},
-                              {"secs", 1},
-                              {"second", 1},
-                              {"seconds", 1},
-                              {"ms", 1e-3},
-                              {"msec", 1e-3},
-                              {"msecs", 1e-3},
-                              {"millisecond", 1e-3},
-                              {"milliseconds", 1e-3},
-                              {"us", 1e-6},
-                              {"usec", 1e-6},
-                              {"usecs", 1e-6},
-                              {"\u00b5s", 1e-6},
-                              {"\u03bcs", 1e-6},
-                              {"\u00b5sec", 1e-6},
-                              {"microsecond", 1e-6},
-                              {"microseconds", 1e-6},
-                              {"ns", 1e-9},
-                              {"nsec", 1e-9},
-                              {"nsecs", 1e-9},
-                              {"nanosecond", 1e-9},
-                              {"nanoseconds", 1e-9},
-                              {"ps", 1e-12},
-                              {"psec", 1e-12},
-                              {"picosecond", 1e-12},
-                              {"picoseconds", 1e-12},
-                              {"min", 60},
-                              {"minute", 60},
-                              {"minutes", 60}};
+constexpr Spelling spelt_times[] = {{"s", 1},
+                                    {"sec", 1},
+                                    {"secs", 1},
+                                    {"second", 1},
+                                    {"seconds", 1},
+                                    {"ms", 1e-3},
+                                    {"msec", 1e-3},
+                                    {"msecs", 1e-3},
+                                    {"millisecond", 1e-3},
+                                    {"milliseconds", 1e-3},
+                                    {"us", 1e-6},
+                                    {"usec", 1e-6},
+                                    {"usecs", 1e-6},
+                                    {"\u00b5s", 1e-6},
+                                    {"\u03bcs", 1e-6},
+                                    {"\u00b5sec", 1e-6},
+                                    {"microsecond", 1e-6},
+                                    {"microseconds", 1e-6},
+                                    {"ns", 1e-9},
+                                    {"nsec", 1e-9},
+                                    {"nsecs", 1e-9},
+                                    {"nanosecond", 1e-9},
+                                    {"nanoseconds", 1e-9},
+                                    {"ps", 1e-12},
+                                    {"psec", 1e-12},
+                                    {"picosecond", 1e-12},
+                                    {"picoseconds", 1e-12},
+                                    {"min", 60},
+                                    {"minute", 60},
+                                    {"minutes", 60}};
 /// As they are written: "mHz" would be a thousandth.
-constexpr Spelling rates[] = {
+constexpr Spelling spelt_rates[] = {
     {"", 1},       {"Hz", 1},      {"hz", 1},      {"k", 1e3},     {"kHz", 1e3},  {"KHz", 1e3},
     {"khz", 1e3},  {"M", 1e6},     {"MHz", 1e6},   {"mhz", 1e6},   {"G", 1e9},    {"GHz", 1e9},
     {"Sa/s", 1},   {"kSa/s", 1e3}, {"MSa/s", 1e6}, {"GSa/s", 1e9}, {"S/s", 1},    {"kS/s", 1e3},
     {"MS/s", 1e6}, {"GS/s", 1e9},  {"sps", 1},     {"Sps", 1},     {"ksps", 1e3}, {"kSps", 1e3},
     {"Msps", 1e6}, {"MSps", 1e6},  {"Gsps", 1e9},  {"GSps", 1e9}};
-constexpr std::string_view others[] = {"v",  "volt", "volts",  "mv", "uv", "\u00b5v", "a",
-                                       "ma", "amp",  "ampere", "w",  "db", "dbm",     "hz"};
+constexpr std::string_view other_units[] = {"v",  "volt", "volts",  "mv", "uv", "\u00b5v", "a",
+                                            "ma", "amp",  "ampere", "w",  "db", "dbm",     "hz"};
 
 std::string lowered(std::string_view text) {
   std::string low(text);
@@ -130,7 +130,7 @@ Heading parts_of(std::string_view text) {
 }  // namespace
 
 std::optional<Seconds> time_unit(std::string_view word) {
-  const auto factor = found_in(times, lowered(without_brackets(word)));
+  const auto factor = found_in(spelt_times, lowered(without_brackets(word)));
   return factor ? std::optional(Seconds(*factor)) : std::nullopt;
 }
 
@@ -139,17 +139,18 @@ bool is_unit_word(std::string_view field) {
   if (text.empty()) return false;
   if (text.front() == '(' && text.back() == ')') return true;
   const std::string word = lowered(without_brackets(text));
-  return found_in(times, word).has_value() || std::ranges::find(others, word) != std::end(others);
+  return found_in(spelt_times, word).has_value() ||
+         std::ranges::find(other_units, word) != std::end(other_units);
 }
 
 std::optional<Hertz> parse_sample_rate(std::string_view text) {
-  const auto number = parse_with(rates, text, 1);
+  const auto number = parse_with(spelt_rates, text, 1);
   if (!number || !is_sample_rate(Hertz(*number))) return std::nullopt;
   return Hertz(*number);
 }
 
 std::optional<Seconds> parse_interval(std::string_view text, Seconds unit) {
-  const auto number = parse_with(times, lowered(text), unit.value);
+  const auto number = parse_with(spelt_times, lowered(text), unit.value);
   return number ? std::optional(Seconds(*number)) : std::nullopt;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -19,6 +19,8 @@ namespace {
 using dsp::Hertz;
 using dsp::Seconds;
 using Row = std::vector<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string in_small_letters(std::string text) {
   std::ranges::transform(text, text.begin(), [](char c) {
@@ -271,8 +273,11 @@ class ColumnAhead : public SampleCapture {
 WireSurvey survey_of_samples(const CsvTable& table, Hertz rate, std::size_t column,
                              const LineHints& hints) {
   WireSurvey survey{name_of(table, column), 0, {}};
-  const auto cells = [&](const Row& row) { return row[column]; };
-  const auto [least, most] = std::ranges::minmax(table.ahead() | std::views::transform(cells));
+  double least = infinity, most = -infinity;
+  for (const Row& row : table.ahead()) {
+    least = std::fmin(least, row[column]);
+    most = std::fmax(most, row[column]);
+  }
   if (!(most > least)) return survey;
   ColumnAhead samples(table, rate, column);
   SampledLine line(samples, {hints.carrier, hints.baud});

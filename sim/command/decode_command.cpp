@@ -90,7 +90,7 @@ std::optional<Hertz> hertz(const std::optional<double>& rate) {
 double in_us(Seconds time) { return time.value * 1e6; }
 double in_ppm(Hertz measured, Hertz nominal) { return (measured / nominal - 1) * 1e6; }
 
-std::string words_of(LineFacts::Basis basis) {
+std::string basis_words(LineFacts::Basis basis) {
   switch (basis) {
     case LineFacts::Basis::told:
       return "as told";
@@ -135,7 +135,7 @@ std::string reading_line(const std::string& file, const CaptureFacts& facts,
   if (!facts.channel.empty()) text += ": " + channel_text(facts);
   if (!facts.time.empty()) text += "; " + facts.time;
   text += fmt::format("; idle-{} {}; {:.6g} Bd {}", line.inverted ? "low" : "high",
-                      words_of(line.polarity_by), line.baud.value, words_of(line.baud_by));
+                      basis_words(line.polarity_by), line.baud.value, basis_words(line.baud_by));
   if (!facts.assumed.empty()) text += fmt::format("; assumed: {}", fmt::join(facts.assumed, ", "));
   return text + "\n";
 }
@@ -152,8 +152,8 @@ nlohmann::json reading_json(const std::string& file, const CaptureFacts& facts,
                          {"format", facts.format},
                          {"channels", channels},
                          {"is_whole", facts.is_whole},
-                         {"polarity_by", words_of(line.polarity_by)},
-                         {"baud_by", words_of(line.baud_by)},
+                         {"polarity_by", basis_words(line.polarity_by)},
+                         {"baud_by", basis_words(line.baud_by)},
                          {"assumed", facts.assumed}};
   if (!facts.channel.empty()) json["channel"] = facts.channel;
   if (!facts.time.empty()) json["time"] = facts.time;
