@@ -27,6 +27,6 @@ struct Heading {
   std::string unit{};  // as it is written, without brackets; empty: none
   std::string text{};  // all of it
 };
-Heading heading_of(std::string_view text);
+Heading heading_of(std::string_view field);
 
 }  // namespace sim

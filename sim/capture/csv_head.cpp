@@ -132,22 +132,27 @@ void CsvHead::take_interval(const std::string& key, const std::string& value,
     unknown_ = {unit ? value : word, key};
 }
 
+Heading CsvHead::heading(std::size_t column, std::size_t count,
+                         const std::vector<std::string>* names,
+                         const std::vector<std::string>* units) const {
+  const std::string number = std::to_string(column);
+  Heading heading{number, "", number};
+  if (names != nullptr) heading = heading_of((*names)[column]);
+  if (column > 0 && !source_.empty()) heading = {source_, "", source_};
+  if (channels_.size() == count) heading = {channels_[column], "", channels_[column]};
+  if (units == nullptr || !heading.unit.empty()) return heading;
+  heading.unit = heading_of((*units)[column]).unit;
+  if (heading.unit.empty()) heading.unit = (*units)[column];
+  return heading;
+}
+
 std::vector<Heading> CsvHead::columns(std::size_t count) const {
   const std::vector<std::string>*names = nullptr, *units = nullptr;
-  for (const auto& row : rows_) {
-    if (row.size() != count) continue;
-    (are_units(row) && (names != nullptr || count > 1) ? units : names) = &row;
-  }
+  for (const auto& row : rows_)
+    if (row.size() == count)
+      (are_units(row) && (names != nullptr || count > 1) ? units : names) = &row;
   std::vector<Heading> columns;
-  for (std::size_t i = 0; i < count; ++i) {
-    Heading heading{std::to_string(i), "", std::to_string(i)};
-    if (names != nullptr) heading = heading_of((*names)[i]);
-    if (i > 0 && !source_.empty()) heading = {source_, "", source_};
-    if (channels_.size() == count) heading = {channels_[i], "", channels_[i]};
-    if (units != nullptr && heading.unit.empty()) heading.unit = heading_of((*units)[i]).unit;
-    if (units != nullptr && heading.unit.empty()) heading.unit = (*units)[i];
-    columns.push_back(std::move(heading));
-  }
+  for (std::size_t i = 0; i < count; ++i) columns.push_back(heading(i, count, names, units));
   return columns;
 }
 

@@ -25,7 +25,7 @@ namespace sim {
 class CsvHead {
  public:
   /// A line's fields, trimmed, that are no row of numbers.
-  void read(const std::vector<std::string>& fields, std::string_view whole_line);
+  void read(const std::vector<std::string>& all, std::string_view line);
 
   /// The same of a line whose fields stand beside a row: they name no columns.
   void read_beside(const std::vector<std::string>& fields);
@@ -50,6 +50,8 @@ class CsvHead {
   const std::optional<Unknown>& unknown() const { return unknown_; }
 
  private:
+  Heading heading(std::size_t column, std::size_t count, const std::vector<std::string>* names,
+                  const std::vector<std::string>* units) const;
   bool read_channels(std::string_view line);
   bool read_timing(const std::vector<std::string>& fields, std::string_view line);
   bool read_grid(const std::vector<std::string>& fields);

@@ -9,7 +9,7 @@ namespace sim {
 void WireNames::enter(std::string_view scope) {
   std::string path = scopes_[open_.back()];
   path.append(scope).append(".");
-  bytes_ += sizeof(path) + path.capacity();
+  bytes_ += sizeof(std::string) + path.capacity();
   open_.push_back(scopes_.size());
   scopes_.push_back(std::move(path));
 }
