@@ -31,6 +31,36 @@ CLI::Validator a_tick() {
           ""};
 }
 
+/// How the file is to be read, where it does not say so itself.
+void add_capture_options(CLI::App& decode, DecodeRequest& request) {
+  decode.add_option("--format", request.format, "of the capture, where its name does not say it")
+      ->type_name("NAME")
+      ->check(one_of(capture_format_names()));
+  decode
+      .add_option_function<std::string>(
+          "--sample-rate",
+          [&request](const std::string& text) {
+            request.sample_rate_hz = parse_sample_rate(text)->value;
+          },
+          "samples a second, such as 96000 or 1MHz, for a capture that does not say it")
+      ->type_name("RATE")
+      ->check(a_sample_rate());
+  decode
+      .add_option_function<std::string>(
+          "--time-unit", [&request](const std::string& text) { request.tick = tick_of(text); },
+          "unit of time, such as us, 1us or 10ns, for a capture that does not say it")
+      ->type_name("UNIT")
+      ->check(a_tick());
+  decode.add_option("--skip-rows", request.skip_rows, "lines of a table to pass over first")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000000).description(""));
+  decode
+      .add_option("--sample-bytes", request.sample_bytes,
+                  "bytes a sample of a .bin, eight channels each; 1 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 8).description(""));
+}
+
 }  // namespace
 
 void add_encode(CLI::App& app, EncodeRequest& request) {
@@ -61,32 +91,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
                   "wire, channel or column to decode, by name or by number from 1 on; if not "
                   "given, by what is on them")
       ->type_name("NAME");
-  decode.add_option("--format", request.format, "of the capture, where its name does not say it")
-      ->type_name("NAME")
-      ->check(one_of(capture_format_names()));
-  decode
-      .add_option_function<std::string>(
-          "--sample-rate",
-          [&request](const std::string& text) {
-            request.sample_rate_hz = parse_sample_rate(text)->value;
-          },
-          "samples a second, such as 96000 or 1MHz, for a capture that does not say it")
-      ->type_name("RATE")
-      ->check(a_sample_rate());
-  decode
-      .add_option_function<std::string>(
-          "--time-unit", [&request](const std::string& text) { request.tick = tick_of(text); },
-          "unit of time, such as us, 1us or 10ns, for a capture that does not say it")
-      ->type_name("UNIT")
-      ->check(a_tick());
-  decode.add_option("--skip-rows", request.skip_rows, "lines of a table to pass over first")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000000).description(""));
-  decode
-      .add_option("--sample-bytes", request.sample_bytes,
-                  "bytes a sample of a .bin, eight channels each; 1 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 8).description(""));
+  add_capture_options(decode, request);
   decode
       .add_option(
           "--uart", request.uart,
