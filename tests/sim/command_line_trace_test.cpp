@@ -69,7 +69,7 @@ TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
   for (const char* baud : {"nan", "inf", "0", "1e7", "x", ""})
     EXPECT_EQ(program({"decode", "t.vcd", "--baud", baud}).code, bad_input) << baud;
   expect_refused({"decode", "t.vcd", "--wire", "tr"}, bad_input,
-                 "--wire tr is not in t.vcd (the capture has no such wire) use tx");
+                 "--wire tr is not in t.vcd (the capture has no such wire) use tx or rx");
   const Outcome o = program({"decode", "garbage.vcd"});
   EXPECT_EQ(o.code, bad_input);
   EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
