@@ -123,12 +123,14 @@ has_settings() { # has_settings DIR NAME:TYPE=VALUE...
 }
 
 kept_settings() { # kept_settings DIR: those that a configuration from scratch would forget
-  sed -nE 's/^(COSYS_(TESTS|WERROR|UNITY|MPI):BOOL=.*)/\1/p' "$1/CMakeCache.txt"
+  sed -nE 's/^(COSYS_(TESTS|WERROR):BOOL=.*)/\1/p' "$1/CMakeCache.txt"
 }
 
-# What CMake may have looked for in vain, or found in another version: packages and uPlot.
+# What CMake may have looked for in vain, or found in another version: packages and uPlot. A preset that changed
+# asks for a configuration from scratch too.
 state_of_packages() {
   local names=()
+  cksum "$root/CMakePresets.json"
   mapfile -t names < <(packages_of build test lint optional)
   dpkg-query -W -f='${Package} ${Version} ${db:Status-Status}\n' "${names[@]}" 2>/dev/null || true
   [[ ! -e $uplot ]] || echo "uPlot $(stat -c %Y "$uplot")"

@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 root=$folder/root
 
-fail() { printf '%s\n' "$@"; exit 1; }
+fail() { printf '%s\n' "$@" >&2; exit 1; }
 skip() { exec "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/skip.sh" package "$*"; }
 for tool in cpack dpkg-shlibdeps file; do
   command -v "$tool" >/dev/null || skip "no $tool here"
