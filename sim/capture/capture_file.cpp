@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "sim/capture/csv_capture.hpp"
 #include "sim/capture/netcdf_capture.hpp"
@@ -16,6 +17,7 @@
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
@@ -39,17 +41,22 @@ void as_session(const fs::path& path, const CaptureSettings& settings, Capture& 
 }
 
 void as_raw(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  if (const auto bytes = bytes_it_looks_like(capture.in->beginning());
+      bytes && !settings.sample_bytes)
+    capture.facts.doubt = fmt::format(
+        "its bytes repeat every {0} (it may have {0} a sample) say --sample-bytes {0}, or 1",
+        *bytes);
   capture.logic =
       open_raw(*capture.in, path.string(),
                {settings.sample_rate, static_cast<std::size_t>(settings.sample_bytes.value_or(1))});
 }
 
 void as_wav(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
-  capture.samples = open_wav(path, settings.wire);
+  open_wav(path, settings, capture);
 }
 
 void as_sigmf(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
-  capture.samples = open_sigmf(path, settings);
+  open_sigmf(path, settings, capture);
 }
 
 void as_sigmf_data(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
@@ -65,17 +72,33 @@ struct Format {
   std::string_view beginning;  // of every such file; empty: none is sure
   void (*open)(const fs::path&, const CaptureSettings&, Capture&);
   bool is_text = false;  // read from Capture::in: a mark may stand before it
+  bool takes_rate = true;
 };
 
-constexpr Format formats[] = {{"vcd", "$", as_vcd, true},
+constexpr Format formats[] = {{"vcd", "$", as_vcd, true, false},
                               {"sr", "PK\x03\x04", as_session},
-                              {"ook", ";pulse data", as_pulses, true},
-                              {"wav", "RIFF", as_wav},
+                              {"ook", ";pulse data", as_pulses, true, false},
+                              {"wav", "RIFF", as_wav, false, false},
                               {"sigmf-meta", "", as_sigmf},
                               {"sigmf-data", "", as_sigmf_data},
                               {"csv", "", as_csv, true},
                               {"h5", "\x89HDF", as_netcdf},
                               {"bin", "", as_raw}};
+
+/// An option that says what the format says itself must not be passed over in silence.
+void refuse_useless_options(const Format& format, const std::string& file,
+                            const CaptureSettings& settings) {
+  const bool is_table = format.open == as_csv;
+  const std::pair<const char*, bool> useless[] = {
+      {"--sample-bytes", settings.sample_bytes && format.open != as_raw},
+      {"--sample-rate", settings.sample_rate && !format.takes_rate},
+      {"--time-unit", settings.tick && !is_table && format.open != as_vcd},
+      {"--skip-rows", settings.skip_rows > 0 && !is_table}};
+  for (const auto& [option, is_useless] : useless)
+    if (is_useless)
+      throw bad_input(fmt::format("{} is not for {}", option, file),
+                      "its format says that itself, or has none", "leave it out");
+}
 
 /// What is near a format and not read.
 struct OtherFile {
@@ -88,10 +111,7 @@ constexpr OtherFile other_files[] = {
 
 /// In small letters, as file systems of instruments write capitals alone.
 std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  });
+  const std::string ending = in_lower_case(path.extension().string());
   return ending.empty() ? "" : ending.substr(1);
 }
 
@@ -136,20 +156,18 @@ void choose_wire(const std::string& file, const CaptureSettings& settings, Captu
   if (capture.logic->wires().empty())
     throw bad_input(file + " holds no one-bit wire", "there is nothing to decode",
                     "give a capture of the receiver's output");
-  auto surveyed = std::make_unique<SurveyedCapture>(std::move(capture.logic), settings.hints);
-  const std::vector<WireSurvey>& wires = surveyed->surveys();
-  WireChoice choice;
-  if (settings.wire.empty())
-    choice = choice_of_wire(wires);
-  else
-    choice.wire = named_wire(surveyed->wires(), settings.wire, file);
+  auto surveyed = std::make_unique<SurveyedCapture>(std::move(capture.logic));
   CaptureFacts& facts = capture.facts;
-  facts.channels.clear();
-  for (const WireSurvey& wire : wires) facts.channels.push_back({wire.name, wire.edges});
-  facts.channel = wires[choice.wire].name;
   facts.is_whole = surveyed->is_whole();
-  if (choice.rival) facts.rival = wires[*choice.rival].name;
-  capture.wire = choice.wire;
+  if (settings.wire.empty()) {
+    capture.wire = take_choice(surveyed->surveys(settings.hints), facts);
+  } else {
+    capture.wire = named_channel(surveyed->wires(), settings.wire, file);
+    const std::vector<std::uint64_t> edges = surveyed->edges();
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      facts.channels.push_back({surveyed->wires()[i], edges[i]});
+  }
+  facts.taken = capture.wire;
   capture.logic = std::move(surveyed);
 }
 
@@ -159,18 +177,23 @@ void skip_mark(InputStream& in, const fs::path& path) {
 
 }  // namespace
 
+std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& facts) {
+  const ChannelChoice choice = choice_of_channel(surveys);
+  for (const ChannelSurvey& survey : surveys) facts.channels.push_back({survey.name, survey.edges});
+  facts.rival = choice.rival;
+  return choice.channel;
+}
+
 Capture open_capture(const fs::path& named, const CaptureSettings& settings) {
   const fs::path path = named == "-" ? "/dev/stdin" : named;
   Capture capture;
   capture.in = std::make_unique<InputStream>(path, "capture");
   const Format& format = format_of(path, settings, capture);
-  if (settings.sample_bytes && format.open != as_raw)
-    throw bad_input("--sample-bytes is not for " + path.string(), "its format says them itself",
-                    "leave it out");
+  refuse_useless_options(format, path.string(), settings);
   if (format.is_text) skip_mark(*capture.in, path);
   format.open(path, settings, capture);
   capture.facts.format = format.name;
-  if (capture.logic) choose_wire(path.string(), settings, capture);
+  if (!capture.facts.taken) choose_wire(path.string(), settings, capture);
   return capture;
 }
 

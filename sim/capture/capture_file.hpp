@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct CaptureSettings {
   std::optional<dsp::Hertz> sample_rate;  // for formats that do not say it; overrides a file's own
   std::string format;                     // empty: by the file's ending, else by its first bytes
   std::optional<int> sample_bytes{};      // of raw files, 1 to 8; nothing: 1
-  std::optional<dsp::Seconds> tick{};     // unit of time, where a file does not say its own
+  std::optional<dsp::Seconds> tick{};     // unit of time; overrides a file's own
   std::size_t skip_rows = 0;              // lines of a table that are passed over
   LineHints hints{};                      // by which a wire is chosen
 };
@@ -33,13 +34,18 @@ struct CaptureFacts {
     std::optional<std::uint64_t> edges;  // nothing: they were not counted
   };
 
-  std::string format, channel;  // the one that is read
+  std::string format;
   std::vector<Channel> channels;
-  bool is_whole = true;  // edges are those of the whole capture, not of its beginning
-  std::string time;      // how instants are told; empty: as the format says
+  std::optional<std::size_t> taken;  // of the channels, the one that is read
+  bool is_whole = true;              // edges are those of the whole capture, not of its beginning
+  std::string time;                  // how instants are told; empty: as the format says
   std::vector<std::string> assumed;
-  std::optional<std::string> rival;  // another channel that reads as well
+  std::optional<std::size_t> rival;  // another channel that reads as well
+  std::optional<std::string> doubt;  // what else the file may be, and how to say so
 };
+
+/// Takes the best of these channels. Its place among them.
+std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& facts);
 
 /// One of the two is there: `samples` where the wanted channel is an analogue one.
 struct Capture {

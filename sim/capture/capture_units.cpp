@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/capture/sample_capture.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {
@@ -56,14 +57,6 @@ constexpr Spelling spelt_rates[] = {
     {"Msps", 1e6}, {"MSps", 1e6},  {"Gsps", 1e9},  {"GSps", 1e9}};
 constexpr std::string_view other_units[] = {"v",  "volt", "volts",  "mv", "uv", "\u00b5v", "a",
                                             "ma", "amp",  "ampere", "w",  "db", "dbm",     "hz"};
-
-std::string lowered(std::string_view text) {
-  std::string low(text);
-  std::ranges::transform(low, low.begin(), [](unsigned char c) {
-    return static_cast<char>(c < 0x80 ? std::tolower(c) : c);
-  });
-  return low;
-}
 
 std::string_view bare(std::string_view text) {
   constexpr std::string_view around = " \t\"";
@@ -123,14 +116,14 @@ Heading parts_of(std::string_view text) {
     if (at != std::string_view::npos && time_unit(text.substr(at + 1)))
       return split_at(text, at, text.substr(at + 1));
   }
-  if (lowered(text).size() > 1 && time_unit(text)) return {"", std::string(text)};
+  if (in_lower_case(text).size() > 1 && time_unit(text)) return {"", std::string(text)};
   return {std::string(text), ""};
 }
 
 }  // namespace
 
 std::optional<Seconds> time_unit(std::string_view word) {
-  const auto factor = found_in(spelt_times, lowered(without_brackets(word)));
+  const auto factor = found_in(spelt_times, in_lower_case(without_brackets(word)));
   return factor ? std::optional(Seconds(*factor)) : std::nullopt;
 }
 
@@ -138,7 +131,7 @@ bool is_unit_word(std::string_view field) {
   const std::string_view text = bare(field);
   if (text.empty()) return false;
   if (text.front() == '(' && text.back() == ')') return true;
-  const std::string word = lowered(without_brackets(text));
+  const std::string word = in_lower_case(without_brackets(text));
   return found_in(spelt_times, word).has_value() ||
          std::ranges::find(other_units, word) != std::end(other_units);
 }
@@ -150,7 +143,7 @@ std::optional<Hertz> parse_sample_rate(std::string_view text) {
 }
 
 std::optional<Seconds> parse_interval(std::string_view text, Seconds unit) {
-  const auto number = parse_with(spelt_times, lowered(text), unit.value);
+  const auto number = parse_with(spelt_times, in_lower_case(text), unit.value);
   return number ? std::optional(Seconds(*number)) : std::nullopt;
 }
 

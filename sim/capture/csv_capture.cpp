@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "sim/capture/csv_table.hpp"
-#include "sim/capture/sampled_line.hpp"
+#include "sim/capture/keyed_wire.hpp"
+#include "sim/capture/sample_choice.hpp"
 #include "sim/capture/wire_choice.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
@@ -20,42 +22,35 @@ using dsp::Hertz;
 using dsp::Seconds;
 using Row = std::vector<double>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  });
-  return text;
-}
-
 std::string name_of(const CsvTable& table, std::size_t column) {
   const Heading& heading = table.columns()[column];
   return heading.text.empty() ? std::to_string(column) : heading.text;
 }
 
 bool is_logic(const CsvTable& table, std::size_t column) {
-  return std::ranges::all_of(table.ahead(), [&](const Row& row) {
-    return row[column] == 0 || row[column] == 1 || std::isnan(row[column]);
-  });
+  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
+    const double cell = table.ahead(row, column);
+    if (cell != 0 && cell != 1 && !std::isnan(cell)) return false;
+  }
+  return true;
 }
 
 /// Never back, and on at last: times may repeat where they are printed with too few digits.
 bool rises(const CsvTable& table, std::size_t column) {
-  const auto back = [&](const Row& a, const Row& b) { return !(b[column] >= a[column]); };
-  const auto& rows = table.ahead();
-  return rows.size() > 1 && std::ranges::adjacent_find(rows, back) == rows.end() &&
-         rows.back()[column] > rows.front()[column];
+  const std::size_t rows = table.rows_ahead();
+  for (std::size_t row = 1; row < rows; ++row)
+    if (!(table.ahead(row, column) >= table.ahead(row - 1, column))) return false;
+  return table.ahead(rows - 1, column) > table.ahead(0, column);
 }
 
 bool has_time_heading(const Heading& heading) {
-  const std::string name = in_small_letters(heading.name);
+  const std::string name = in_lower_case(heading.name);
   return name.starts_with("time") || name == "t" || name == "x" || name == "x-axis" ||
          (name.empty() && time_unit(heading.unit));
 }
 
 bool counts_rows(const Heading& heading) {
-  const std::string name = in_small_letters(heading.name);
+  const std::string name = in_lower_case(heading.name);
   return name == "index" || name == "sample" || name == "samples" || name == "sample #" ||
          name == "n" || name == "no" || name == "#" || name == "point";
 }
@@ -70,17 +65,31 @@ std::optional<std::size_t> time_column(const CsvTable& table) {
   return std::nullopt;
 }
 
-/// sigrok prints times as whole numbers of a unit that it does not name: the one in which the rows
-/// lie on the head's samples, and not all of them on every tenth or hundredth.
-std::optional<double> unit_by_rate(const CsvTable& table, std::size_t column, Hertz rate) {
+/// Of the times of the rows ahead, the step of which all distances are whole multiples; nothing
+/// where times are no whole numbers.
+std::optional<double> step_of(const CsvTable& table, std::size_t column) {
   double step = 0;
-  for (std::size_t i = 1; i < table.ahead().size(); ++i) {
-    double rest = table.ahead()[i][column] - table.ahead()[i - 1][column];
+  for (std::size_t row = 1; row < table.rows_ahead(); ++row) {
+    double rest = table.ahead(row, column) - table.ahead(row - 1, column);
     if (rest != std::floor(rest)) return std::nullopt;
     while (rest > 0) step = std::exchange(rest, std::fmod(step, rest));
   }
-  for (const double unit : {1e-12, 1e-9, 1e-6, 1e-3, 1.0})
-    if (step * unit * rate.value > 0.999) return unit;
+  return step;
+}
+
+/// What a tick is of sigrok's times. It prints the number of the sample times the whole ticks in a
+/// sample, of a unit that it may not name: at 24 MHz 41, 82, 123 ns (libsigrok, src/output/csv.c).
+/// The unit is the finest in which all rows lie on samples.
+std::optional<double> tick_of_sigrok(const CsvTable& table, std::size_t column, Hertz rate) {
+  const auto step = step_of(table, column);
+  if (!step || *step == 0) return std::nullopt;
+  const auto named = time_unit(table.columns()[column].unit);
+  for (const double unit : {1e-12, 1e-9, 1e-6, 1e-3, 1.0}) {
+    const double ticks_a_sample = std::floor(1 / (unit * rate.value) + 1e-6);
+    const bool is_it = !named || std::abs(named->value / unit - 1) < 1e-6;
+    if (is_it && ticks_a_sample >= 1 && std::fmod(*step, ticks_a_sample) == 0)
+      return 1 / (ticks_a_sample * rate.value);
+  }
   return std::nullopt;
 }
 
@@ -88,14 +97,14 @@ std::optional<double> unit_by_rate(const CsvTable& table, std::size_t column, He
 class RowClock {
  public:
   RowClock(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts)
-      : rate_(settings.sample_rate ? settings.sample_rate : table.sample_rate()),
+      : rate_(settings.sample_rate ? settings.sample_rate : table.head().sample_rate()),
         column_(time_column(table)) {
     if (!column_) {
       if (rate_) facts.time = fmt::format("{:g} rows a second", rate_->value);
       return;
     }
     find_unit(table, settings, facts);
-    const double start = table.ahead().front()[*column_] * unit_;
+    const double start = table.ahead(0, *column_) * unit_;
     if (start < 0 || start > longest_before_start) origin_ = start;
     if (origin_ > 0) facts.assumed.push_back(fmt::format("times count from {:.6f} s on", origin_));
   }
@@ -104,12 +113,15 @@ class RowClock {
   std::optional<std::size_t> column() const { return column_; }
   std::optional<Hertz> rate() const { return rate_; }
 
-  /// Of the next row.
-  Seconds next(const CsvTable& table, const Row& row) {
+  /// Of the next row, which stands in that line.
+  Seconds next(const CsvTable& table, const Row& row, std::size_t line) {
     const double index = static_cast<double>(count_++);
     const Seconds at(column_ ? row[*column_] * unit_ - origin_ : index / rate_->value);
-    if (!(at >= now_)) table.fail("a row's time", "it is before that of the row before");
-    if (at > longest_capture) table.fail("a row's time", "it is after more than 30 years");
+    const char* fault = std::isnan(at.value)   ? "it is no number"
+                        : at < now_            ? "it is before that of the row before"
+                        : at > longest_capture ? "it is after more than 30 years"
+                                               : nullptr;
+    if (fault != nullptr) table.fail_at(line, "a row's time", fault);
     return now_ = at;
   }
 
@@ -119,22 +131,29 @@ class RowClock {
   static constexpr double longest_before_start = 1e6;  // s; more is a date
 
   void find_unit(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts) {
-    const Heading& heading = table.columns()[*column_];
-    const auto by_rate = rate_ ? unit_by_rate(table, *column_, *rate_) : std::nullopt;
+    const std::string& named = table.columns()[*column_].unit;
     if (settings.tick) {
       unit_ = settings.tick->value;
-    } else if (!heading.unit.empty()) {
-      const auto unit = time_unit(heading.unit);
-      if (!unit)
-        table.fail("the time's unit '" + shown(heading.unit) + "'", "no such unit is known here");
-      unit_ = unit->value;
-    } else if (by_rate) {
-      unit_ = *by_rate;
-      facts.assumed.emplace_back("the unit of time in which rows lie on samples");
+    } else if (rate_ && table.head().is_of_sigrok()) {
+      const auto tick = tick_of_sigrok(table, *column_, *rate_);
+      unit_ = tick ? *tick : named_unit(table, named.empty() ? "s" : named);
+      if (named.empty())
+        facts.assumed.emplace_back("the unit of time in which rows lie on samples");
+    } else if (!named.empty()) {
+      unit_ = named_unit(table, named);
     } else {
       facts.assumed.emplace_back("time in seconds");
+      return;
     }
-    facts.time = unit_ == 1 ? "time in s" : fmt::format("time in steps of {:g} s", unit_);
+    facts.time = unit_ == 1 ? "time in s" : fmt::format("time in steps of {:.6g} s", unit_);
+  }
+
+  static double named_unit(const CsvTable& table, const std::string& named) {
+    const auto unit = time_unit(named);
+    if (!unit)
+      table.fail_at(table.head().line_of_units(table.columns().size()),
+                    "the time's unit '" + shown(named) + "'", "no such unit is known here");
+    return unit->value;
   }
 
   std::optional<Hertz> rate_;
@@ -143,6 +162,11 @@ class RowClock {
   std::uint64_t count_ = 0;
   Seconds now_;
 };
+
+/// Nothing where the cell says nothing.
+std::optional<bool> level_in(double cell) {
+  return std::isnan(cell) ? std::nullopt : std::optional(cell == 1);
+}
 
 class CsvLogic : public LogicCapture {
  public:
@@ -173,19 +197,17 @@ class CsvLogic : public LogicCapture {
     auto row = table_.next();
     if (!row) return false;
     row_ = std::move(*row);
-    clock_.next(table_, row_);
+    clock_.next(table_, row_, table_.line());
     next_ = 0;
     return true;
   }
 
-  /// Nothing where the cell says nothing.
   std::optional<bool> level_of(std::size_t wire) const {
     const double value = row_[columns_[wire]];
-    if (std::isnan(value)) return std::nullopt;
-    if (value != 0 && value != 1)
+    if (!std::isnan(value) && value != 0 && value != 1)
       table_.fail(fmt::format("the value {}", value),
                   "column " + wires_[wire] + " was 0 or 1 so far");
-    return value == 1;
+    return level_in(value);
   }
 
   CsvTable table_;
@@ -200,15 +222,47 @@ class CsvLogic : public LogicCapture {
 /// The rate of a time column by the rows at hand.
 std::optional<Hertz> measured_rate(const CsvTable& table, RowClock clock) {
   if (!clock.has_column()) return std::nullopt;
-  const Seconds first = clock.next(table, table.ahead().front());
-  const Seconds span = clock.next(table, table.ahead().back()) - first;
-  return Hertz(static_cast<double>(table.ahead().size() - 1) / span.value);
+  const std::size_t last = table.rows_ahead() - 1;
+  const auto at = [&](std::size_t row) {
+    Row cells(table.columns().size());
+    cells[*clock.column()] = table.ahead(row, *clock.column());
+    return clock.next(table, cells, table.line_ahead(row));
+  };
+  const Seconds first = at(0);
+  return Hertz(static_cast<double>(last) / (at(last) - first).value);
 }
+
+/// What a column says, cell by cell: as before where a cell says nothing, at first what it says
+/// first. Numbers that are too large for a float say nothing.
+class Held {
+ public:
+  Held(const CsvTable& table, std::size_t column) {
+    for (std::size_t row = 0; row < table.rows_ahead(); ++row)
+      if (is_said(table.ahead(row, column))) {
+        last_ = static_cast<float>(table.ahead(row, column));
+        break;
+      }
+  }
+
+  float operator()(double cell) {
+    if (is_said(cell)) last_ = static_cast<float>(cell);
+    return last_;
+  }
+
+ private:
+  static bool is_said(double cell) { return std::abs(cell) <= std::numeric_limits<float>::max(); }
+
+  float last_ = 0;
+};
 
 class CsvSamples : public SampleCapture {
  public:
   CsvSamples(CsvTable table, RowClock clock, Hertz rate, std::size_t column)
-      : table_(std::move(table)), clock_(clock), rate_(rate), column_(column) {}
+      : held_(table, column),
+        table_(std::move(table)),
+        clock_(clock),
+        rate_(rate),
+        column_(column) {}
 
   Hertz sample_rate() const override { return rate_; }
   bool is_complex() const override { return false; }
@@ -218,10 +272,8 @@ class CsvSamples : public SampleCapture {
     for (; count < to.size(); ++count) {
       const auto row = table_.next();
       if (!row) break;
-      check_spacing(clock_.next(table_, *row));
-      const double value = (*row)[column_];
-      if (!std::isnan(value)) last_ = static_cast<float>(value);
-      to[count] = last_;  // as before where the cell says nothing
+      check_spacing(clock_.next(table_, *row, table_.line()));
+      to[count] = held_((*row)[column_]);
     }
     return count;
   }
@@ -235,139 +287,187 @@ class CsvSamples : public SampleCapture {
       table_.fail("a row's time", "the rows of an analogue column must be evenly spaced");
   }
 
+  Held held_;
   CsvTable table_;
   RowClock clock_;
   Hertz rate_;
   std::size_t column_;
-  float last_ = 0;
   std::uint64_t count_ = 0;
   std::optional<Seconds> first_;
 };
 
 /// A column of the rows at hand, as samples.
-class ColumnAhead : public SampleCapture {
+class SamplesAhead : public SampleCapture {
  public:
-  ColumnAhead(const CsvTable& table, Hertz rate, std::size_t column)
-      : table_(table), rate_(rate), column_(column) {}
+  SamplesAhead(const CsvTable& table, Hertz rate, std::size_t column)
+      : table_(table), held_(table, column), rate_(rate), column_(column) {}
 
   Hertz sample_rate() const override { return rate_; }
   bool is_complex() const override { return false; }
 
   std::size_t read(std::span<std::complex<float>> to) override {
     std::size_t count = 0;
-    for (; count < to.size() && next_ < table_.ahead().size(); ++count, ++next_) {
-      const double value = table_.ahead()[next_][column_];
-      if (!std::isnan(value)) last_ = static_cast<float>(value);
-      to[count] = last_;
-    }
+    for (; count < to.size() && next_ < table_.rows_ahead(); ++count, ++next_)
+      to[count] = held_(table_.ahead(next_, column_));
     return count;
   }
 
  private:
   const CsvTable& table_;
+  Held held_;
   Hertz rate_;
   std::size_t column_, next_ = 0;
-  float last_ = 0;
 };
 
-WireSurvey survey_of_samples(const CsvTable& table, Hertz rate, std::size_t column,
-                             const LineHints& hints) {
-  WireSurvey survey{name_of(table, column), 0, {}};
-  double least = infinity, most = -infinity;
-  for (const Row& row : table.ahead()) {
-    least = std::fmin(least, row[column]);
-    most = std::fmax(most, row[column]);
-  }
-  if (!(most > least)) return survey;
-  ColumnAhead samples(table, rate, column);
-  SampledLine line(samples, {hints.carrier, hints.baud});
-  std::vector<Seconds> flips;
-  while (const auto flip = line.next()) flips.push_back(*flip);
-  survey.edges = flips.size();
-  survey.facts =
-      survey_line({line.initial(), flips, line.known_until()}, hints.inverted, hints.baud);
-  return survey;
-}
+/// A column of 0 and 1 of the rows at hand, as a wire.
+class LevelsAhead : public LogicCapture {
+ public:
+  LevelsAhead(const CsvTable& table, const RowClock& clock, std::size_t column)
+      : table_(table), clock_(clock), column_(column), row_(table.columns().size()) {}
 
-WireSurvey survey_of_levels(const CsvTable& table, std::size_t column) {
-  WireSurvey survey{name_of(table, column), 0, {}};
-  std::optional<double> last;
-  for (const Row& row : table.ahead()) {
-    if (std::isnan(row[column])) continue;
-    survey.edges += last && *last != row[column];
-    last = row[column];
-  }
-  return survey;
-}
+  const std::vector<std::string>& wires() const override { return wires_; }
+  Seconds now() const override { return clock_.now(); }
 
-/// Columns but the time; those of 0 and 1 alone are wires, as long as one of them moves.
-struct Columns {
-  std::vector<std::size_t> logic, analogue;
-  std::vector<WireSurvey> surveys;  // of both, logic first
+  std::optional<WireLevel> next() override {
+    while (next_ < table_.rows_ahead()) {
+      if (clock_.has_column()) row_[*clock_.column()] = table_.ahead(next_, *clock_.column());
+      const Seconds at = clock_.next(table_, row_, table_.line_ahead(next_));
+      const auto level = level_in(table_.ahead(next_++, column_));
+      if (!level || level == level_) continue;
+      const bool initial = !level_.has_value();
+      level_ = level;
+      return WireLevel{0, at, *level, initial};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<std::string> wires_{"column"};
+  const CsvTable& table_;
+  RowClock clock_;
+  std::size_t column_, next_ = 0;
+  Row row_;
+  std::optional<bool> level_;
 };
 
-Columns columns_of(const CsvTable& table, const RowClock& clock, std::optional<Hertz> rate,
-                   const LineHints& hints) {
-  Columns columns;
-  for (std::size_t i = 0; i < table.columns().size(); ++i)
-    if (i != clock.column()) (is_logic(table, i) ? columns.logic : columns.analogue).push_back(i);
-  for (const std::size_t i : columns.logic) columns.surveys.push_back(survey_of_levels(table, i));
-  for (const std::size_t i : columns.analogue)
-    columns.surveys.push_back(rate && is_sample_rate(*rate)
-                                  ? survey_of_samples(table, *rate, i, hints)
-                                  : WireSurvey{name_of(table, i), 0, {}});
-  return columns;
+bool is_constant(const CsvTable& table, std::size_t column) {
+  std::optional<double> first;
+  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
+    const double cell = table.ahead(row, column);
+    if (std::isnan(cell)) continue;
+    if (first.value_or(cell) != cell) return false;
+    first = cell;
+  }
+  return true;
 }
 
-/// Without its unit: "CH1" of "CH1 (V)".
-std::string bare_name(const WireSurvey& survey) { return heading_of(survey.name).name; }
-
-/// The place among the surveys of the column that is read as samples; nothing where wires are.
-std::optional<std::size_t> analogue_choice(const Columns& columns, const std::string& wanted,
-                                           const std::string& file, CaptureFacts& facts) {
-  const std::size_t n_logic = columns.logic.size();
-  if (!wanted.empty()) {
-    std::vector<std::string> names;
-    for (const WireSurvey& survey : columns.surveys) names.push_back(survey.name);
-    const auto bare = std::ranges::find(columns.surveys, wanted, bare_name);
-    const std::size_t named = bare == columns.surveys.end()
-                                  ? named_wire(names, wanted, file)
-                                  : static_cast<std::size_t>(bare - columns.surveys.begin());
-    return named < n_logic ? std::nullopt : std::optional(named);
+/// Changes of a column of 0 and 1; nothing of others.
+std::optional<std::uint64_t> edges_of(const CsvTable& table, std::size_t column) {
+  if (!is_logic(table, column)) return std::nullopt;
+  std::uint64_t edges = 0;
+  std::optional<bool> last;
+  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
+    const auto level = level_in(table.ahead(row, column));
+    edges += last && level && last != level;
+    if (level) last = level;
   }
-  const bool wires_move =
-      std::ranges::any_of(std::span(columns.surveys).first(n_logic),
-                          [](const WireSurvey& survey) { return survey.edges > 0; });
-  const auto analogue = std::span(columns.surveys).subspan(n_logic);
-  if (analogue.empty() || wires_move) return std::nullopt;
-  const WireChoice choice = choice_of_wire({analogue.begin(), analogue.end()});
-  if (analogue[choice.wire].edges == 0 && n_logic > 0) return std::nullopt;
-  if (choice.rival) facts.rival = analogue[*choice.rival].name;
-  return n_logic + choice.wire;
+  return edges;
+}
+
+/// Columns that may be a line: all but the time and those that number the rows, in their order.
+struct Channels {
+  std::vector<std::size_t> columns;
+  std::vector<std::string> names;
+};
+
+Channels channels_of(const CsvTable& table, const RowClock& clock) {
+  Channels channels;
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    if (i == clock.column() || (counts_rows(table.columns()[i]) && rises(table, i))) continue;
+    channels.columns.push_back(i);
+    channels.names.push_back(name_of(table, i));
+  }
+  if (channels.columns.empty()) table.fail("no column of levels", "there is nothing to decode");
+  return channels;
+}
+
+/// Rows a second, where columns may be read as samples.
+std::optional<Hertz> rate_of_samples(const CsvTable& table, const RowClock& clock) {
+  const auto rate = clock.rate() ? clock.rate() : measured_rate(table, clock);
+  return rate && is_sample_rate(*rate) ? rate : std::nullopt;
+}
+
+std::vector<ChannelSurvey> surveys_of(const CsvTable& table, const RowClock& clock,
+                                      const Channels& channels, const LineHints& hints) {
+  const auto rate = rate_of_samples(table, clock);
+  std::vector<ChannelSurvey> surveys;
+  for (std::size_t i = 0; i < channels.columns.size(); ++i) {
+    const std::size_t column = channels.columns[i];
+    const std::string& name = channels.names[i];
+    if (is_constant(table, column)) {
+      surveys.push_back({name, 0, {}, {}});
+    } else if (is_logic(table, column)) {
+      LevelsAhead levels(table, clock, column);
+      WireFlips flips(levels, 0);
+      KeyedWire line(flips, hints.carrier);
+      surveys.push_back(survey_of(name, line, hints));
+    } else if (rate) {
+      SamplesAhead samples(table, *rate, column);
+      surveys.push_back(survey_of_samples(name, samples, hints));
+    } else {
+      surveys.push_back({name, 0, {}, {}});
+    }
+  }
+  return surveys;
+}
+
+/// The place among the channels of the one that is read.
+std::size_t chosen(const CsvTable& table, const RowClock& clock, const Channels& channels,
+                   const std::string& file, const CaptureSettings& settings, CaptureFacts& facts) {
+  if (!settings.wire.empty()) {
+    for (std::size_t i = 0; i < channels.names.size(); ++i)
+      facts.channels.push_back({channels.names[i], edges_of(table, channels.columns[i])});
+    const auto has_bare_name = [&](const std::string& name) {  // "CH1" of "CH1 (V)"
+      return heading_of(name).name == settings.wire;
+    };
+    const auto bare = std::ranges::find_if(channels.names, has_bare_name);
+    return bare == channels.names.end() ? named_channel(channels.names, settings.wire, file)
+                                        : static_cast<std::size_t>(bare - channels.names.begin());
+  }
+  const auto surveys = surveys_of(table, clock, channels, settings.hints);
+  return take_choice(surveys, facts);
+}
+
+/// The file's columns of 0 and 1 that may be read; `column` is one of them.
+void open_levels(CsvTable table, const RowClock& clock, const Channels& channels,
+                 std::size_t column, Capture& capture) {
+  std::vector<std::size_t> columns;
+  for (const std::size_t i : channels.columns)
+    if (is_logic(table, i)) columns.push_back(i);
+  capture.wire = static_cast<std::size_t>(std::ranges::find(columns, column) - columns.begin());
+  capture.logic = std::make_unique<CsvLogic>(std::move(table), clock, std::move(columns));
 }
 
 }  // namespace
 
 void open_csv(const std::string& file, const CaptureSettings& settings, Capture& capture) {
   CsvTable table(*capture.in, file, settings.skip_rows);
-  const RowClock clock(table, settings, capture.facts);
-  const auto rate = clock.rate() ? clock.rate() : measured_rate(table, clock);
-  if (!clock.has_column() && !rate)
+  if (const auto& unknown = table.head().unknown(); unknown && !settings.sample_rate)
+    table.fail_at(unknown->line, unknown->of + " '" + shown(unknown->word) + "'",
+                  "it is in no unit that is known here");
+  CaptureFacts& facts = capture.facts;
+  const RowClock clock(table, settings, facts);
+  if (!clock.has_column() && !clock.rate())
     throw bad_input(file + " has no sample rate", "it has no column time either",
                     "say --sample-rate");
-  Columns columns = columns_of(table, clock, rate, settings.hints);
-  const auto analogue = analogue_choice(columns, settings.wire, file, capture.facts);
-  for (const WireSurvey& survey : columns.surveys)
-    capture.facts.channels.push_back({survey.name, survey.edges});
-  capture.facts.is_whole = table.is_whole();
-  if (!analogue) {
-    capture.logic = std::make_unique<CsvLogic>(std::move(table), clock, columns.logic);
-    return;
-  }
-  if (!rate || !is_sample_rate(*rate))
-    table.fail("the rows' times", "an analogue column has 1 to 1e12 rows a second");
-  capture.facts.channel = columns.surveys[*analogue].name;
-  const std::size_t column = columns.analogue[*analogue - columns.logic.size()];
+  const Channels channels = channels_of(table, clock);
+  facts.taken = chosen(table, clock, channels, file, settings, facts);
+  facts.is_whole = table.is_whole();
+  const std::size_t column = channels.columns[*facts.taken];
+  if (is_logic(table, column))
+    return open_levels(std::move(table), clock, channels, column, capture);
+  const auto rate = rate_of_samples(table, clock);
+  if (!rate) table.fail("the rows' times", "an analogue column has 1 to 1e12 rows a second");
   capture.samples = std::make_unique<CsvSamples>(std::move(table), clock, *rate, column);
 }
 

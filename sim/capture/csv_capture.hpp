@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// Fills in `logic`, or `samples` where settings.wire is an analogue column or there is no other.
+/// Fills in `logic` or `samples`, as the column is that is read, and which one that is.
 void open_csv(const std::string& file, const CaptureSettings& settings, Capture& capture);
 
 }  // namespace sim

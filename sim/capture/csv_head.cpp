@@ -1,11 +1,11 @@
 #include "sim/capture/csv_head.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include "sim/capture/sample_capture.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 
@@ -18,9 +18,8 @@ using dsp::Seconds;
 /// Letters alone, in lower case: "Sample Interval (s)" is "sampleintervals".
 std::string letters_of(std::string_view text) {
   std::string letters;
-  for (const char c : text)
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char c : in_lower_case(text))
+    if (c >= 'a' && c <= 'z') letters += c;
   return letters;
 }
 
@@ -45,19 +44,26 @@ std::pair<std::string, std::string> key_and_value(const std::vector<std::string>
   return {fields.empty() ? "" : fields.front(), fields.size() > 1 ? fields[1] : ""};
 }
 
-std::vector<std::string> without_empty_end(std::vector<std::string> fields) {
-  while (!fields.empty() && fields.back().empty()) fields.pop_back();
-  return fields;
-}
-
 bool are_units(const std::vector<std::string>& fields) {
   return !fields.empty() && std::ranges::all_of(fields, [](const std::string& field) {
     return field.empty() || is_unit_word(field);
   });
 }
 
-bool is_remark_line(std::string_view line) {
-  return line.starts_with(';') || line.starts_with('#') || line.starts_with('%');
+std::string_view without_marks(std::string_view line) {
+  while (is_remark(line) && !line.empty()) line.remove_prefix(1);
+  return trimmed(line);
+}
+
+bool begins_a_number(std::string_view text) {
+  return !text.empty() && std::string_view("0123456789+-.").find(text.front()) != text.npos;
+}
+
+/// The unit of "Sample Interval,4,us"; what follows in a longer line may be the next key.
+std::string unit_behind(const std::vector<std::string>& fields) {
+  const bool is_one = fields.size() == 3 ||
+                      (fields.size() > 3 && (time_unit(fields[2]) || is_unit_word(fields[2])));
+  return is_one ? fields[2] : "";
 }
 
 /// "t0 = -1e-3" behind the names of Rigol's columns.
@@ -68,26 +74,41 @@ bool is_timing_field(const std::string& field) {
 
 }  // namespace
 
-void CsvHead::read(const std::vector<std::string>& all, std::string_view line) {
-  if (read_channels(line)) return;
+bool is_remark(std::string_view line) {
+  return line.empty() || line.front() == ';' || line.front() == '#' || line.front() == '%';
+}
+
+std::vector<std::string> without_empty_end(std::vector<std::string> fields) {
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+void CsvHead::read(const std::vector<std::string>& all, std::string_view line, std::size_t number) {
+  remark_.reset();
+  if (is_remark(line) && read_remark(line)) return;
   std::vector<std::string> fields = without_empty_end(all);
-  if (fields.empty() || read_grid(fields)) return;
-  if (read_timing(fields, line) || is_remark_line(line)) return;
+  if (fields.empty() || read_grid(fields) || read_timing(fields, line, number)) return;
+  if (is_remark(line)) {
+    fields.front() = without_marks(fields.front());
+    remark_ = {std::move(fields), number};
+    return;
+  }
   std::erase_if(fields, is_timing_field);
   for (std::size_t i = 1; i + 1 < fields.size(); ++i)
     if (fields[i] == "Start" && fields[i + 1] == "Increment") {
       grid_field_ = i;
       fields.resize(i);
     }
-  rows_.push_back(std::move(fields));
+  rows_.push_back({std::move(fields), number});
 }
 
-void CsvHead::read_beside(const std::vector<std::string>& fields) {
+void CsvHead::read_beside(const std::vector<std::string>& fields, std::size_t number) {
   if (fields.size() > 1 && fields.front() == "Source") source_ = fields[1];
-  read_timing(fields, fields.empty() ? "" : fields.front());
+  read_timing(fields, fields.empty() ? "" : fields.front(), number);
 }
 
-bool CsvHead::read_channels(std::string_view line) {
+bool CsvHead::read_remark(std::string_view line) {
+  is_of_sigrok_ = is_of_sigrok_ || line.find("libsigrok") != std::string_view::npos;
   if (!line.starts_with("; Channels (")) return false;
   channels_.clear();
   const std::size_t at = std::min(line.find(": "), line.size() - 1);
@@ -105,23 +126,30 @@ bool CsvHead::read_grid(const std::vector<std::string>& fields) {
   return true;
 }
 
-bool CsvHead::read_timing(const std::vector<std::string>& fields, std::string_view line) {
-  while (is_remark_line(line)) line.remove_prefix(1);
-  const auto [key, value] = key_and_value(fields, trimmed(line));
-  const std::string unit = fields.size() > 2 ? fields[2] : "";
-  if (is_named(names_of_rates, key)) {
-    const auto rate = parse_sample_rate(value + (parse_number(value) ? unit : ""));
-    if (rate) sample_rate_ = rate;
-    if (!rate) unknown_ = {value, key};
-    return true;
-  }
-  if (!is_named(names_of_intervals, key)) return false;
-  take_interval(key, value, unit);
+bool CsvHead::read_timing(const std::vector<std::string>& fields, std::string_view line,
+                          std::size_t number) {
+  const auto [key, value] = key_and_value(fields, without_marks(line));
+  const bool is_rate = is_named(names_of_rates, key);
+  if (!is_rate && !is_named(names_of_intervals, key)) return false;
+  if (!begins_a_number(value)) return is_rate && !value.empty();  // "Sample Rate,auto", no heading
+  if (is_rate)
+    take_rate(key, value, unit_behind(fields), number);
+  else
+    take_interval(key, value, unit_behind(fields), number);
   return true;
 }
 
+void CsvHead::take_rate(const std::string& key, const std::string& value, const std::string& unit,
+                        std::size_t number) {
+  const auto rate = parse_sample_rate(value + (parse_number(value) ? unit : ""));
+  if (rate)
+    sample_rate_ = rate;
+  else
+    unknown_ = {value, key, number};
+}
+
 void CsvHead::take_interval(const std::string& key, const std::string& value,
-                            const std::string& unit_field) {
+                            const std::string& unit_field, std::size_t number) {
   const std::string of_key = heading_of(key).unit;
   const std::string word = !of_key.empty() ? of_key : parse_number(value) ? unit_field : "";
   const auto unit = word.empty() ? std::optional(Seconds(1)) : time_unit(word);
@@ -129,30 +157,42 @@ void CsvHead::take_interval(const std::string& key, const std::string& value,
   if (interval && is_sample_rate(dsp::Hertz(1 / interval->value)))
     sample_rate_ = Hertz(1 / interval->value);
   else
-    unknown_ = {unit ? value : word, key};
+    unknown_ = {unit ? value : word, key, number};
 }
 
-Heading CsvHead::heading(std::size_t column, std::size_t count,
-                         const std::vector<std::string>* names,
-                         const std::vector<std::string>* units) const {
+Heading CsvHead::heading(std::size_t column, std::size_t count, const NamesAndUnits& rows) const {
   const std::string number = std::to_string(column);
   Heading heading{number, "", number};
-  if (names != nullptr) heading = heading_of((*names)[column]);
+  if (rows.names != nullptr) heading = heading_of(rows.names->fields[column]);
   if (column > 0 && !source_.empty()) heading = {source_, "", source_};
-  if (channels_.size() == count) heading = {channels_[column], "", channels_[column]};
-  if (units == nullptr || !heading.unit.empty()) return heading;
-  heading.unit = heading_of((*units)[column]).unit;
-  if (heading.unit.empty()) heading.unit = (*units)[column];
+  const std::size_t before = count - std::min(count, channels_.size());  // the time, or none
+  if (!channels_.empty() && channels_.size() <= count && before <= 1 && column >= before)
+    heading = {channels_[column - before], "", channels_[column - before]};
+  if (rows.units == nullptr || !heading.unit.empty()) return heading;
+  const std::string& unit = rows.units->fields[column];
+  heading.unit = heading_of(unit).unit.empty() ? unit : heading_of(unit).unit;
   return heading;
 }
 
+CsvHead::NamesAndUnits CsvHead::rows_of(std::size_t count) const {
+  NamesAndUnits rows;
+  for (const Row& row : rows_)
+    if (row.fields.size() == count)
+      (are_units(row.fields) && (rows.names != nullptr || count > 1) ? rows.units : rows.names) =
+          &row;
+  if (rows.names == nullptr && remark_ && remark_->fields.size() == count) rows.names = &*remark_;
+  return rows;
+}
+
+std::size_t CsvHead::line_of_units(std::size_t count) const {
+  const auto [names, units] = rows_of(count);
+  return units != nullptr ? units->line : names != nullptr ? names->line : 1;
+}
+
 std::vector<Heading> CsvHead::columns(std::size_t count) const {
-  const std::vector<std::string>*names = nullptr, *units = nullptr;
-  for (const auto& row : rows_)
-    if (row.size() == count)
-      (are_units(row) && (names != nullptr || count > 1) ? units : names) = &row;
+  const NamesAndUnits rows = rows_of(count);
   std::vector<Heading> columns;
-  for (std::size_t i = 0; i < count; ++i) columns.push_back(heading(i, count, names, units));
+  for (std::size_t i = 0; i < count; ++i) columns.push_back(heading(i, count, rows));
   return columns;
 }
 

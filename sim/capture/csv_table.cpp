@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -13,7 +15,7 @@
 namespace sim {
 namespace {
 
-constexpr std::size_t most_first_lines = 1000, most_cells_ahead = 2'000'000;
+constexpr std::size_t most_first_lines = 1000, most_cells_ahead = 1'000'000;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::string unquoted(std::string_view field) {
@@ -21,15 +23,6 @@ std::string unquoted(std::string_view field) {
   while (!text.empty() && text.front() == '"') text.remove_prefix(1);
   while (!text.empty() && text.back() == '"') text.remove_suffix(1);
   return std::string(trimmed(text));
-}
-
-bool is_remark(std::string_view line) {
-  return line.empty() || line.front() == ';' || line.front() == '#' || line.front() == '%';
-}
-
-std::vector<std::string> without_empty_tail(std::vector<std::string> fields) {
-  while (!fields.empty() && fields.back().empty()) fields.pop_back();
-  return fields;
 }
 
 /// "2024-05-01T12:00:00.25", "12:00:01.5": a time of day, which is no number.
@@ -52,12 +45,15 @@ CsvTable::CsvTable(std::istream& in, std::string file, std::size_t skip)
   find_layout();
   widen_to_names();
   read_head();
-  const std::size_t most = most_cells_ahead / columns_.size();
-  while (ahead_.size() < most) {
-    auto row = read_row();
+  read_ahead();
+}
+
+void CsvTable::read_ahead() {
+  while (ahead_.size() + columns_.size() <= most_cells_ahead) {
+    const auto row = read_row();
     whole_ = !row;
     if (whole_) break;
-    ahead_.push_back(std::move(*row));
+    ahead_.insert(ahead_.end(), row->begin(), row->end());
     ahead_numbers_.push_back(at_line_);
   }
   if (ahead_.empty()) fail("no row of numbers", "there is nothing to decode");
@@ -96,19 +92,22 @@ std::optional<double> CsvTable::cell_of(const std::string& field, bool decimal_c
   return std::isfinite(*number) ? *number : nothing;
 }
 
-/// How a line is a row: all of its fields, or those behind an empty one to which a head stands
-/// beside.
+bool CsvTable::is_finite(const std::string& field, bool decimal_comma) const {
+  const auto cell = cell_of(field, decimal_comma);
+  return cell && std::isfinite(*cell);
+}
+
+/// How a line is a row. It is one with all of its fields, or with those behind the head that stands
+/// beside the rows and ends with an empty field.
 std::optional<CsvTable::Layout> CsvTable::layout_of(const std::string& line, char separator,
                                                     bool comma) const {
   if (is_remark(line)) return std::nullopt;
-  const std::vector<std::string> fields = without_empty_tail(fields_of(line, separator));
-  const auto is_number = [&](const std::string& field) {
-    const auto cell = cell_of(field, comma);
-    return cell && std::isfinite(*cell);
-  };
+  const std::vector<std::string> fields = without_empty_end(fields_of(line, separator));
+  const auto is_number = [&](const std::string& field) { return is_finite(field, comma); };
   const bool all = std::ranges::all_of(
       fields, [&](const std::string& field) { return cell_of(field, comma).has_value(); });
-  if (!fields.empty() && all && is_number(fields.front()))
+  const bool begins = !fields.empty() && !fields.front().empty();
+  if (begins && all && std::ranges::any_of(fields, is_number))
     return Layout{separator, comma, 0, fields.size()};
   std::size_t first = fields.size();
   while (first > 0 && is_number(fields[first - 1])) --first;
@@ -116,7 +115,7 @@ std::optional<CsvTable::Layout> CsvTable::layout_of(const std::string& line, cha
   return Layout{separator, comma, first, fields.size() - first};
 }
 
-/// The layout of most lines; of several of as many the one of more columns.
+/// The layout of most lines; of several of as many the one of more columns, then that of commas.
 void CsvTable::find_layout() {
   using Key = std::tuple<char, bool, std::size_t, std::size_t>;
   std::map<Key, std::size_t> counts;
@@ -132,7 +131,8 @@ void CsvTable::find_layout() {
   const auto better = [](const auto& a, const auto& b) {
     const auto& [sep_a, comma_a, first_a, count_a] = a.first;
     const auto& [sep_b, comma_b, first_b, count_b] = b.first;
-    return std::tuple(a.second, count_a, !comma_a) < std::tuple(b.second, count_b, !comma_b);
+    return std::tuple(a.second, count_a, !comma_a, sep_a == ',') <
+           std::tuple(b.second, count_b, !comma_b, sep_b == ',');
   };
   const auto best = std::ranges::max_element(counts, better);
   if (best == counts.end()) {
@@ -152,15 +152,15 @@ void CsvTable::widen_to_names() {
     if (line.text.find("Increment") != std::string::npos) return;  // behind the names of Rigol
     if (layout_.first > 0 || row_of(line.text)) break;
     if (is_remark(line.text)) continue;
-    fields = without_empty_tail(fields_of(line.text, layout_.separator));
+    fields = without_empty_end(fields_of(line.text, layout_.separator));
     names = &fields;
   }
   if (names == nullptr || names->size() <= layout_.count) return;
   const Layout narrow =
       std::exchange(layout_, {layout_.separator, layout_.decimal_comma, 0, names->size()});
-  const bool all = std::ranges::any_of(
+  const bool is_any_row = std::ranges::any_of(
       first_lines_, [&](const Line& line) { return row_of(line.text).has_value(); });
-  if (!all) layout_ = narrow;
+  if (!is_any_row) layout_ = narrow;
 }
 
 void CsvTable::refuse_clock_times() {
@@ -185,14 +185,12 @@ void CsvTable::read_head() {
     }
     const std::vector<std::string> fields = fields_of(line, layout_.separator);
     if (layout_.first == 0)
-      head_.read(fields, line);
+      head_.read(fields, line, at_line_);
     else if (!fields.empty() && !fields.front().empty())
       head_.read_beside({fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                              fields.size(), layout_.first))});
+                                                              fields.size(), layout_.first))},
+                        at_line_);
   }
-  if (head_.unknown())
-    fail(head_.unknown()->of + " '" + shown(head_.unknown()->word) + "'",
-         "it is in no unit that is known here");
   if (head_.has_grid_names() && !head_.grid())
     fail("no start and increment", "rows are counted by them");
   columns_ = head_.columns(layout_.count);
@@ -202,7 +200,7 @@ void CsvTable::read_head() {
 std::optional<std::vector<double>> CsvTable::row_of(std::string_view line) const {
   if (is_remark(line)) return std::nullopt;
   const std::vector<std::string> all = fields_of(line, layout_.separator),
-                                 fields = without_empty_tail(all);
+                                 fields = without_empty_end(all);
   const std::size_t end = layout_.first + layout_.count;
   if (fields.size() > end || all.size() < end) return std::nullopt;
   std::vector<double> row(layout_.count, nothing);
@@ -211,7 +209,9 @@ std::optional<std::vector<double>> CsvTable::row_of(std::string_view line) const
     if (!cell) return std::nullopt;
     row[i - layout_.first] = *cell;
   }
-  if (fields.size() <= layout_.first || !std::isfinite(row.front())) return std::nullopt;
+  const bool says_something =
+      std::ranges::any_of(row, [](double cell) { return std::isfinite(cell); });
+  if (fields.size() <= layout_.first || (!says_something && row.size() < 2)) return std::nullopt;
   if (head_.grid()) row.front() = head_.grid()->start + head_.grid()->increment * row.front();
   return row;
 }
@@ -241,12 +241,10 @@ std::optional<std::vector<double>> CsvTable::read_row() {
 }
 
 std::optional<std::vector<double>> CsvTable::next() {
-  if (ahead_.empty()) return read_row();
-  std::vector<double> row = std::move(ahead_.front());
-  at_line_ = ahead_numbers_.front();
-  ahead_.pop_front();
-  ahead_numbers_.pop_front();
-  return row;
+  if (given_ == ahead_numbers_.size()) return read_row();
+  const auto cells = std::span(ahead_).subspan(given_ * columns_.size(), columns_.size());
+  at_line_ = ahead_numbers_[given_++];
+  return std::vector<double>(cells.begin(), cells.end());
 }
 
 }  // namespace sim

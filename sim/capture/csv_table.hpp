@@ -21,17 +21,29 @@ class CsvTable {
   CsvTable(std::istream& in, std::string file, std::size_t skip);
 
   const std::vector<Heading>& columns() const { return columns_; }
-  std::optional<dsp::Hertz> sample_rate() const { return head_.sample_rate(); }
-  const std::deque<std::vector<double>>& ahead() const { return ahead_; }
-  /// Whether `ahead` has all rows.
+  const CsvHead& head() const { return head_; }
+
+  /// Rows that were read ahead, at least one, until they are given by next().
+  std::size_t rows_ahead() const { return ahead_numbers_.size(); }
+  double ahead(std::size_t row, std::size_t column) const {
+    return ahead_[row * columns_.size() + column];
+  }
+  std::size_t line_ahead(std::size_t row) const { return ahead_numbers_[row]; }
+  /// Whether all rows were.
   bool is_whole() const { return whole_; }
 
   /// A cell for each column, NaN where it says nothing; nothing at the end. A last line that was
   /// cut short is none.
   std::optional<std::vector<double>> next();
 
+  /// Of the last row given.
+  std::size_t line() const { return at_line_; }
   [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
     lines_.fail_at(at_line_, problem, why);
+  }
+  [[noreturn]] void fail_at(std::size_t line, std::string_view problem,
+                            std::string_view why) const {
+    lines_.fail_at(line, problem, why);
   }
 
  private:
@@ -47,8 +59,10 @@ class CsvTable {
   void widen_to_names();
   void refuse_clock_times();
   void read_head();
+  void read_ahead();
   std::vector<std::string> fields_of(std::string_view line, char separator) const;
   std::optional<double> cell_of(const std::string& field, bool decimal_comma) const;
+  bool is_finite(const std::string& field, bool decimal_comma) const;
   std::optional<Layout> layout_of(const std::string& line, char separator, bool comma) const;
   std::optional<std::vector<double>> row_of(std::string_view line) const;
   std::optional<std::vector<double>> read_row();
@@ -65,8 +79,9 @@ class CsvTable {
   Layout layout_;
   CsvHead head_;
   std::vector<Heading> columns_;
-  std::deque<std::vector<double>> ahead_;
-  std::deque<std::size_t> ahead_numbers_;  // of their lines
+  std::vector<double> ahead_;               // row by row
+  std::vector<std::size_t> ahead_numbers_;  // of their lines
+  std::size_t given_ = 0;                   // of the rows ahead
 };
 
 }  // namespace sim

@@ -148,7 +148,7 @@ bool is_of_text(std::uint8_t byte) {
 }
 
 LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
-  line.end = end_of_line(line, baud);
+  if (!line.flips.empty()) line.end = end_of_line(line.flips.back(), line.end, baud);
   LineReading reading{inverted, baud};
   protocol::CosysDecoder cosys;
   protocol::SharedLinkDecoder shared_link;
@@ -260,9 +260,9 @@ LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
   return facts;
 }
 
-Seconds end_of_line(const LineStretch& line, Hertz baud) {
-  if (line.flips.empty() || line.end > line.flips.back()) return line.end;
-  return line.flips.back() + protocol::bits_per_byte * dsp::period(baud);
+Seconds end_of_line(std::optional<Seconds> last_flip, Seconds end, Hertz baud) {
+  if (!last_flip || end > *last_flip) return end;
+  return *last_flip + protocol::bits_per_byte * dsp::period(baud);
 }
 
 std::string reading_text(const LineReading& reading) {

@@ -11,6 +11,7 @@
 // least twice as long as the longest at the other level (8N1 is never at the start bit's level for
 // more than nine bits, but idles longer); then the one of the longest bit. Where there is nothing
 // to go by, idle is high.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -54,6 +55,9 @@ struct LineFacts {
   std::optional<LineReading> rival;  // another that is about as good
 };
 
+/// Flips of a line's beginning that are enough to tell what it is like.
+constexpr std::size_t most_surveyed_flips = 32768;
+
 /// What is told is kept; what is found is at most 1 MBd. A line that tells nothing is idle high, of
 /// 600 Bd. A rate within 2.5 % of a standard one is that.
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
@@ -61,7 +65,7 @@ LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
 
 /// Until when a line is known: where a capture of changes ends with its last flip, the level goes
 /// on for the rest of a character.
-dsp::Seconds end_of_line(const LineStretch& line, dsp::Hertz baud);
+dsp::Seconds end_of_line(std::optional<dsp::Seconds> last_flip, dsp::Seconds end, dsp::Hertz baud);
 
 /// "idle-high, 600 Bd".
 std::string reading_text(const LineReading& reading);

@@ -127,6 +127,8 @@ void open_netcdf(const std::filesystem::path& path, const CaptureSettings& setti
     throw bad_input("--channel " + wanted + " is not in " + path.string(),
                     "the trace has no such wire or tap", "use " + nearest(wanted, columns));
   capture.samples = std::make_unique<TapSamples>(rows, wanted);
+  capture.facts.channels.push_back({wanted, std::nullopt});
+  capture.facts.taken = 0;
 }
 
 }  // namespace sim

@@ -67,6 +67,21 @@ std::optional<WireLevel> LogicSamples::next() {
   return WireLevel{wire_of_[bit], at(samples_ - 1), ((unit_ >> bit) & 1U) != 0, first_};
 }
 
+std::optional<std::size_t> bytes_it_looks_like(std::string_view beginning) {
+  constexpr std::size_t longest_sample = 8, fewest_bytes = 64;
+  if (beginning.size() < fewest_bytes) return std::nullopt;
+  const auto changes = [&](std::size_t distance) {  // of bytes so far apart, in parts of all
+    std::size_t count = 0;
+    for (std::size_t i = longest_sample; i < beginning.size(); ++i)
+      count += beginning[i] != beginning[i - distance];
+    return static_cast<double>(count) / static_cast<double>(beginning.size() - longest_sample);
+  };
+  const double from_byte_to_byte = changes(1);
+  for (const std::size_t bytes : {2U, 4U, 8U})
+    if (from_byte_to_byte > 0.2 && changes(bytes) < from_byte_to_byte / 10) return bytes;
+  return std::nullopt;
+}
+
 std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
                                        const RawLayout& layout) {
   if (!layout.sample_rate)

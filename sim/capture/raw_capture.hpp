@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/capture/logic_capture.hpp"
@@ -58,6 +59,10 @@ struct RawLayout {
 };
 
 /// Channels are named 0, 1, ... Throws Failure(bad_input) without a sample rate.
+/// Of a file's beginning: whether it looks like that many bytes a sample, of which some never
+/// change, rather than one. Nothing where it does not.
+std::optional<std::size_t> bytes_it_looks_like(std::string_view beginning);
+
 std::unique_ptr<LogicCapture> open_raw(std::istream& in, const std::string& file,
                                        const RawLayout& layout);
 

@@ -15,6 +15,7 @@
 #include "sim/capture/capture_units.hpp"
 #include "sim/capture/key_file.hpp"
 #include "sim/capture/raw_capture.hpp"
+#include "sim/capture/sample_choice.hpp"
 #include "sim/capture/text_lines.hpp"
 #include "sim/failure.hpp"
 
@@ -96,7 +97,7 @@ struct Metadata {
   std::size_t unit_bytes = 1;
   std::optional<dsp::Hertz> sample_rate;
   std::vector<std::string> wires;
-  std::map<std::string, std::size_t> analogue;  // channel numbers by name
+  std::map<std::size_t, std::string> analogue;  // names by channel numbers
 };
 
 void refuse_other_version(Archive& archive) {
@@ -167,7 +168,7 @@ Metadata parse(const Archive& archive, const KeyGroup& device) {
   metadata.unit_bytes = unit_bytes_of(archive, device, metadata.wires.size());
   for (const auto& [key, value] : device.entries)
     if (const auto number = number_behind("analog", key); number && !value.empty())
-      metadata.analogue[value] = *number;
+      metadata.analogue[*number] = value;
   return metadata;
 }
 
@@ -220,6 +221,33 @@ std::unique_ptr<LogicCapture> open_logic(const std::shared_ptr<Archive>& archive
                                         blocks);
 }
 
+/// Whether an analogue channel is read: one that was asked for, or where no wire moves.
+bool wants_analogue(const std::shared_ptr<Archive>& archive, const Metadata& metadata,
+                    const std::string& wanted) {
+  if (metadata.wires.empty()) return true;
+  if (!wanted.empty())
+    return std::ranges::any_of(metadata.analogue,
+                               [&](const auto& channel) { return channel.second == wanted; });
+  const auto edges = SurveyedCapture(open_logic(archive, metadata)).edges();
+  return std::ranges::none_of(edges, [](std::uint64_t count) { return count > 0; });
+}
+
+void take_analogue(const fs::path& path, const Metadata& metadata, const CaptureSettings& settings,
+                   Capture& capture) {
+  SampleChannels channels;
+  std::vector<std::size_t> numbers;
+  for (const auto& [number, name] : metadata.analogue) {
+    numbers.push_back(number);
+    channels.names.push_back(name);
+  }
+  channels.open = [&](std::size_t channel) {
+    return std::make_unique<SessionSamples>(std::make_shared<Archive>(path),
+                                            fmt::format("analog-1-{}", numbers[channel]),
+                                            *metadata.sample_rate);
+  };
+  take_samples(path.string(), channels, settings, capture);
+}
+
 }  // namespace
 
 void open_session(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
@@ -229,15 +257,10 @@ void open_session(const fs::path& path, const CaptureSettings& settings, Capture
   if (settings.sample_rate) metadata.sample_rate = settings.sample_rate;
   if (!metadata.sample_rate)
     archive->fail("its metadata have no samplerate of 1 Hz to 1 THz", "say --sample-rate");
-  const auto analogue = metadata.wires.empty() && settings.wire.empty()
-                            ? metadata.analogue.begin()
-                            : metadata.analogue.find(settings.wire);
-  if (analogue == metadata.analogue.end()) {
+  if (!metadata.analogue.empty() && wants_analogue(archive, metadata, settings.wire))
+    take_analogue(path, metadata, settings, capture);
+  else
     capture.logic = open_logic(archive, metadata);
-  } else {
-    capture.samples = std::make_unique<SessionSamples>(
-        archive, fmt::format("analog-1-{}", analogue->second), *metadata.sample_rate);
-  }
 }
 
 }  // namespace sim

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "sim/capture/sample_choice.hpp"
 #include "sim/capture/sigmf_meta.hpp"
 #include "sim/failure.hpp"
-#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
@@ -101,15 +101,15 @@ class SigmfCapture : public SampleCapture {
 
 }  // namespace
 
-std::unique_ptr<SampleCapture> open_sigmf(const fs::path& meta, const CaptureSettings& settings) {
-  SigmfLayout layout = read_sigmf_meta(meta, settings.sample_rate);
-  const double channel = settings.wire.empty() ? 0 : parse_number(settings.wire).value_or(-1);
-  if (channel < 0 || channel >= static_cast<double>(layout.channels) ||
-      channel != std::floor(channel))
-    throw bad_input("--channel " + settings.wire + " is not in " + meta.string(),
-                    "channels of a SigMF recording are numbers from 0 on",
-                    "use one up to " + std::to_string(layout.channels - 1));
-  return std::make_unique<SigmfCapture>(meta, std::move(layout), static_cast<std::size_t>(channel));
+void open_sigmf(const fs::path& meta, const CaptureSettings& settings, Capture& capture) {
+  const SigmfLayout layout = read_sigmf_meta(meta, settings.sample_rate);
+  SampleChannels channels;
+  for (std::size_t i = 1; i <= layout.channels; ++i) channels.names.push_back(std::to_string(i));
+  channels.opens_again = fs::is_regular_file(layout.data);
+  channels.open = [&](std::size_t channel) {
+    return std::make_unique<SigmfCapture>(meta, layout, channel);
+  };
+  take_samples(meta.string(), channels, settings, capture);
 }
 
 }  // namespace sim

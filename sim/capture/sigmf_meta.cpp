@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,6 +16,7 @@
 #include "sim/capture/sample_capture.hpp"
 #include "sim/capture/text_lines.hpp"
 #include "sim/capture/text_mark.hpp"
+#include "sim/text/number_text.hpp"
 #include "sim/text/text_file.hpp"
 
 namespace sim {
@@ -60,6 +61,34 @@ constexpr std::string_view capture_fields[] = {
 constexpr const char* cut_it = "make a recording of each of its captures";
 
 /// One metadata file, and what is wrong with it.
+/// Digits alone, as a number.
+std::optional<unsigned> digits(std::string_view text) {
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// Seconds since 1970, of "2026-11-25T16:21:05.5Z" (RFC 3339); nothing of other texts.
+std::optional<double> seconds_of_date(const std::string& text) {
+  constexpr std::string_view form = "0000-00-00T00:00:00";
+  if (text.size() <= form.size() || text.back() != 'Z') return std::nullopt;
+  for (std::size_t i = 0; i < form.size(); ++i)
+    if (form[i] != '0' && text[i] != form[i]) return std::nullopt;
+  const std::string_view date = text;
+  const auto year = digits(date.substr(0, 4)), month = digits(date.substr(5, 2)),
+             day = digits(date.substr(8, 2)), hour = digits(date.substr(11, 2)),
+             minute = digits(date.substr(14, 2));
+  const auto second = parse_number(date.substr(17, text.size() - 18));
+  if (!year || !month || !day || !hour || !minute || !second || !std::isfinite(*second))
+    return std::nullopt;
+  const std::chrono::year_month_day found{std::chrono::year(static_cast<int>(*year)),
+                                          std::chrono::month(*month), std::chrono::day(*day)};
+  if (!found.ok()) return std::nullopt;
+  const auto days = static_cast<double>(std::chrono::sys_days(found).time_since_epoch().count());
+  return ((days * 24 + *hour) * 60 + *minute) * 60 + *second;
+}
+
 class SigmfMeta {
  public:
   explicit SigmfMeta(const fs::path& file) : file_(file) {
@@ -230,20 +259,8 @@ class SigmfMeta {
     }
   }
 
-  /// Seconds since 1970, of "2026-11-25T16:21:05.5Z" (RFC 3339); nothing of other texts.
   std::optional<double> time_of(const Json& capture) const {
-    const std::string written = text(capture, "core:datetime");
-    int year = 0;
-    unsigned month = 0, day = 0, hour = 0, minute = 0;
-    double second = 0;
-    if (std::sscanf(written.c_str(), "%d-%u-%uT%u:%u:%lfZ", &year, &month, &day, &hour, &minute,
-                    &second) != 6)
-      return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
-                                           std::chrono::day(day)};
-    if (!date.ok() || !std::isfinite(second)) return std::nullopt;
-    const auto days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
-    return ((days * 24 + hour) * 60 + minute) * 60 + second;
+    return seconds_of_date(text(capture, "core:datetime"));
   }
 
   void refuse_moves() const {

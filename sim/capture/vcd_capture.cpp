@@ -126,20 +126,20 @@ class VcdCapture : public LogicCapture {
     if (count == 0 || unit == units.end()) {
       words_.fail("timescale '" + shown(text) + "'", "it must be like 1us, 10 ns or 100 ps");
     }
-    tick_ = Seconds(count * unit->second);
+    if (!tick_) tick_ = Seconds(count * unit->second);  // what was told holds
   }
 
   /// The words up to $end as one: "data [3]" is one bit of a vector, data[3].
   std::string read_name() {
     std::string name;
     for (std::string word = words_.need("$end"); word != "$end"; word = words_.need("$end"))
-      if (name.size() < longest_name) name += word;
+      name += word.substr(0, longest_name - name.size());
     return name;
   }
 
   void read_scope() {
-    if (words_.need("a scope's type") == "$end") return names_.enter("");
-    names_.enter(read_name());
+    const bool has_no_name = words_.need("a scope's type") == "$end";
+    names_.enter(has_no_name ? "" : read_name());
     check_room();
   }
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
+#include "sim/capture/sample_choice.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/existing_file.hpp"
-#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
@@ -38,13 +38,16 @@ void refuse_if_cut(const std::filesystem::path& path) {
 
 class WavCapture : public SampleCapture {
  public:
-  WavCapture(const std::filesystem::path& path, const std::string& channel) : name_(path.string()) {
+  WavCapture(const std::filesystem::path& path, std::size_t channel)
+      : name_(path.string()), channel_(channel) {
     refuse_if_cut(path);
     file_.reset(sf_open(path.c_str(), SFM_READ, &info_));
     if (file_ == nullptr) throw bad_input("cannot read " + name_, sf_strerror(nullptr), give);
-    channel_ = number_of(channel);
     frames_.resize(frames_a_read * channels());
   }
+
+  void take(std::size_t channel) { channel_ = channel; }
+  std::size_t channels() const { return static_cast<std::size_t>(info_.channels); }
 
   dsp::Hertz sample_rate() const override { return dsp::Hertz(info_.samplerate); }
   bool is_complex() const override { return false; }
@@ -60,17 +63,6 @@ class WavCapture : public SampleCapture {
   }
 
  private:
-  std::size_t channels() const { return static_cast<std::size_t>(info_.channels); }
-
-  std::size_t number_of(const std::string& channel) const {
-    const double number = channel.empty() ? 0 : parse_number(channel).value_or(-1);
-    if (number >= 0 && number < info_.channels && number == std::floor(number))
-      return static_cast<std::size_t>(number);
-    throw bad_input(fmt::format("--channel {} is not in {}", channel, name_),
-                    "channels of a WAV file are numbers from 0 on",
-                    fmt::format("use one up to {}", info_.channels - 1));
-  }
-
   std::size_t read_frames(std::size_t count) {
     const sf_count_t n =
         sf_readf_float(file_.get(), frames_.data(), static_cast<sf_count_t>(count));
@@ -81,17 +73,28 @@ class WavCapture : public SampleCapture {
   }
 
   std::string name_;
+  std::size_t channel_;
   std::unique_ptr<SNDFILE, decltype(&sf_close)> file_{nullptr, sf_close};
   SF_INFO info_{};
-  std::size_t channel_ = 0;
   std::vector<float> frames_;
 };
 
 }  // namespace
 
-std::unique_ptr<SampleCapture> open_wav(const std::filesystem::path& path,
-                                        const std::string& channel) {
-  return std::make_unique<WavCapture>(path, channel);
+void open_wav(const std::filesystem::path& path, const CaptureSettings& settings,
+              Capture& capture) {
+  auto first = std::make_unique<WavCapture>(path, 0);
+  SampleChannels channels;
+  for (std::size_t i = 1; i <= first->channels(); ++i) channels.names.push_back(std::to_string(i));
+  channels.opens_again = std::filesystem::is_regular_file(path);
+  channels.open = [&](std::size_t channel) -> std::unique_ptr<SampleCapture> {
+    if (!channels.opens_again || channels.names.size() == 1) {
+      first->take(channel);
+      return std::move(first);
+    }
+    return std::make_unique<WavCapture>(path, channel);
+  };
+  take_samples(path.string(), channels, settings, capture);
 }
 
 }  // namespace sim

@@ -1,15 +1,12 @@
 #pragma once
 // WAV and what else libsndfile reads of such files: sound cards and oscilloscopes.
 #include <filesystem>
-#include <memory>
-#include <string>
 
-#include "sim/capture/sample_capture.hpp"
+#include "sim/capture/capture_file.hpp"
 
 namespace sim {
 
-/// `channel`: its number, counted from 0; empty: the first. Samples are 1 at full scale.
-std::unique_ptr<SampleCapture> open_wav(const std::filesystem::path& path,
-                                        const std::string& channel);
+/// Its channels are called 1, 2 and so on. Samples are 1 at full scale.
+void open_wav(const std::filesystem::path& path, const CaptureSettings& settings, Capture& capture);
 
 }  // namespace sim

@@ -4,27 +4,24 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "sim/capture/keyed_wire.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/spelling.hpp"
 
 namespace sim {
 namespace {
 
 using dsp::Seconds;
 
-constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_flips = 32768;
+constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, most_listed = 24;
 constexpr std::uint64_t fewest_to_rival = 4;  // characters
 constexpr double reads_as_well = 0.9;         // of the other's worth
-
-std::string in_lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 /// "rx", "D1 RX", "top.uart.rxd", but not "proxy".
 bool is_called_rx(const std::string& name) {
@@ -34,17 +31,24 @@ bool is_called_rx(const std::string& name) {
   return last == "rx" || last == "rxd";
 }
 
-auto rank_of(const WireSurvey& wire) {
-  return std::tuple(wire.edges > 0, is_called_rx(wire.name), wire.facts.reading.messages > 0,
-                    wire.facts.reading.worth());
+auto rank_of(const ChannelSurvey& channel) {
+  return std::tuple(channel.edges > 0, is_called_rx(channel.name),
+                    channel.facts.reading.messages > 0, channel.facts.reading.worth());
 }
 
-/// Levels in memory, as a capture.
+/// Whether `other` is a line of its own that reads as well as `taken`.
+bool is_rival(const ChannelSurvey& other, const ChannelSurvey& taken) {
+  const LineReading &its = other.facts.reading, &own = taken.facts.reading;
+  return other.edges > 0 && its.characters >= fewest_to_rival &&
+         is_called_rx(other.name) == is_called_rx(taken.name) &&
+         (its.messages > 0) == (own.messages > 0) && its.worth() >= reads_as_well * own.worth() &&
+         other.flips != taken.flips;
+}
+
+/// Levels of one wire in memory, as a capture of it.
 class KeptLevels : public LogicCapture {
  public:
-  KeptLevels(const std::vector<std::string>& wires, const std::deque<WireLevel>& levels,
-             Seconds end)
-      : wires_(wires), levels_(levels), end_(end) {}
+  KeptLevels(const std::vector<WireLevel>& levels, Seconds end) : levels_(levels), end_(end) {}
 
   const std::vector<std::string>& wires() const override { return wires_; }
   std::optional<WireLevel> next() override {
@@ -54,29 +58,91 @@ class KeptLevels : public LogicCapture {
   Seconds now() const override { return end_; }
 
  private:
-  const std::vector<std::string>& wires_;
-  const std::deque<WireLevel>& levels_;
+  std::vector<std::string> wires_{"wire"};
+  const std::vector<WireLevel>& levels_;
   Seconds end_;
   std::size_t next_ = 0;
 };
 
-LineFacts facts_of_wire(KeptLevels levels, std::size_t wire, const LineHints& hints) {
-  WireFlips flips(levels, wire);
-  KeyedWire line(flips, hints.carrier);
-  std::vector<Seconds> read;
-  while (read.size() < most_surveyed_flips) {
-    const auto flip = line.next();
-    if (!flip) break;
-    read.push_back(*flip);
-  }
-  return survey_line({line.initial(), read, line.known_until()}, hints.inverted, hints.baud);
+/// The wires that are looked at: those with an edge, or the most telling of them.
+std::vector<std::size_t> wires_to_survey(const std::vector<std::string>& names,
+                                         const std::vector<std::uint64_t>& edges) {
+  std::vector<std::size_t> wires;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (edges[i] > 0) wires.push_back(i);
+  if (wires.size() <= most_surveyed_wires) return wires;
+  std::ranges::stable_sort(wires, [&](std::size_t a, std::size_t b) {
+    return std::tuple(is_called_rx(names[a]), edges[a]) >
+           std::tuple(is_called_rx(names[b]), edges[b]);
+  });
+  wires.resize(most_surveyed_wires);
+  return wires;
 }
 
-/// Changes of each wire's level.
-std::vector<std::uint64_t> edges_of(const std::deque<WireLevel>& levels, std::size_t wires) {
-  std::vector<std::uint64_t> edges(wires);
-  std::vector<std::optional<bool>> last(wires);
-  for (const WireLevel& level : levels) {
+template <class IsIt>
+std::vector<std::size_t> all_with(const std::vector<std::string>& names, const IsIt& is_it) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (is_it(names[i])) found.push_back(i);
+  return found;
+}
+
+std::string names_to_use(const std::vector<std::string>& names, const std::string& wanted) {
+  if (names.size() <= most_listed) return fmt::format("use {}", fmt::join(names, " or "));
+  return fmt::format("use {}, or another of its {}", nearest(wanted, names), names.size());
+}
+
+}  // namespace
+
+ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hints) {
+  ChannelSurvey survey{std::move(name), 0, {}, {}};
+  while (survey.flips.size() < most_surveyed_flips) {
+    const auto flip = line.next();
+    if (!flip) break;
+    survey.flips.push_back(*flip);
+  }
+  survey.edges = survey.flips.size();
+  survey.facts =
+      survey_line({line.initial(), survey.flips, line.known_until()}, hints.inverted, hints.baud);
+  return survey;
+}
+
+ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels) {
+  const auto best = std::ranges::max_element(channels, {}, rank_of);
+  ChannelChoice choice{static_cast<std::size_t>(best - channels.begin()), std::nullopt};
+  if (best->edges == 0) return choice;
+  const auto rival = std::ranges::find_if(
+      channels, [&](const ChannelSurvey& other) { return is_rival(other, *best); });
+  if (rival != channels.end()) choice.rival = static_cast<std::size_t>(rival - channels.begin());
+  return choice;
+}
+
+std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
+                          const std::string& file) {
+  const auto exact = std::ranges::find(channels, wanted);
+  if (exact != channels.end()) return static_cast<std::size_t>(exact - channels.begin());
+  const auto alike = all_with(channels, [&](const std::string& name) {
+    return in_lower_case(name) == in_lower_case(wanted);
+  });
+  if (alike.size() == 1) return alike.front();
+  const auto is_number = [](const std::string& name) { return parse_number(name).has_value(); };
+  const auto number = parse_number(wanted);
+  const bool counts = number && std::ranges::none_of(channels, is_number);
+  for (std::size_t i = 0; counts && i < channels.size(); ++i)
+    if (*number == static_cast<double>(i + 1)) return i;
+  throw bad_input(fmt::format("--wire {} is not in {}", wanted, file),
+                  "the capture has no such wire", names_to_use(channels, wanted));
+}
+
+SurveyedCapture::SurveyedCapture(std::unique_ptr<LogicCapture> capture)
+    : capture_(std::move(capture)) {
+  read_ahead();
+}
+
+std::vector<std::uint64_t> SurveyedCapture::edges() const {
+  std::vector<std::uint64_t> edges(wires().size());
+  std::vector<std::optional<bool>> last(wires().size());
+  for (const WireLevel& level : ahead_) {
     std::optional<bool>& before = last[level.wire];
     edges[level.wire] += before ? *before != level.level : !level.initial && !level.level;
     before = level.level;
@@ -84,55 +150,21 @@ std::vector<std::uint64_t> edges_of(const std::deque<WireLevel>& levels, std::si
   return edges;
 }
 
-template <class IsIt>
-std::vector<std::size_t> all_with(const std::vector<std::string>& wires, const IsIt& is_it) {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < wires.size(); ++i)
-    if (is_it(wires[i])) found.push_back(i);
-  return found;
-}
-
-}  // namespace
-
-WireChoice choice_of_wire(const std::vector<WireSurvey>& wires) {
-  const auto best = std::ranges::max_element(wires, {}, rank_of);
-  WireChoice choice{static_cast<std::size_t>(best - wires.begin()), std::nullopt};
-  const LineReading& taken = best->facts.reading;
-  if (best->edges == 0 || is_called_rx(best->name)) return choice;
-  for (std::size_t i = 0; i < wires.size(); ++i) {
-    const LineReading& other = wires[i].facts.reading;
-    if (i == choice.wire || wires[i].edges == 0 || other.characters < fewest_to_rival) continue;
-    if ((other.messages > 0) == (taken.messages > 0) &&
-        other.worth() >= reads_as_well * taken.worth())
-      choice.rival = choice.rival.value_or(i);
+std::vector<ChannelSurvey> SurveyedCapture::surveys(const LineHints& hints) const {
+  const std::vector<std::uint64_t> count = edges();
+  std::vector<ChannelSurvey> surveys;
+  for (std::size_t i = 0; i < wires().size(); ++i)
+    surveys.push_back({wires()[i], count[i], {}, {}});
+  std::vector<std::vector<WireLevel>> levels(wires().size());
+  for (WireLevel level : ahead_) levels[std::exchange(level.wire, 0)].push_back(level);
+  for (const std::size_t wire : wires_to_survey(wires(), count)) {
+    KeptLevels kept(levels[wire], end_);
+    WireFlips flips(kept, 0);
+    KeyedWire line(flips, hints.carrier);
+    surveys[wire] = survey_of(wires()[wire], line, hints);
+    surveys[wire].edges = count[wire];
   }
-  return choice;
-}
-
-std::size_t named_wire(const std::vector<std::string>& wires, const std::string& wanted,
-                       const std::string& file) {
-  const auto exact = std::ranges::find(wires, wanted);
-  if (exact != wires.end()) return static_cast<std::size_t>(exact - wires.begin());
-  const auto alike = all_with(
-      wires, [&](const std::string& name) { return in_lower_case(name) == in_lower_case(wanted); });
-  if (alike.size() == 1) return alike.front();
-  const auto is_number = [](const std::string& name) { return parse_number(name).has_value(); };
-  const auto number = parse_number(wanted);
-  for (std::size_t i = 0; number && std::ranges::none_of(wires, is_number) && i < wires.size(); ++i)
-    if (*number == static_cast<double>(i + 1)) return i;
-  throw bad_input(fmt::format("--wire {} is not in {}", wanted, file),
-                  "the capture has no such wire", fmt::format("use {}", fmt::join(wires, " or ")));
-}
-
-SurveyedCapture::SurveyedCapture(std::unique_ptr<LogicCapture> capture, const LineHints& hints)
-    : capture_(std::move(capture)) {
-  read_ahead();
-  const std::vector<std::uint64_t> edges = edges_of(ahead_, wires().size());
-  for (std::size_t i = 0; i < wires().size(); ++i) {
-    surveys_.push_back({wires()[i], edges[i], {}});
-    if (edges[i] > 0)
-      surveys_.back().facts = facts_of_wire(KeptLevels(wires(), ahead_, end_), i, hints);
-  }
+  return surveys;
 }
 
 void SurveyedCapture::read_ahead() {

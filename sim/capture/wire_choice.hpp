@@ -1,12 +1,13 @@
 #pragma once
-// Which wire of a capture is read: the one that was asked for, else by what is on them. A wire
-// without an edge is never preferred. One that is called rx (in any case, at the end of its name
-// too) comes before others, then one with whole messages, then the one whose characters make most
-// sense.
+// Which channel of a capture is read, be it a wire or an analogue one: the one that was asked for,
+// else by what is on them. A channel without an edge is never preferred. One that is called rx (in
+// any case, at the end of its name too) comes before others, then one with whole messages, then the
+// one whose characters make most sense.
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,43 +16,51 @@
 
 namespace sim {
 
-/// A wire or column, as far as it was looked at.
-struct WireSurvey {
-  std::string name;
-  std::uint64_t edges = 0;
-  LineFacts facts;
-};
-
-struct WireChoice {
-  std::size_t wire = 0;
-  std::optional<std::size_t> rival;  // another that reads as well
-};
-
-/// By what is on them; there is at least one.
-WireChoice choice_of_wire(const std::vector<WireSurvey>& wires);
-
-/// The wire of this name, in any case where no other is so called, or of this number, the first
-/// being 1, where no name is a number. Throws bad_input, naming all.
-std::size_t named_wire(const std::vector<std::string>& wires, const std::string& wanted,
-                       const std::string& file);
-
 /// What the user says of the line.
 struct LineHints {
   std::optional<bool> inverted;
   std::optional<dsp::Hertz> baud, carrier;
 };
 
+/// A channel, as far as it was looked at.
+struct ChannelSurvey {
+  std::string name;
+  std::uint64_t edges = 0;
+  LineFacts facts;
+  std::vector<dsp::Seconds> flips;  // by which channels that are one and the same are known
+};
+
+/// Of a channel's line, up to its first 32768 flips.
+ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hints);
+
+struct ChannelChoice {
+  std::size_t channel = 0;
+  std::optional<std::size_t> rival;  // another line that reads as well
+};
+
+/// By what is on them; there is at least one.
+ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels);
+
+/// The channel of this name, in any case where no other is so called, or of this number, the first
+/// being 1, where no name is a number. Throws bad_input, naming all, or the nearest of many.
+std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
+                          const std::string& file);
+
 /// A capture whose beginning is looked at before it is read from the start on: the first half
 /// million levels, in bounded memory.
 class SurveyedCapture : public LogicCapture {
  public:
-  SurveyedCapture(std::unique_ptr<LogicCapture> capture, const LineHints& hints);
+  explicit SurveyedCapture(std::unique_ptr<LogicCapture> capture);
 
   const std::vector<std::string>& wires() const override { return capture_->wires(); }
   std::optional<WireLevel> next() override;
   dsp::Seconds now() const override;
 
-  const std::vector<WireSurvey>& surveys() const { return surveys_; }
+  /// Of each wire, its changes.
+  std::vector<std::uint64_t> edges() const;
+  /// Of each wire. Of more than a hundred that have edges those are looked at that are called rx,
+  /// then those of most edges.
+  std::vector<ChannelSurvey> surveys(const LineHints& hints) const;
   /// Whether all of the capture was looked at.
   bool is_whole() const { return whole_; }
 
@@ -62,7 +71,6 @@ class SurveyedCapture : public LogicCapture {
   std::deque<WireLevel> ahead_;
   dsp::Seconds now_, end_;
   bool whole_ = false, is_played_ = false;  // read to its end; played back to where reading stopped
-  std::vector<WireSurvey> surveys_;
 };
 
 }  // namespace sim

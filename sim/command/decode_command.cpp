@@ -32,7 +32,7 @@ void print_frame(const WireFrame& frame, bool json) {
   print(line.dump() + "\n");
 }
 
-constexpr std::size_t batch = 32768;  // flips
+constexpr std::size_t batch = most_surveyed_flips;
 
 /// The next flips of a line; fewer than a batch at its end alone.
 std::vector<Seconds> next_flips(FlipSource& line) {
@@ -104,35 +104,43 @@ std::string basis_words(LineFacts::Basis basis) {
   return "";
 }
 
-constexpr std::size_t few_channels = 4;  // all are named
+constexpr std::size_t few_channels = 4;    // all are named
+constexpr std::size_t most_channels = 12;  // are named of those with edges
+
+std::string name_of(const CaptureFacts& facts, std::size_t channel) {
+  return escaped(facts.channels[channel].name);
+}
 
 /// "channel rx (34 edges), not tx (0)".
 std::string channel_text(const CaptureFacts& facts) {
-  const auto named = [&](const CaptureFacts::Channel& channel, bool whole_words) {
-    if (!channel.edges) return channel.name;
-    return fmt::format("{} ({}{}{})", channel.name, *channel.edges, facts.is_whole ? "" : "+",
-                       whole_words ? " edges" : "");
+  const auto named = [&](std::size_t channel, const char* words) {
+    const auto& edges = facts.channels[channel].edges;
+    if (!edges) return name_of(facts, channel);
+    return fmt::format("{} ({}{}{})", name_of(facts, channel), *edges, facts.is_whole ? "" : "+",
+                       words);
   };
-  std::string text = "channel " + facts.channel;
   std::vector<std::string> others;
-  std::size_t dead = 0;
-  for (const CaptureFacts::Channel& channel : facts.channels) {
-    if (channel.name == facts.channel)
-      text = "channel " + named(channel, true);
-    else if (channel.edges == 0U && facts.channels.size() > few_channels)
+  std::size_t dead = 0, more = 0;
+  for (std::size_t i = 0; i < facts.channels.size(); ++i) {
+    if (i == facts.taken) continue;
+    if (facts.channels[i].edges == 0U && facts.channels.size() > few_channels)
       ++dead;
+    else if (others.size() == most_channels)
+      ++more;
     else
-      others.push_back(named(channel, false));
+      others.push_back(named(i, ""));
   }
+  if (more > 0) others.push_back(fmt::format("{} more", more));
   if (dead > 0) others.push_back(fmt::format("{} without an edge", dead));
+  const std::string text = "channel " + named(*facts.taken, " edges");
   return others.empty() ? text : fmt::format("{}, not {}", text, fmt::join(others, ", "));
 }
 
 /// What was read, in one line.
 std::string reading_line(const std::string& file, const CaptureFacts& facts,
                          const LineFacts& line) {
-  std::string text = fmt::format("read {} as {}", file, facts.format);
-  if (!facts.channel.empty()) text += ": " + channel_text(facts);
+  std::string text =
+      fmt::format("read {} as {}: {}", escaped(file), facts.format, channel_text(facts));
   if (!facts.time.empty()) text += "; " + facts.time;
   text += fmt::format("; idle-{} {}; {:.6g} Bd {}", line.inverted ? "low" : "high",
                       basis_words(line.polarity_by), line.baud.value, basis_words(line.baud_by));
@@ -150,25 +158,31 @@ nlohmann::json reading_json(const std::string& file, const CaptureFacts& facts,
   }
   nlohmann::json json = {{"file", file},
                          {"format", facts.format},
+                         {"channel", facts.channels[*facts.taken].name},
                          {"channels", channels},
                          {"is_whole", facts.is_whole},
                          {"polarity_by", basis_words(line.polarity_by)},
                          {"baud_by", basis_words(line.baud_by)},
                          {"assumed", facts.assumed}};
-  if (!facts.channel.empty()) json["channel"] = facts.channel;
   if (!facts.time.empty()) json["time"] = facts.time;
   return json;
 }
 
 /// Where another reading is about as good: what it is, and how to ask for it.
 std::optional<std::string> doubt_about(const CaptureFacts& facts, const LineFacts& line) {
+  if (facts.doubt) return facts.doubt;
   if (facts.rival)
     return fmt::format("channel {} reads as well as {} (nothing sets them apart) say --channel",
-                       *facts.rival, facts.channel);
+                       name_of(facts, *facts.rival), name_of(facts, *facts.taken));
   if (!line.rival) return std::nullopt;
   return fmt::format("{} reads as well as {} (nothing sets them apart) say --{}",
                      reading_text(*line.rival), reading_text(line.reading),
                      line.rival->inverted != line.reading.inverted ? "polarity" : "baud");
+}
+
+/// Bytes of a file that are no UTF-8 are replaced.
+std::string json_line(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 struct LineReport {
@@ -217,8 +231,13 @@ ExitCode decode_line(FlipSource& line, Hertz carrier, const CaptureFacts& read,
   const std::string file = request.capture.string();
   if (!request.json) print(reading_line(file, read, facts));
   CapturedLineDecoder decoder(request, facts, line.initial() != facts.inverted);
-  for (; flips.size() == batch; flips = next_flips(line)) decoder.take(flips, flips.back());
-  decoder.take(flips, end_of_line({line.initial(), flips, line.known_until()}, facts.baud));
+  std::optional<Seconds> last;
+  for (; flips.size() == batch; flips = next_flips(line)) {
+    last = flips.back();
+    decoder.take(flips, *last);
+  }
+  if (!flips.empty()) last = flips.back();
+  decoder.take(flips, end_of_line(last, line.known_until(), facts.baud));
   decoder.end();
   const LineStatistics& statistics = decoder.statistics();
   if (!decoder.any_frame())
@@ -228,7 +247,7 @@ ExitCode decode_line(FlipSource& line, Hertz carrier, const CaptureFacts& read,
   if (request.json) {
     nlohmann::json json = line_json(report, statistics);
     json["capture"] = reading_json(file, read, facts);
-    print(nlohmann::json{{"line", json}}.dump() + "\n");
+    print(json_line({{"line", json}}));
   } else {
     print_line_table(report, statistics);
   }

@@ -8,6 +8,7 @@
 #include "sim/failure.hpp"
 #include "sim/report/part_report.hpp"
 #include "sim/report/part_sheet.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/spelling.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/text/text_file.hpp"
@@ -15,19 +16,13 @@
 namespace sim {
 namespace {
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool mentions(const PartFile& part, const std::string& wanted) {
   const std::string text = read_text_file(part.path, part.kind);
-  return lower_case(part.kind + " " + part.name + "\n" + text).find(wanted) != std::string::npos;
+  return in_lower_case(part.kind + " " + part.name + "\n" + text).find(wanted) != std::string::npos;
 }
 
 std::vector<PartFile> matching(const PartsRequest& request) {
-  const std::string wanted = lower_case(request.search);
+  const std::string wanted = in_lower_case(request.search);
   std::vector<PartFile> parts = list_parts(request.parts);
   std::erase_if(parts, [&](const PartFile& part) { return !mentions(part, wanted); });
   return parts;
@@ -38,7 +33,7 @@ std::vector<PartFile> named(const PartsRequest& request) {
   std::vector<std::string> names;
   for (const PartFile& part : all) {
     names.push_back(part.name);
-    if (lower_case(part.name) == lower_case(request.name)) found.push_back(part);
+    if (in_lower_case(part.name) == in_lower_case(request.name)) found.push_back(part);
   }
   if (found.empty())
     throw bad_input(request.name, "no part of this name",

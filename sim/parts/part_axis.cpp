@@ -8,24 +8,20 @@
 #include "sim/failure.hpp"
 #include "sim/parts/part_slot.hpp"
 #include "sim/scenario/text_axis.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// Names of all parts in a folder of this name, carried or not; those of files, in lower case.
 std::vector<std::string> names_in(const std::string& folder, const PartSources& from) {
   std::vector<std::string> names;
   for (const CarriedPart& part : from.carried) {
     const std::filesystem::path file(part.file);
-    if (file.parent_path() == folder) names.push_back(lower(file.stem().string()));
+    if (file.parent_path() == folder) names.push_back(in_lower_case(file.stem().string()));
   }
   for (const PartFile& part : list_parts(from.folders))
-    if (part.path.parent_path().filename() == folder) names.push_back(lower(part.name));
+    if (part.path.parent_path().filename() == folder) names.push_back(in_lower_case(part.name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

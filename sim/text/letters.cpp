@@ -12,6 +12,13 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0
 
 }  // namespace
 
+std::string in_lower_case(std::string_view text) {
+  std::string low(text);
+  for (char& c : low)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  return low;
+}
+
 std::size_t letters_in(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How long a UTF-8 text is on paper, as far as its letters tell.
+// Letters of a UTF-8 text: how long it is on paper, as far as they tell, and their case.
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,6 +8,9 @@ namespace sim {
 
 /// A character that moves the cursor of a terminal instead of printing.
 constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// In lower case, as far as ASCII has it.
+std::string in_lower_case(std::string_view text);
 
 /// Code points.
 std::size_t letters_in(std::string_view text);

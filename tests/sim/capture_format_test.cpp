@@ -77,7 +77,7 @@ TEST_F(CaptureFormat, OneWireFlipByFlipIsThatWireOfTheWhole) {
     const auto whole = wires(samples, "bin");
     ASSERT_EQ(whole.size(), 8U);
     for (std::size_t wire = 0; wire < 8; ++wire) {
-      const Capture capture = open(samples, "bin");
+      const Capture capture = open(samples, "bin", std::to_string(wire));
       WireFlips line(*capture.logic, wire);
       LogicTrace trace(line.initial());
       while (const auto flip = line.next()) trace.flip_at(*flip);

@@ -41,12 +41,11 @@ using Values = std::vector<std::complex<float>>;
 
 TEST_F(CaptureFormat, WavGivesTheChannelAskedFor) {
   const std::string wav = as_wav({{16384, 1}, {-32768, 2}, {0, 3}, {8192, 4}});
-  EXPECT_EQ(all_of(open(wav, "wav")), (Values{0.5F, -1, 0, 0.25F}));
-  EXPECT_EQ(all_of(open(wav, "wav", "1"))[3], std::complex<float>(4 / 32768.0F));
+  EXPECT_EQ(all_of(open(wav, "wav", "1")), (Values{0.5F, -1, 0, 0.25F}));
+  EXPECT_EQ(all_of(open(wav, "wav", "2"))[3], std::complex<float>(4 / 32768.0F));
   EXPECT_EQ(open(wav, "").samples->sample_rate(), Hertz(192000));  // by its first bytes
-  EXPECT_EQ(refusal(wav, "wav", "2"),
-            "--channel 2 is not in FILE (channels of a WAV file are numbers from 0 on) use one up "
-            "to 1");
+  EXPECT_EQ(refusal(wav, "wav", "0"),
+            "--wire 0 is not in FILE (the capture has no such wire) use 1 or 2");
 }
 
 TEST_F(CaptureFormat, WavThatIsCutShortIsRefused) {
@@ -98,7 +97,7 @@ TEST_F(Sigmf, ReadsTheTypesOfTheStandard) {
   EXPECT_EQ(values(meta("ri8"), "\x01\xff"), (Values{1, -1}));
   EXPECT_EQ(values(meta("ru32_le"), little_endian(0x80000007, 4)), (Values{7}));
   EXPECT_EQ(values(meta("rf64_le"), little_endian(0x3FE0000000000000, 8)), (Values{0.5F}));
-  EXPECT_EQ(values(meta("ri8", R"(,"core:num_channels":2)"), "\1\2\3\4", "1"), (Values{2, 4}));
+  EXPECT_EQ(values(meta("ri8", R"(,"core:num_channels":2)"), "\1\2\3\4", "2"), (Values{2, 4}));
 }
 
 TEST_F(Sigmf, SaysWhatIsWrong) {

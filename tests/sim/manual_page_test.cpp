@@ -44,7 +44,9 @@ TEST_F(Manual, HasEachCommandWithItsOptions) {
     EXPECT_NE(page.find("\n" + std::string(title) + "\n"), std::string::npos) << title;
   for (const std::string command : {"run", "decode", "check", "serve", "completion"}) {
     const std::string section = section_of(page, command);
-    for (const std::string& option : options_of(command))
+    const std::vector<std::string> options = options_of(command);
+    EXPECT_GT(options.size(), command == "completion" ? 0U : 2U) << command;
+    for (const std::string& option : options)
       EXPECT_TRUE(option == "-h, --help" || section.find("\n       " + option) != std::string::npos)
           << option << " in\n"
           << section;

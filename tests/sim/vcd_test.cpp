@@ -200,9 +200,9 @@ TEST(Vcd, AMissingTimescaleMayBeTold) {
   const std::string bare = "$var wire 1 ! rx $end $enddefinitions $end\n#0 1! #5 0! #7";
   EXPECT_EQ(flips_us(read(bare, told(Seconds(1e-6))).at(0).trace), (std::vector<double>{5}));
   EXPECT_EQ(flips_us(read(bare, told(Seconds(1e-3))).at(0).trace), (std::vector<double>{5e3}));
-  // One that is there holds.
   EXPECT_EQ(flips_us(read(one_wire("#0 1! #5 0!"), told(Seconds(1))).at(0).trace),
-            (std::vector<double>{5}));
+            (std::vector<double>{5e6}))
+      << "what is told holds, as --sample-rate does";
 }
 
 TEST(Vcd, AnExtendedDumpIsRefusedByName) {
