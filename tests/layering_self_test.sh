@@ -6,15 +6,21 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 wrong=0
 
-expect() { # expect allowed|caught FILE INCLUDE
+said_of() { # said_of FILE LINE: what the test says of a tree with that line in the file
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{dsp,channel,protocol,sim} "$tree/$(dirname "$2")"
-  printf '// a comment\n#include %s\n' "$3" >"$tree/$2"
+  mkdir -p "$tree"/{dsp,channel,protocol,sim} "$tree/$(dirname "$1")"
+  printf '// a comment\n%s\n' "$2" >"$tree/$1"
+  "$here/layering_test.sh" "$tree"
+}
+
+expect_line() { # expect_line allowed|caught FILE LINE
   local found=allowed said
-  said=$("$here/layering_test.sh" "$tree") || found=caught
-  [[ $found == "$1" ]] || { echo "$2: #include $3 should be $1, is $found"; wrong=1; }
+  said=$(said_of "$2" "$3") || found=caught
+  [[ $found == "$1" ]] || { echo "$2: $3 should be $1, is $found"; wrong=1; }
   [[ $found == allowed || $said == "$2:2: "* ]] || { echo "$2:2 is not named in: $said"; wrong=1; }
 }
+
+expect() { expect_line "$1" "$2" "#include $3"; } # expect allowed|caught FILE INCLUDE
 
 expect allowed dsp/a.hpp '<vector>'
 expect allowed dsp/a.cpp '"dsp/units.hpp"'
@@ -64,4 +70,13 @@ expect caught sim/failure.hpp '<fmt/format.h>'
 expect caught protocol/a.cpp '<nlohmann/json.hpp>'
 expect caught sim/counting/statistics.hpp '<armadillo>'
 expect caught sim/a.cpp '<somebody/elses.hpp>'
+
+expect allowed sim/result/hdf5_answers.hpp '"sim/result/hdf5_handle.hpp"'
+expect allowed sim/result/reading_process.cpp '"sim/result/hdf5_answers.hpp"'
+expect caught sim/result/reading_process.hpp '"sim/result/hdf5_answers.hpp"'
+expect caught sim/result/netcdf_reader.cpp '"sim/result/hdf5_handle.hpp"'
+expect caught sim/result/netcdf_reader.cpp '"sim/result/hdf5_answers.hpp"'
+expect_line allowed sim/result/hdf5_answers.cpp 'H5Fopen(path, 0, 0);'
+expect_line caught sim/result/netcdf.cpp 'H5Fopen(path, 0, 0);'
+expect_line caught sim/engine/resume.cpp '  H5Fis_hdf5(path);'
 exit "$wrong"

@@ -1,6 +1,6 @@
 #pragma once
-// For netcdf.cpp and netcdf_reader.cpp. HDF5's identifiers as values that close themselves, its
-// failures as exceptions.
+// For those who write HDF5 files or read them (hdf5_answers). HDF5's identifiers as values that
+// close themselves, its failures as exceptions.
 #include <hdf5.h>
 
 #include <utility>
@@ -39,8 +39,8 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-// HDF5 prints what fails, of itself; here that is thrown. Of what a damaged file leaves open inside
-// of the library it would print at exit, unless it is told before all else that nothing is to do.
+// HDF5 prints what fails, of itself; here that is thrown. At exit it would print what a file that
+// could not be built leaves open, unless it is told before all else that nothing is to do.
 class SilentErrors {
  public:
   SilentErrors() {

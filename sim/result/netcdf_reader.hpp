@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/result/netcdf.hpp"
+
 namespace sim {
 
 /// What a file of this kind says it is ("cosys-sim result"); empty for any other.
@@ -14,6 +16,13 @@ std::string filetype_of(const std::filesystem::path& path);
 
 /// Whether run wrote it, of whatever experiment.
 bool is_result_of_run(const std::filesystem::path& path);
+
+struct VariableDescription {
+  VariableFacts facts;
+  std::string flag_meanings;  // empty where it has none
+  bool is_dimension = false, is_text = false, is_integer = false;
+  std::vector<std::string> dimensions;  // those that it is on, in their order; of a dimension none
+};
 
 /// Throws Failure(bad_input), naming the file, of what is not there or cannot be read.
 class NetcdfReader {
@@ -31,13 +40,7 @@ class NetcdfReader {
 
   /// The variables at the root, in the order of their names.
   std::vector<std::string> variables() const;
-  /// The dimensions that a variable is on, in their order. Of a dimension's own coordinate none.
-  std::vector<std::string> dimensions(const std::string& variable) const;
-  bool is_dimension(const std::string& variable) const;
-  bool is_text(const std::string& variable) const;
-  bool is_integer(const std::string& variable) const;
-  /// An attribute of a variable that is a text of ours; empty of one that it does not have.
-  std::string text_of(const std::string& variable, const char* name) const;
+  VariableDescription description(const std::string& variable) const;
   /// Cells of a variable on one dimension; 0 of any other.
   std::size_t size(const std::string& variable) const;
   /// The cells of such a variable from `first` on: as many as there is room for, which it must

@@ -14,36 +14,29 @@
 namespace sim {
 namespace {
 
-VariableFacts facts_of(const NetcdfReader& file, const std::string& name) {
-  return {name, file.text_of(name, "units"), file.text_of(name, "long_name")};
-}
-
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-Dataset::Dimension dimension_of(const NetcdfReader& file, const std::string& name) {
-  if (file.is_text(name)) return {facts_of(file, name), file.texts(name)};
-  return {facts_of(file, name), file.reals(name)};
+Dataset::Dimension dimension_of(const NetcdfReader& file, const VariableDescription& found) {
+  if (found.is_text) return {found.facts, file.texts(found.facts.name)};
+  return {found.facts, file.reals(found.facts.name)};
 }
 
 /// Splits those that it is on into axes, all of them or none, and others.
-Dataset::Variable variable_of(const NetcdfReader& file, const std::string& name,
+Dataset::Variable variable_of(const NetcdfReader& file, const VariableDescription& found,
                               const std::vector<std::string>& axes) {
-  Dataset::Variable variable{facts_of(file, name),
-                             false,
-                             file.dimensions(name),
-                             {},
-                             words_of(file.text_of(name, "flag_meanings"))};
+  Dataset::Variable variable{
+      found.facts, false, found.dimensions, {}, words_of(found.flag_meanings)};
   std::vector<std::string>& dimensions = variable.dimensions;
   variable.on_axes =
       dimensions.size() >= axes.size() && std::equal(axes.begin(), axes.end(), dimensions.begin());
   if (variable.on_axes) dimensions.erase(dimensions.begin(), dimensions.begin() + std::ssize(axes));
-  if (file.is_integer(name))
-    variable.values = file.integers(name);
+  if (found.is_integer)
+    variable.values = file.integers(found.facts.name);
   else
-    variable.values = file.reals(name);
+    variable.values = file.reals(found.facts.name);
   return variable;
 }
 
@@ -52,10 +45,11 @@ void read_variables(const NetcdfReader& file, Dataset& data) {
   for (const Axis& axis : data.axes) axes.push_back(dimension_name(axis.key));
   for (const std::string& name : file.variables()) {
     if (std::ranges::find(axes, name) != axes.end()) continue;
-    if (file.is_dimension(name))
-      data.dimensions.push_back(dimension_of(file, name));
+    const VariableDescription found = file.description(name);
+    if (found.is_dimension)
+      data.dimensions.push_back(dimension_of(file, found));
     else
-      data.variables.push_back(variable_of(file, name, axes));
+      data.variables.push_back(variable_of(file, found, axes));
   }
 }
 
