@@ -125,8 +125,6 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
 
 }  // namespace
 
-bool is_result(const std::filesystem::path& path) { return filetype_of(path) == link_result_type; }
-
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program) {
   const std::string image = build_image(result, program);

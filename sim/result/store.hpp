@@ -17,7 +17,4 @@ void write_result(const std::filesystem::path& path, const ExperimentResult& res
 /// refuses to replace a file that is no result.
 void check_writable(const std::filesystem::path& path);
 
-/// Whether it is a file that write_result made.
-bool is_result(const std::filesystem::path& path);
-
 }  // namespace sim

@@ -12,7 +12,6 @@
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/result/netcdf.hpp"
-#include "sim/result/store.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/text/input_file.hpp"
@@ -20,53 +19,64 @@
 namespace sim {
 namespace {
 
-/// Puts one column of the file into the points.
+/// Puts one column of the file into the points. False where it does not have a cell for each of
+/// them, or a cell that no file of ours has.
 struct ColumnReader {
   const NetcdfReader& file;
   const char* name;
   std::vector<PointResult>& points;
 
-  void operator()(std::uint64_t Tally::*count) const {
-    each([=](PointResult& p, std::int64_t value) {
+  bool operator()(std::uint64_t Tally::*count) const {
+    return each([=](PointResult& p, std::int64_t value) {
       p.tally.*count = static_cast<std::uint64_t>(value);
+      return true;
     });
   }
   /// Flags and alarms follow from the rest too; old files have fewer of them.
-  void operator()(std::uint64_t PointResult::*count) const {
-    if (count == &PointResult::outside || count == &PointResult::alarms) return;
-    each([=](PointResult& p, std::int64_t value) { p.*count = static_cast<std::uint64_t>(value); });
+  bool operator()(std::uint64_t PointResult::*count) const {
+    if (count == &PointResult::outside || count == &PointResult::alarms) return true;
+    return each([=](PointResult& p, std::int64_t value) {
+      p.*count = static_cast<std::uint64_t>(value);
+      return true;
+    });
   }
-  void operator()(StopReason PointResult::*flag) const {
-    each([=](PointResult& p, std::int64_t value) {
+  bool operator()(StopReason PointResult::*flag) const {
+    return each([=](PointResult& p, std::int64_t value) {
       p.*flag = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
+      return value == missing_int16 || (value >= 0 && value < std::ssize(stop_reason_names()));
     });
   }
   /// Only files of importance sampling have them.
-  void operator()(Column::Sum sum) const {
-    if (!file.has(name)) return;
+  bool operator()(Column::Sum sum) const {
+    if (!file.has(name)) return true;
     const std::vector<double> values = file.reals(name);
-    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
-      sum(points[i].tally.weighted) = values[i];
+    if (values.size() != points.size()) return false;
+    for (std::size_t i = 0; i < points.size(); ++i) sum(points[i].tally.weighted) = values[i];
+    return true;
   }
   /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
-  void operator()(Column::Real) const {}
+  bool operator()(Column::Real) const { return true; }
 
  private:
   template <class Set>
-  void each(const Set& set) const {
+  bool each(const Set& set) const {
     const std::vector<std::int64_t> values = file.integers(name);
-    for (std::size_t i = 0; i < std::min(points.size(), values.size()); ++i)
-      set(points[i], values[i]);
+    if (values.size() != points.size()) return false;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!set(points[i], values[i])) return false;
+    return true;
   }
 };
 
-void read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
+bool read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
   const std::vector<double> elapsed = file.reals("elapsed_s");
   const std::vector<double> simulated = file.reals("simulated_s");
-  for (std::size_t i = 0; i < std::min(points.size(), elapsed.size()); ++i) {
+  if (elapsed.size() != points.size() || simulated.size() != points.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].elapsed_s = elapsed[i];
-    points[i].simulated_s = simulated.at(i);
+    points[i].simulated_s = simulated[i];
   }
+  return true;
 }
 
 }  // namespace
@@ -89,12 +99,13 @@ std::string mismatch(const Origin& own, const Origin& other) {
 }
 
 bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
-  for (const Column& column : columns())
-    std::visit(ColumnReader{file, column.name, result.points}, column.value);
-  read_costs(file, result.points);
+  const bool whole = std::ranges::all_of(columns(), [&](const Column& column) {
+    return std::visit(ColumnReader{file, column.name, result.points}, column.value);
+  });
   const auto shards = parse_shards(file.text("shards", "1/1"));
   result.shards = shards.value_or(std::vector<Shard>());
-  return shards && result_digest(result) == file.text("result_digest");
+  return whole && shards && read_costs(file, result.points) &&
+         result_digest(result) == file.text("result_digest");
 }
 
 namespace {
@@ -137,10 +148,11 @@ LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::pa
 
 StoredResult read_result(const std::filesystem::path& path) {
   refuse_no_file(path, "result");
-  if (filetype_of(path) == experiment_result_type)
+  const std::string type = filetype_of(path);
+  if (type == experiment_result_type)
     throw bad_input(path.string(), "a result of another experiment than a link",
                     "give results of links");
-  if (!is_result(path))
+  if (type != link_result_type)
     throw bad_input(path.string(), "not a result of cosys-sim, or damaged",
                     "give a file that run wrote");
   const NetcdfReader file(path);

@@ -24,8 +24,8 @@ Origin origin_of(const NetcdfReader& file);
 std::string mismatch(const Origin& own, const Origin& other);
 
 /// Puts counts, reasons and costs of the file into the points of `result`, which must be those of
-/// the same sweep, and its shards. False if they do not fit the digest that the file has of them:
-/// it is damaged.
+/// the same sweep, and its shards. False if they do not fit the sweep, or the digest that the file
+/// has of them: it is damaged.
 bool read_counts(const NetcdfReader& file, ExperimentResult& result);
 
 /// The scenario that a result carries. Throws Failure(bad_input) where its format is newer than
