@@ -14,6 +14,7 @@
 #include "sim/command/experiments.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "small_experiments.hpp"
 
 namespace sim {
 namespace {
@@ -22,43 +23,9 @@ using Reals = std::vector<double>;
 using Counts = std::vector<std::int64_t>;
 using Texts = std::vector<std::string>;
 using Variable = Dataset::Variable;
-
-struct Experiment {
-  const char *name, *scenario, *sweep;
-};
-
-constexpr const char* devices = R"(receiver.module = "TSSP4056"
-simulation.sample_rate_hz = 250000
-path.x_m = [0, 1]
-arena.runs = 2
-[devices.near]
-x_m = 1.5
-yaw_deg = 180
-messages = "NEAR"
-[devices.away]
-x_m = 50
-messages = "AWAY"
-)";
-constexpr const char* two_axes = "devices.near.x_m = [1.5, 2]\ndevices.near.y_m = [0, 0.1]";
-const Experiment experiments[] = {
-    {"arena", devices, two_axes},
-    {"guard", devices, two_axes},
-    {"sharedlink", "receiver.module = \"TSSP4056\"\nexchange.duration_s = 5\nexchange.runs = 1\n",
-     "receiver.range_m = [1, 12.5]"},
-    {"presence", "presence.trials = 8\n", "receiver.range_m = [1, 400]"},
-    {"location",
-     "location.trials = 1\nlocation.x_m = [0, 3]\nlocation.y_m = [0, 0]\n"
-     "location.heading_deg = [45, 135]\nfloor.part = \"none\"\n",
-     "location.relative_sigma = \"0.01:0.01:0.21\""},
-    {"listening",
-     "receiver.module = \"TSSP4056\"\nlistening.device_sends = false\n"
-     "listening.duration_s = 10\nlistening.runs = 1\n",
-     "receiver.range_m = [1, 50]"}};
-
-std::string scenario_of(const Experiment& experiment, bool swept) {
-  return fmt::format("experiment = \"{}\"\n{}{}", experiment.name, experiment.scenario,
-                     swept ? fmt::format("[sweep]\n{}\n", experiment.sweep) : "");
-}
+using test::Experiment;
+using test::scenario_of;
+using test::small_experiments;
 
 /// What no cell of ours holds.
 struct StrangeNumber {
@@ -180,7 +147,7 @@ TEST_P(StrangeDataset, WithStrangeElementsOfADimension) {
 
 /// By name too: else it is refused at once (StoredDatasetTest).
 TEST_P(StrangeDataset, WithTheScenarioOfAnother) {
-  std::vector<Experiment> others(std::begin(experiments), std::end(experiments));
+  std::vector<Experiment> others(std::begin(small_experiments), std::end(small_experiments));
   others.push_back(
       {"link", "", "receiver.range_m = [1, 50]"});  // whose results are of another type
   for (const Experiment& other : others) {
@@ -193,7 +160,7 @@ TEST_P(StrangeDataset, WithTheScenarioOfAnother) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, StrangeDataset,
-                         testing::Combine(testing::ValuesIn(experiments), testing::Bool()),
+                         testing::Combine(testing::ValuesIn(small_experiments), testing::Bool()),
                          [](const auto& test) {
                            return std::string(std::get<0>(test.param).name) +
                                   (std::get<1>(test.param) ? "_swept" : "");
