@@ -1,8 +1,9 @@
 # Writes OUTPUT, which CTest reads: an entry for each suite of a test program, so that a process is started once
 # for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
 # `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
-# (-LE measured). Suites of which the pattern THREADS finds a part of a name have the label `threads`.
-# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D OUTPUT=... -P suites.cmake
+# (-LE measured). Suites of which the pattern THREADS finds a part of a name have the label `threads`. Those of the
+# pattern LONG are begun before others.
+# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D OUTPUT=... -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
@@ -14,6 +15,8 @@ function(add_entry suite name filter labels)
          "set_tests_properties([=[${PREFIX}.${name}]=] PROPERTIES LABELS [=[${labels}]=]")
   if(labels MATCHES "measured")
     string(APPEND entries " COST 100")  # begun first, so that nothing long is left for the end
+  elseif(suite MATCHES "${LONG}")
+    string(APPEND entries " COST 50")
   endif()
   string(APPEND entries ")\n")
   set(entries "${entries}" PARENT_SCOPE)
