@@ -107,7 +107,7 @@ std::string basis_words(LineFacts::Basis basis) {
 constexpr std::size_t few_channels = 4;    // all are named
 constexpr std::size_t most_channels = 12;  // are named of those with edges
 
-std::string name_of(const CaptureFacts& facts, std::size_t channel) {
+std::string channel_name(const CaptureFacts& facts, std::size_t channel) {
   return escaped(facts.channels[channel].name);
 }
 
@@ -115,9 +115,9 @@ std::string name_of(const CaptureFacts& facts, std::size_t channel) {
 std::string channel_text(const CaptureFacts& facts) {
   const auto named = [&](std::size_t channel, const char* words) {
     const auto& edges = facts.channels[channel].edges;
-    if (!edges) return name_of(facts, channel);
-    return fmt::format("{} ({}{}{})", name_of(facts, channel), *edges, facts.is_whole ? "" : "+",
-                       words);
+    if (!edges) return channel_name(facts, channel);
+    return fmt::format("{} ({}{}{})", channel_name(facts, channel), *edges,
+                       facts.is_whole ? "" : "+", words);
   };
   std::vector<std::string> others;
   std::size_t dead = 0, more = 0;
@@ -173,7 +173,7 @@ std::optional<std::string> doubt_about(const CaptureFacts& facts, const LineFact
   if (facts.doubt) return facts.doubt;
   if (facts.rival)
     return fmt::format("channel {} reads as well as {} (nothing sets them apart) say --channel",
-                       name_of(facts, *facts.rival), name_of(facts, *facts.taken));
+                       channel_name(facts, *facts.rival), channel_name(facts, *facts.taken));
   if (!line.rival) return std::nullopt;
   return fmt::format("{} reads as well as {} (nothing sets them apart) say --{}",
                      reading_text(*line.rival), reading_text(line.reading),
