@@ -397,27 +397,27 @@ std::optional<Hertz> rate_of_samples(const CsvTable& table, const RowClock& cloc
   return rate && is_sample_rate(*rate) ? rate : std::nullopt;
 }
 
+ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std::size_t column,
+                               const std::string& name, const LineHints& hints) {
+  const bool moves = !is_constant(table, column);
+  const auto rate = rate_of_samples(table, clock);
+  if (moves && is_logic(table, column)) {
+    LevelsAhead levels(table, clock, column);
+    WireFlips flips(levels, 0);
+    KeyedWire line(flips, hints.carrier);
+    return survey_of(name, line, hints);
+  }
+  if (!moves || !rate) return {name, 0, {}, {}};
+  SamplesAhead samples(table, *rate, column);
+  return survey_of_samples(name, samples, hints);
+}
+
 std::vector<ChannelSurvey> surveys_of(const CsvTable& table, const RowClock& clock,
                                       const Channels& channels, const LineHints& hints) {
-  const auto rate = rate_of_samples(table, clock);
   std::vector<ChannelSurvey> surveys;
-  for (std::size_t i = 0; i < channels.columns.size(); ++i) {
-    const std::size_t column = channels.columns[i];
-    const std::string& name = channels.names[i];
-    if (is_constant(table, column)) {
-      surveys.push_back({name, 0, {}, {}});
-    } else if (is_logic(table, column)) {
-      LevelsAhead levels(table, clock, column);
-      WireFlips flips(levels, 0);
-      KeyedWire line(flips, hints.carrier);
-      surveys.push_back(survey_of(name, line, hints));
-    } else if (rate) {
-      SamplesAhead samples(table, *rate, column);
-      surveys.push_back(survey_of_samples(name, samples, hints));
-    } else {
-      surveys.push_back({name, 0, {}, {}});
-    }
-  }
+  for (std::size_t i = 0; i < channels.columns.size(); ++i)
+    surveys.push_back(
+        survey_of_column(table, clock, channels.columns[i], channels.names[i], hints));
   return surveys;
 }
 

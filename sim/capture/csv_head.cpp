@@ -55,9 +55,7 @@ std::string_view without_marks(std::string_view line) {
   return trimmed(line);
 }
 
-bool begins_a_number(std::string_view text) {
-  return !text.empty() && std::string_view("0123456789+-.").find(text.front()) != text.npos;
-}
+bool begins_a_number(std::string_view text) { return text.find_first_of("0123456789+-.") == 0; }
 
 /// The unit of "Sample Interval,4,us"; what follows in a longer line may be the next key.
 std::string unit_behind(const std::vector<std::string>& fields) {
