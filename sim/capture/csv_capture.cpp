@@ -8,12 +8,13 @@
 #include <span>
 #include <utility>
 
+#include "sim/capture/csv_clock.hpp"
+#include "sim/capture/csv_columns.hpp"
 #include "sim/capture/csv_table.hpp"
 #include "sim/capture/keyed_wire.hpp"
 #include "sim/capture/sample_choice.hpp"
 #include "sim/capture/wire_choice.hpp"
 #include "sim/failure.hpp"
-#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
@@ -25,147 +26,6 @@ using Row = std::vector<double>;
 std::string name_of(const CsvTable& table, std::size_t column) {
   const Heading& heading = table.columns()[column];
   return heading.text.empty() ? std::to_string(column) : heading.text;
-}
-
-bool is_logic(const CsvTable& table, std::size_t column) {
-  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
-    const double cell = table.ahead(row, column);
-    if (cell != 0 && cell != 1 && !std::isnan(cell)) return false;
-  }
-  return true;
-}
-
-/// Never back, and on at last: times may repeat where they are printed with too few digits.
-bool rises(const CsvTable& table, std::size_t column) {
-  const std::size_t rows = table.rows_ahead();
-  for (std::size_t row = 1; row < rows; ++row)
-    if (!(table.ahead(row, column) >= table.ahead(row - 1, column))) return false;
-  return table.ahead(rows - 1, column) > table.ahead(0, column);
-}
-
-bool has_time_heading(const Heading& heading) {
-  const std::string name = in_lower_case(heading.name);
-  return name.starts_with("time") || name == "t" || name == "x" || name == "x-axis" ||
-         (name.empty() && time_unit(heading.unit));
-}
-
-bool counts_rows(const Heading& heading) {
-  const std::string name = in_lower_case(heading.name);
-  return name == "index" || name == "sample" || name == "samples" || name == "sample #" ||
-         name == "n" || name == "no" || name == "#" || name == "point";
-}
-
-/// By its name; else the first that rises, but one that counts rows.
-std::optional<std::size_t> time_column(const CsvTable& table) {
-  const std::size_t count = table.columns().size();
-  for (std::size_t i = 0; i < count; ++i)
-    if (has_time_heading(table.columns()[i]) && count > 1) return i;
-  for (std::size_t i = 0; i < count && count > 1; ++i)
-    if (!counts_rows(table.columns()[i]) && !is_logic(table, i) && rises(table, i)) return i;
-  return std::nullopt;
-}
-
-/// Of the times of the rows ahead, the step of which all distances are whole multiples; nothing
-/// where times are no whole numbers.
-std::optional<double> step_of(const CsvTable& table, std::size_t column) {
-  double step = 0;
-  for (std::size_t row = 1; row < table.rows_ahead(); ++row) {
-    double rest = table.ahead(row, column) - table.ahead(row - 1, column);
-    if (rest != std::floor(rest)) return std::nullopt;
-    while (rest > 0) step = std::exchange(rest, std::fmod(step, rest));
-  }
-  return step;
-}
-
-/// What a tick is of sigrok's times. It prints the number of the sample times the whole ticks in a
-/// sample, of a unit that it may not name: at 24 MHz 41, 82, 123 ns (libsigrok, src/output/csv.c).
-/// The unit is the finest in which all rows lie on samples.
-std::optional<double> tick_of_sigrok(const CsvTable& table, std::size_t column, Hertz rate) {
-  const auto step = step_of(table, column);
-  if (!step || *step == 0) return std::nullopt;
-  const auto named = time_unit(table.columns()[column].unit);
-  for (const double unit : {1e-12, 1e-9, 1e-6, 1e-3, 1.0}) {
-    const double ticks_a_sample = std::floor(1 / (unit * rate.value) + 1e-6);
-    const bool is_it = !named || std::abs(named->value / unit - 1) < 1e-6;
-    if (is_it && ticks_a_sample >= 1 && std::fmod(*step, ticks_a_sample) == 0)
-      return 1 / (ticks_a_sample * rate.value);
-  }
-  return std::nullopt;
-}
-
-/// The instants of rows.
-class RowClock {
- public:
-  RowClock(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts)
-      : rate_(settings.sample_rate ? settings.sample_rate : table.head().sample_rate()),
-        column_(time_column(table)) {
-    if (!column_) {
-      if (rate_) facts.time = fmt::format("{:g} rows a second", rate_->value);
-      return;
-    }
-    find_unit(table, settings, facts);
-    const double start = table.ahead(0, *column_) * unit_;
-    if (start < 0 || start > longest_before_start) origin_ = start;
-    if (origin_ > 0) facts.assumed.push_back(fmt::format("times count from {:.6f} s on", origin_));
-  }
-
-  bool has_column() const { return column_.has_value(); }
-  std::optional<std::size_t> column() const { return column_; }
-  std::optional<Hertz> rate() const { return rate_; }
-
-  /// Of the next row, which stands in that line.
-  Seconds next(const CsvTable& table, const Row& row, std::size_t line) {
-    const double index = static_cast<double>(count_++);
-    const Seconds at(column_ ? row[*column_] * unit_ - origin_ : index / rate_->value);
-    const char* fault = std::isnan(at.value)   ? "it is no number"
-                        : at < now_            ? "it is before that of the row before"
-                        : at > longest_capture ? "it is after more than 30 years"
-                                               : nullptr;
-    if (fault != nullptr) table.fail_at(line, "a row's time", fault);
-    return now_ = at;
-  }
-
-  Seconds now() const { return now_; }
-
- private:
-  static constexpr double longest_before_start = 1e6;  // s; more is a date
-
-  void find_unit(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts) {
-    const std::string& named = table.columns()[*column_].unit;
-    if (settings.tick) {
-      unit_ = settings.tick->value;
-    } else if (rate_ && table.head().is_of_sigrok()) {
-      const auto tick = tick_of_sigrok(table, *column_, *rate_);
-      unit_ = tick ? *tick : named_unit(table, named.empty() ? "s" : named);
-      if (named.empty())
-        facts.assumed.emplace_back("the unit of time in which rows lie on samples");
-    } else if (!named.empty()) {
-      unit_ = named_unit(table, named);
-    } else {
-      facts.assumed.emplace_back("time in seconds");
-      return;
-    }
-    facts.time = unit_ == 1 ? "time in s" : fmt::format("time in steps of {:.6g} s", unit_);
-  }
-
-  static double named_unit(const CsvTable& table, const std::string& named) {
-    const auto unit = time_unit(named);
-    if (!unit)
-      table.fail_at(table.head().line_of_units(table.columns().size()),
-                    "the time's unit '" + shown(named) + "'", "no such unit is known here");
-    return unit->value;
-  }
-
-  std::optional<Hertz> rate_;
-  std::optional<std::size_t> column_;
-  double unit_ = 1, origin_ = 0;
-  std::uint64_t count_ = 0;
-  Seconds now_;
-};
-
-/// Nothing where the cell says nothing.
-std::optional<bool> level_in(double cell) {
-  return std::isnan(cell) ? std::nullopt : std::optional(cell == 1);
 }
 
 class CsvLogic : public LogicCapture {
@@ -349,30 +209,6 @@ class LevelsAhead : public LogicCapture {
   Row row_;
   std::optional<bool> level_;
 };
-
-bool is_constant(const CsvTable& table, std::size_t column) {
-  std::optional<double> first;
-  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
-    const double cell = table.ahead(row, column);
-    if (std::isnan(cell)) continue;
-    if (first.value_or(cell) != cell) return false;
-    first = cell;
-  }
-  return true;
-}
-
-/// Changes of a column of 0 and 1; nothing of others.
-std::optional<std::uint64_t> edges_of(const CsvTable& table, std::size_t column) {
-  if (!is_logic(table, column)) return std::nullopt;
-  std::uint64_t edges = 0;
-  std::optional<bool> last;
-  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
-    const auto level = level_in(table.ahead(row, column));
-    edges += last && level && last != level;
-    if (level) last = level;
-  }
-  return edges;
-}
 
 /// Columns that may be a line: all but the time and those that number the rows, in their order.
 struct Channels {

@@ -1,0 +1,98 @@
+#include "sim/capture/csv_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "sim/capture/csv_columns.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Hertz;
+using dsp::Seconds;
+
+constexpr double longest_before_start = 1e6;  // s; more is a date
+
+/// Of the times of the rows ahead, the step of which all distances are whole multiples; nothing
+/// where times are no whole numbers.
+std::optional<double> step_of(const CsvTable& table, std::size_t column) {
+  double step = 0;
+  for (std::size_t row = 1; row < table.rows_ahead(); ++row) {
+    double rest = table.ahead(row, column) - table.ahead(row - 1, column);
+    if (rest != std::floor(rest)) return std::nullopt;
+    while (rest > 0) step = std::exchange(rest, std::fmod(step, rest));
+  }
+  return step;
+}
+
+/// What a tick is of sigrok's times. It prints the number of the sample times the whole ticks in a
+/// sample, of a unit that it may not name: at 24 MHz 41, 82, 123 ns (libsigrok, src/output/csv.c).
+/// The unit is the finest in which all rows lie on samples.
+std::optional<double> tick_of_sigrok(const CsvTable& table, std::size_t column, Hertz rate) {
+  const auto step = step_of(table, column);
+  if (!step || *step == 0) return std::nullopt;
+  const auto named = time_unit(table.columns()[column].unit);
+  for (const double unit : {1e-12, 1e-9, 1e-6, 1e-3, 1.0}) {
+    const double ticks_a_sample = std::floor(1 / (unit * rate.value) + 1e-6);
+    const bool is_it = !named || std::abs(named->value / unit - 1) < 1e-6;
+    if (is_it && ticks_a_sample >= 1 && std::fmod(*step, ticks_a_sample) == 0)
+      return 1 / (ticks_a_sample * rate.value);
+  }
+  return std::nullopt;
+}
+
+double named_unit(const CsvTable& table, const std::string& named) {
+  const auto unit = time_unit(named);
+  if (!unit)
+    table.fail_at(table.head().line_of_units(table.columns().size()),
+                  "the time's unit '" + shown(named) + "'", "no such unit is known here");
+  return unit->value;
+}
+
+}  // namespace
+
+RowClock::RowClock(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts)
+    : rate_(settings.sample_rate ? settings.sample_rate : table.head().sample_rate()),
+      column_(time_column(table)) {
+  if (!column_) {
+    if (rate_) facts.time = fmt::format("{:g} rows a second", rate_->value);
+    return;
+  }
+  find_unit(table, settings, facts);
+  const double start = table.ahead(0, *column_) * unit_;
+  if (start < 0 || start > longest_before_start) origin_ = start;
+  if (origin_ > 0) facts.assumed.push_back(fmt::format("times count from {:.6f} s on", origin_));
+}
+
+Seconds RowClock::next(const CsvTable& table, const std::vector<double>& row, std::size_t line) {
+  const double index = static_cast<double>(count_++);
+  const Seconds at(column_ ? row[*column_] * unit_ - origin_ : index / rate_->value);
+  const char* fault = std::isnan(at.value)   ? "it is no number"
+                      : at < now_            ? "it is before that of the row before"
+                      : at > longest_capture ? "it is after more than 30 years"
+                                             : nullptr;
+  if (fault != nullptr) table.fail_at(line, "a row's time", fault);
+  return now_ = at;
+}
+
+void RowClock::find_unit(const CsvTable& table, const CaptureSettings& settings,
+                         CaptureFacts& facts) {
+  const std::string& named = table.columns()[*column_].unit;
+  if (settings.tick) {
+    unit_ = settings.tick->value;
+  } else if (rate_ && table.head().is_of_sigrok()) {
+    const auto tick = tick_of_sigrok(table, *column_, *rate_);
+    unit_ = tick ? *tick : named_unit(table, named.empty() ? "s" : named);
+    if (named.empty()) facts.assumed.emplace_back("the unit of time in which rows lie on samples");
+  } else if (!named.empty()) {
+    unit_ = named_unit(table, named);
+  } else {
+    facts.assumed.emplace_back("time in seconds");
+    return;
+  }
+  facts.time = unit_ == 1 ? "time in s" : fmt::format("time in steps of {:.6g} s", unit_);
+}
+
+}  // namespace sim
