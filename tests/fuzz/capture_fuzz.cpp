@@ -57,9 +57,6 @@ void read_line(sim::FlipSource& line) {
 
 }  // namespace
 
-/// HDF5 forgets what it had of a damaged file.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const bool raw = std::string_view(COSYS_FORMAT) == "bin";
