@@ -12,6 +12,10 @@
 namespace sim {
 namespace {
 
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using Binomial = boost::math::binomial_distribution<double, InDouble>;
+using Poisson = boost::math::poisson_distribution<double, InDouble>;
+
 constexpr std::uint64_t fewest_in_a_look = 64, most_looks = 8;
 constexpr double share_of_last_look = 0.5;
 constexpr std::uint64_t most_frames_of_a_point = 1'000'000'000;
@@ -36,7 +40,7 @@ constexpr double most_terms = 400;
 /// The expectation of `probability(n)`, n being Poisson's.
 template <class Probability>
 double mean_over_discordant(double mean, const Probability& probability) {
-  const boost::math::poisson discordant(mean);
+  const Poisson discordant(mean);
   const double spread = 8 * std::sqrt(mean) + 10;
   const double step = std::max(1.0, std::floor(2 * spread / most_terms));
   double sum = 0;
@@ -116,7 +120,7 @@ double power_of(const GateRule& rule, double flr, std::uint64_t frames, std::uin
   return mean_over_discordant(mean, [&](double n) {
     const auto critical =
         static_cast<double>(mcnemar_critical(static_cast<std::uint64_t>(n), alpha));
-    const boost::math::binomial lost(n, of_candidate);
+    const Binomial lost(n, of_candidate);
     return critical > n ? 0 : cdf(complement(lost, critical - 1));
   });
 }
@@ -126,7 +130,7 @@ double pass_probability(const GateRule& rule, double flr, std::uint64_t frames) 
   return mean_over_discordant(mean, [&](double n) {
     const auto critical = static_cast<double>(
         no_worse_critical(static_cast<std::uint64_t>(n), rule.worse_than, third_of_misses(rule)));
-    const boost::math::binomial lost(n, 0.5);
+    const Binomial lost(n, 0.5);
     return critical < 1 ? 0 : cdf(lost, critical - 1);
   });
 }

@@ -5,9 +5,12 @@
 namespace sim {
 namespace {
 
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
 /// P(X >= k) of a binomial, k >= 1: the regularised incomplete beta function.
 double upper_tail(std::uint64_t n, std::uint64_t k, double probability) {
-  return boost::math::ibeta(static_cast<double>(k), static_cast<double>(n - k) + 1, probability);
+  return boost::math::ibeta(static_cast<double>(k), static_cast<double>(n - k) + 1, probability,
+                            InDouble());
 }
 
 double worse_p_value(std::uint64_t discordant, std::uint64_t candidate_only) {
