@@ -45,12 +45,17 @@ def press(driver, button):
     driver.execute_script("arguments[0].click()", button)
 
 
+def actions(driver):
+    """A mouse takes a moment for a way, but not the usual quarter of a second."""
+    return ActionChains(driver, duration=20)
+
+
 def send(driver, *keys):
-    ActionChains(driver).send_keys(*keys).perform()
+    actions(driver).send_keys(*keys).perform()
 
 
 def send_with_control(driver, key):
-    ActionChains(driver).key_down(Keys.CONTROL).send_keys(key).key_up(Keys.CONTROL).perform()
+    actions(driver).key_down(Keys.CONTROL).send_keys(key).key_up(Keys.CONTROL).perform()
 
 
 def enter(driver, element):
@@ -63,13 +68,13 @@ def image(driver, canvas):
 
 def drag_over(driver, plot):
     width = plot.size["width"]
-    ActionChains(driver).move_to_element_with_offset(plot, -width // 4, 0).click_and_hold() \
+    actions(driver).move_to_element_with_offset(plot, -width // 4, 0).click_and_hold() \
         .move_by_offset(width // 3, 0).release().perform()
 
 
 def drag_with_shift(driver, plot):
     width = plot.size["width"]
-    ActionChains(driver).move_to_element_with_offset(plot, width // 4, 0).key_down(Keys.SHIFT).click_and_hold() \
+    actions(driver).move_to_element_with_offset(plot, width // 4, 0).key_down(Keys.SHIFT).click_and_hold() \
         .move_by_offset(-width // 8, 0).release().key_up(Keys.SHIFT).perform()
 
 

@@ -10,10 +10,9 @@ import json
 import pathlib
 import sys
 
-from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser import enter, expect, expect_no_complaints, has_live_pictures, opened, press, skip_part
+from browser import actions, enter, expect, expect_no_complaints, has_live_pictures, opened, press, skip_part
 
 FEWEST_SAMPLES = 10_000_000
 BEGIN, END = '<script type="application/json" id="trials">', "</script>"
@@ -72,7 +71,7 @@ def ink(driver, canvas):
 def drag_about(driver, plot, column, half):
     """Zooms to the pixels about one of a plot."""
     left = column - plot.size["width"] // 2
-    ActionChains(driver).move_to_element_with_offset(plot, left - half, 0).click_and_hold() \
+    actions(driver).move_to_element_with_offset(plot, left - half, 0).click_and_hold() \
         .move_by_offset(2 * half, 0).release().perform()
 
 

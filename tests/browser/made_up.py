@@ -7,10 +7,9 @@ import pathlib
 import re
 import sys
 
-from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser import enter, expect, expect_no_complaints, has_live_pictures, opened, send, skip_part
+from browser import actions, enter, expect, expect_no_complaints, has_live_pictures, opened, send, skip_part
 from layouts import expect_heads_apart, open_tables, set_width
 from texts import lower_labels, marks, texts, touching
 
@@ -107,7 +106,7 @@ def look_at_legend(driver, chart):
     lines = [dashes for _, dashes in looks]
     expect(lines == [["none"], [], [], []], f"the legend has lines over theories, or dashes what was measured: {lines}")
     expect(chart.find_element(By.CLASS_NAME, "dashed").text == "dashed: theory", "it is not said what is dashed")
-    ActionChains(driver).move_to_element(chart.find_element(By.CLASS_NAME, "u-over")).perform()
+    actions(driver).move_to_element(chart.find_element(By.CLASS_NAME, "u-over")).perform()
     values = [value.text for value in chart.find_elements(By.CLASS_NAME, "u-value")]
     expect(values == ["4", "< 0.1", "-", "-", "-", "", "", ""], f"at a limit the legend says {values}")
 

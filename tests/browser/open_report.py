@@ -5,13 +5,11 @@ Usage: open_report.py REPORT.html SCREENSHOT.png; exits 1 saying what is wrong.
 """
 import sys
 
-from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from browser import drag_over, drag_with_shift, enter, expect, expect_no_complaints, has_live_pictures, image, opened
-from browser import press
-from browser import save_whole_page, send, send_with_control, skip_part
+from browser import actions, drag_over, drag_with_shift, enter, expect, expect_no_complaints, has_live_pictures, image
+from browser import opened, press, save_whole_page, send, send_with_control, skip_part
 from layouts import look_at_layouts, look_without_scripts
 from tables import use_tables
 from texts import marks, texts, touching, upright_labels
@@ -72,7 +70,7 @@ def use_chart(driver, chart):
         expect(image(driver, canvas) == whole, f"{back} does not show the whole chart again")
     drag_over(driver, plot)
     expect(image(driver, canvas) != whole, "the mouse does not zoom a chart")
-    ActionChains(driver).double_click(plot).perform()
+    actions(driver).double_click(plot).perform()
 
 
 def use_legend(driver, chart):

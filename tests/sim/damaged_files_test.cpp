@@ -19,15 +19,16 @@
 namespace sim {
 namespace {
 
-constexpr std::uint64_t usual_mutants = 200;
-constexpr double longest_s = 10;
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool counts_memory = false;  // what was freed is kept, and has a shadow
+constexpr bool is_sanitized = true;
 #elif defined(__has_feature)
-constexpr bool counts_memory = !__has_feature(address_sanitizer);
+constexpr bool is_sanitized = __has_feature(address_sanitizer);
 #else
-constexpr bool counts_memory = true;
+constexpr bool is_sanitized = false;
 #endif
+constexpr std::uint64_t usual_mutants = is_sanitized ? 30 : 100;
+constexpr double longest_s = 10;
+constexpr bool counts_memory = !is_sanitized;  // what was freed is kept, and has a shadow
 constexpr long most_kb = 1'000'000;
 
 /// What a user has, how it is made, and what is done with it: the commands take turns.
