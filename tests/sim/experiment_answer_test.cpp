@@ -12,7 +12,7 @@ namespace {
 
 class ExperimentAnswer : public ExperimentReport {};
 
-const std::string location = "experiment = \"location\"\n[location]\ntrials = 40\n";
+const std::string location = "experiment = \"location\"\n[location]\ntrials = 12\n";
 
 std::string answer_of(const std::string& page) { return page.substr(0, page.find("<h2>")); }
 
@@ -22,7 +22,7 @@ TEST_F(ExperimentAnswer, OfLocationSaysHowOftenEachCameOut) {
   const auto of = [&](std::size_t i) { return counts[i].get<int>() + counts[i + 5].get<int>(); };
   ASSERT_GT(of(1), 0);
   std::string text =
-      fmt::format("<p>Locating was tried 80 times at 2 points: located {} times", of(0));
+      fmt::format("<p>Locating was tried 24 times at 2 points: located {} times", of(0));
   const char* const words[] = {"ambiguous", "poor fit", "underdetermined", "did not converge"};
   for (std::size_t i = 1; i < 5; ++i)
     if (of(i) > 0) text += fmt::format(", {} {}", words[i - 1], of(i));

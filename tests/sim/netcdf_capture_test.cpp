@@ -108,12 +108,12 @@ TEST_F(NetcdfCapture, OtherFilesAreRefused) {
             "cannot decode t.h5 (its sample rate is none) give a trace as cosys-sim writes it");
 }
 
-// In a process of its own: what the library leaves open of a damaged file it may speak of at exit.
+// More in damaged_files_test.cpp. In a process of its own: what the library leaves open of a damaged file it may speak of at exit.
 TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
   Random random(73);
   const std::string good = sim::trace_as_netcdf(random_trial(random, true, 2'000));
   int refused = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 40; ++round) {
     std::string bad = good;
     for (auto n = 1 + random() % 60; n > 0; --n)
       bad[random() % bad.size()] = static_cast<char>(random());
@@ -123,8 +123,8 @@ TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
     EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;  // no message in it, or why not
     refused += o.code == 2;
   }
-  EXPECT_GT(refused, 10);
-  EXPECT_LT(refused, 150);
+  EXPECT_GT(refused, 3);
+  EXPECT_LT(refused, 40);
 }
 
 }  // namespace

@@ -118,10 +118,10 @@ class StrangeDataset : public CommandLine,
 TEST_P(StrangeDataset, WithAStrangeVariable) {
   expect_page(stored_);
   expect_answers("missing", [](auto& variables, auto variable) { variables.erase(variable); });
+  std::size_t step = 1;  // 1 and 2 in turn
   for (const StrangeNumber& strange : strange_numbers)
-    for (const std::size_t step : {1U, 2U})
-      expect_answers(fmt::format("of {} in each of {} cells", strange.real, step),
-                     [&](auto&, auto variable) { fill(*variable, strange, step); });
+    expect_answers(fmt::format("of {} in each cell, or in every other", strange.real),
+                   [&](auto&, auto variable) { fill(*variable, strange, step = 3 - step); });
   std::vector<Texts> places{{}};
   for (const Dataset::Dimension& dimension : stored_.data.dimensions)
     places.push_back({dimension.facts.name});
