@@ -181,6 +181,10 @@ run_ninja() { # run_ninja PRESET TARGET
   wait "$build"
 }
 
+run_ctest() { # run_ctest PRESET JOBS [ctest argument]...
+  ctest --test-dir "$root/build/$1" --output-on-failure --no-tests=error -j "$2" "${@:3}"
+}
+
 minutes_for() { # minutes_for CPU_SECONDS: in words, on this machine
   local jobs
   jobs=$(build_jobs)

@@ -1,9 +1,10 @@
 # Writes OUTPUT, which CTest reads: an entry for each suite of a test program, so that a process is started once
 # for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
 # `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
-# (-LE measured). Suites of which the pattern THREADS finds a part of a name have the label `threads`. Those of the
-# pattern LONG are begun before others.
-# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D OUTPUT=... -P suites.cmake
+# (-LE measured). Those of suites that the pattern GATE finds are `gate` too: tests/run leaves them to the gate. Suites
+# of which the pattern THREADS finds a part of a name have the label `threads`. Those of the pattern LONG are begun
+# before others.
+# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D OUTPUT=... -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
@@ -40,7 +41,11 @@ function(add_suite suite cases)
     add_entry("${suite}" "${suite}" "${suite}.*-${suite}.Measured*" "${labels}")
   endif()
   if(measured)
-    add_entry("${suite}" "${suite}.measured" "${suite}.Measured*" "measured")
+    set(labels "measured")
+    if(suite MATCHES "${GATE}")
+      list(APPEND labels "gate")
+    endif()
+    add_entry("${suite}" "${suite}.measured" "${suite}.Measured*" "${labels}")
   endif()
   set(entries "${entries}" PARENT_SCOPE)
 endfunction()

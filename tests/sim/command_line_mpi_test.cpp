@@ -28,16 +28,16 @@ class Mpi : public CommandLine {
 };
 
 TEST_F(Mpi, AnyNumberOfProcessesGivesTheSameCounts) {
-  for (const Words& rule : {Words{"-n", "203", "-e", "0"}, {"-n", "4000", "-e", "50"}}) {
+  for (const Words& rule : {Words{"-n", "203", "-e", "0"}, {"-n", "2000", "-e", "50"}}) {
     Words run{"run", "s.toml", "-q", "-t", "1"};
     run.insert(run.end(), rule.begin(), rule.end());
-    const std::string alone = digest_of(program(run).out);
+    const std::string alone = program(run).out;
     for (const int members : {1, 2, 4}) {
       std::filesystem::remove(path("s.h5"));
       const Outcome o = mpirun(members, run);
       EXPECT_EQ(o.code, 0) << o.err;
-      EXPECT_EQ(digest_of(o.out), alone) << members;
-      EXPECT_EQ(std::ranges::count(o.out, '\n'), std::ranges::count(program(run).out, '\n'));
+      EXPECT_EQ(digest_of(o.out), digest_of(alone)) << members;
+      EXPECT_EQ(std::ranges::count(o.out, '\n'), std::ranges::count(alone, '\n'));
     }
   }
 }
@@ -62,7 +62,7 @@ TEST_F(Mpi, HoweverErrorsAreMade) {
 }
 
 TEST_F(Mpi, GoesOnWithWhatWasLeft) {
-  const Words run{"run", "s.toml", "-q", "-n", "4000", "-e", "0", "-t", "1"};
+  const Words run{"run", "s.toml", "-q", "-n", "1500", "-e", "0", "-t", "1"};
   const std::string whole = digest_of(program(run).out);
   std::filesystem::remove(path("s.h5"));
   Running running = start_program(run);
@@ -74,7 +74,7 @@ TEST_F(Mpi, GoesOnWithWhatWasLeft) {
 }
 
 TEST_F(Mpi, ASignalEndsTheJobInOrder) {
-  const Words run{"run", "s.toml", "-q", "-n", "4000", "-e", "0", "-t", "1"};
+  const Words run{"run", "s.toml", "-q", "-n", "1500", "-e", "0", "-t", "1"};
   const std::string whole = digest_of(program(run).out);
   std::filesystem::remove(path("s.h5"));
   Running running = start_tool(COSYS_MPIRUN, job(2, run));

@@ -1,5 +1,7 @@
 // The port of a line that is played: which bytes a reader gets, readers that are late, stall or go,
 // changes while it runs, and how it ends.
+#include <regex>
+
 #include "serve_process.hpp"
 #include "sim/text/escaped_text.hpp"
 
@@ -175,9 +177,12 @@ TEST_F(Serve, AnswersLinesThatAreWrongAndChangesNothing) {
   const Outcome o = line->finish();
   EXPECT_EQ(o.code, 0);
   EXPECT_EQ(heard_in(o.out), heard_in(expected));
-  const std::size_t first = o.err.find('\n') + 1;
+  // A machine that does other things may be late, and says so.
+  const std::string said =
+      std::regex_replace(o.err, std::regex("cosys-sim: the line is [0-9.]+ s late .*\n"), "");
+  const std::size_t first = said.find('\n') + 1;
   EXPECT_EQ(
-      o.err.substr(first, o.err.rfind("cosys-sim: played:") - first),
+      said.substr(first, said.rfind("cosys-sim: played:") - first),
       "cosys-sim: receiver.range_m = -1 in --set (distance along the floor must be at least 0.01 "
       "m) use a value 0.01 to 1000\n"
       "cosys-sim: receiver.rage_m in --set (no such key) did you mean receiver.range_m?\n"
