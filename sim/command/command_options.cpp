@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -38,6 +39,13 @@ const CLI::Validator an_index(
     [](const std::string& text) {
       const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
       return digits && !text.empty() ? "" : text + " is not a whole number, counted from 0";
+    },
+    "");
+
+const CLI::Validator a_wire_name(
+    [](const std::string& text) {
+      const bool printable = std::ranges::all_of(text, [](char c) { return c > ' ' && c <= '~'; });
+      return printable && !text.empty() ? "" : text + " is no name of a wire such as iogD_2";
     },
     "");
 

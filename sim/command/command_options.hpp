@@ -11,7 +11,7 @@ namespace sim {
 
 constexpr double last_trial = 4294967295;  // trials are numbered in 32 bits
 
-extern const CLI::Validator a_name, an_index, a_shard;
+extern const CLI::Validator a_name, an_index, a_shard, a_wire_name;
 
 /// A name of a file or folder, and known as one to completions and the manual (read_usage.hpp).
 extern const CLI::Validator a_place;

@@ -17,6 +17,7 @@
 #include "sim/program_info.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/serve/serve_settings.hpp"
+#include "sim/trace/trace_wishes.hpp"
 
 namespace sim {
 
@@ -61,6 +62,7 @@ struct TraceRequest {
   std::uint64_t point = 0;
   std::uint32_t trial = 0;
   std::filesystem::path output;
+  TraceWishes wishes;
   ProgramInfo program;
 };
 ExitCode trace_command(const TraceRequest& request);
@@ -72,13 +74,13 @@ struct EncodeRequest {
 ExitCode encode_command(const EncodeRequest& request);
 
 struct DecodeRequest {
-  std::filesystem::path capture;
-  std::string wire;                      // empty: by what is on the wires
-  std::string format;                    // empty: by its ending or content
-  std::optional<double> sample_rate_hz;  // nothing: as the file says
-  std::optional<int> sample_bytes;       // nothing: 1, of formats that do not say it
-  std::optional<dsp::Seconds> tick;      // unit of time, of formats that do not say it
-  std::size_t skip_rows = 0;             // of a table: lines passed over
+  std::vector<std::filesystem::path> captures;  // or folders of such
+  std::string wire;                             // empty: by what is on the wires
+  std::string format;                           // empty: by its ending or content
+  std::optional<double> sample_rate_hz;         // nothing: as the file says
+  std::optional<int> sample_bytes;              // nothing: 1, of formats that do not say it
+  std::optional<dsp::Seconds> tick;             // unit of time, of formats that do not say it
+  std::size_t skip_rows = 0;                    // of a table: lines passed over
   std::string uart = "atmega";
   std::optional<double> baud;        // nothing: found in the capture
   std::optional<double> carrier_hz;  // nothing: found in the capture; 0: none

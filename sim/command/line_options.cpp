@@ -81,10 +81,10 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   auto& decode = *app.add_subcommand(
       "decode",
       "Print the messages in a capture: when, accepted or why not, and their text; and "
-      "how well the line keeps to its bit rate");
-  add_place(decode, "CAPTURE", request.capture, "",
-            "capture of the receiver's output or of its light: .vcd, .sr, .ook, .csv, .wav, "
-            ".sigmf-meta, .h5 of trace or .bin")
+      "how well the line keeps to its bit rate. Of several captures a table, a row each");
+  add_place(decode, "CAPTURE", request.captures, "",
+            "captures of a receiver's output or of its light, or folders of such: .vcd, .sr, .ook, "
+            ".csv, .wav, .sigmf-meta, .h5 of trace or .bin")
       ->required();
   decode
       .add_option("--wire,--channel", request.wire,
@@ -121,7 +121,8 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
       ->check(one_of({"auto", "idle-high", "idle-low"}));
   add_protocol(decode, request.protocol);
   decode.add_flag("--json", request.json,
-                  "one JSON object a line for each message, and a last one of the line");
+                  "one JSON object a line for each message, and a last one of the line; of several "
+                  "captures one object each");
   decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
 }
 

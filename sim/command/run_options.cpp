@@ -74,11 +74,26 @@ void add_trace(CLI::App& app, TraceRequest& request) {
       ->check(an_index)
       ->check(between(0, last_trial));
   add_place(trace, "-o,--output", request.output, "FILE",
-            "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same and "
-            "all taps, for sigrok; .ook, the pulses of rx, for rtl_433; .bin, the wires, a byte a "
+            "file to write; its ending is the format: .vcd, the wires tx and rx; .sr, the same "
+            "for sigrok; .ook, the pulses of rx, for rtl_433; .bin, the wires, a byte a "
             "sample at 1 MHz; .csv, all taps, a row a sample; .h5, the same in HDF5, and spectra; "
             ".wav, the light; .sigmf-meta, the light and its baseband; .svg, a picture")
       ->required();
+  trace
+      .add_option("--pin", request.wishes.pin,
+                  "name of the wire rx in .vcd and .sr, as iogD_2 for pin D2 of simavr; rx if not "
+                  "given")
+      ->type_name("NAME")
+      ->check(a_wire_name);
+  trace
+      .add_option_function<double>(
+          "--tail", [&request](double seconds) { request.wishes.tail = dsp::Seconds(seconds); },
+          "how long the wires of .vcd, .sr, .ook and .bin go on behind the trial, so that firmware "
+          "has time to answer; 0 if not given")
+      ->type_name("TIME")
+      ->transform(a_time())
+      ->check(between(0.1, 3600));
+  trace.add_flag("--taps", request.wishes.taps, "all taps into .sr too, beside the wires");
   add_scenario_options(trace, request.options);
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");
 }

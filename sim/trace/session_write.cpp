@@ -63,11 +63,11 @@ class ZipImage {
   zip_t* zip_ = nullptr;
 };
 
-std::string metadata(std::size_t taps, dsp::Hertz rate) {
+std::string metadata(std::size_t taps, dsp::Hertz rate, const std::string& pin) {
   std::string text = fmt::format(
       "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=2\n"
-      "samplerate={:.0f} Hz\ntotal analog={}\nprobe1=tx\nprobe2=rx\n",
-      rate.value, taps);
+      "samplerate={:.0f} Hz\ntotal analog={}\nprobe1=tx\nprobe2={}\n",
+      rate.value, taps, pin);
   for (std::size_t i = 0; i < taps; ++i)
     text += fmt::format("analog{}={}\n", i + 3, analogue_taps()[i].name);
   return text + "unitsize=1\n";
@@ -86,7 +86,7 @@ std::string trace_as_session(const TracedTrial& trial) {
   ZipImage zip;
   zip.add(std::string(first_member), trial.origin.scenario_toml);
   zip.add("version", "2");
-  zip.add("metadata", metadata(readings > 0 ? analogue_taps().size() : 0, rate));
+  zip.add("metadata", metadata(readings > 0 ? analogue_taps().size() : 0, rate, trial.pin));
   zip.add("logic-1-1",
           readings > 0 ? logic_samples(trial, readings + 1, rate) : trace_as_raw(trial));
   for (std::size_t i = 0; readings > 0 && i < analogue_taps().size(); ++i)

@@ -28,6 +28,7 @@ struct TracedTrial {
   dsp::Hertz carrier{}, baud{};  // the device's true ones
   dsp::Seconds delay{};      // constant part, light to pin: ideal receivers decide at a bit's end
   bool has_slow_agc = true;  // or its tap stands still
+  std::string pin = "rx";    // what formats call the module's pin that name their wires
   TraceOrigin origin{};
 };
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/picture/svg.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 std::string to_vcd(const TracedTrial& trial) {
   std::ostringstream out;
-  const std::vector<VcdWire> wires = {{"tx", &trial.tx}, {"rx", &trial.rx}};
+  const std::vector<VcdWire> wires = {{"tx", &trial.tx}, {trial.pin, &trial.rx}};
   write_vcd(out, wires, trial.tx.end());
   return out.str();
 }
@@ -85,26 +86,30 @@ Contents one_file(const TracedTrial& trial) {
   return {Text(trial)};
 }
 
+/// Whether a format has them.
+enum class Taps { never, if_wished, where_there, always };
+
 struct Format {
   const char* ending;
   Paths (*places)(const fs::path&);          // its files, in the order in which they are placed
   Contents (*contents)(const TracedTrial&);  // of each
   bool (*is_own)(const fs::path&);           // whether one of them was written so
-  bool needs_taps;
+  Taps taps;
+  bool names_wires = false;
   const char* own_kind = "a trace of cosys-sim";
 };
 
 constexpr Format formats[] = {
-    {".vcd", one_place, one_file<to_vcd>, is_own_vcd, false},
-    {".sr", one_place, one_file<trace_as_session>, is_session_of_trace, false},
-    {".ook", one_place, one_file<to_pulses>, is_own_pulses, false},
-    {".bin", one_place, one_file<trace_as_raw>, is_own_raw, false,
+    {".vcd", one_place, one_file<to_vcd>, is_own_vcd, Taps::never, true},
+    {".sr", one_place, one_file<trace_as_session>, is_session_of_trace, Taps::if_wished, true},
+    {".ook", one_place, one_file<to_pulses>, is_own_pulses, Taps::never},
+    {".bin", one_place, one_file<trace_as_raw>, is_own_raw, Taps::never, false,
      "known to be one of cosys-sim's"},
-    {".svg", one_place, one_file<trace_as_picture>, is_drawing, false},
-    {".csv", one_place, one_file<to_csv>, is_own_csv, true},
-    {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, true},
-    {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, true},
-    {".sigmf-meta", sigmf_places, trace_as_sigmf, is_sigmf_trace, true}};
+    {".svg", one_place, one_file<trace_as_picture>, is_drawing, Taps::where_there},
+    {".csv", one_place, one_file<to_csv>, is_own_csv, Taps::always},
+    {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, Taps::always},
+    {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, Taps::always},
+    {".sigmf-meta", sigmf_places, trace_as_sigmf, is_sigmf_trace, Taps::always}};
 
 const Format& format_of(const fs::path& path) {
   std::vector<const char*> known;
@@ -114,6 +119,37 @@ const Format& format_of(const fs::path& path) {
   }
   throw bad_input("cannot trace into " + path.string(), "its ending names no format",
                   fmt::format("end the name in {}", fmt::join(known, " or ")));
+}
+
+bool has_taps(const Format& format, const TraceWishes& wishes) {
+  return format.taps == Taps::if_wished ? wishes.taps : format.taps != Taps::never;
+}
+
+/// An option that changes nothing is a mistake of who typed it.
+void refuse_useless_wishes(const fs::path& path, const TraceWishes& wishes) {
+  const Format& format = format_of(path);
+  const std::string name = path.filename().string();
+  if (wishes.taps && format.taps != Taps::if_wished)
+    throw bad_input("--taps",
+                    name + (format.taps == Taps::never ? " has none" : " has them anyway"),
+                    "leave it out, or end the name in .sr");
+  if (!wishes.pin.empty() && !format.names_wires)
+    throw bad_input("--pin " + wishes.pin, "a wire of " + name + " gets no other name",
+                    "leave it out, or end the name in .vcd or .sr");
+  if (wishes.tail.value > 0 && has_taps(format, wishes))
+    throw bad_input("--tail", name + " has taps, and they end with the trial",
+                    "leave it out, or end the name in .vcd, .ook or .bin");
+}
+
+TracedTrial as_wished(TracedTrial trial, const Format& format, const TraceWishes& wishes) {
+  if (!has_taps(format, wishes)) trial.taps = {};
+  if (!wishes.pin.empty()) trial.pin = wishes.pin;
+  if (wishes.tail.value > 0) {
+    const dsp::Seconds end = trial.tx.end() + wishes.tail;
+    trial.tx.observe_until(end);
+    trial.rx.observe_until(end);
+  }
+  return trial;
 }
 
 }  // namespace
@@ -126,18 +162,22 @@ void check_trace_path(const fs::path& path) {
   }
 }
 
-void check_traceable(const fs::path& path, const Scenario& scenario) {
-  if (!format_of(path).needs_taps || fidelity_of(scenario.simulation) == Fidelity::waveform) return;
+void check_traceable(const fs::path& path, const Scenario& scenario, const TraceWishes& wishes) {
+  refuse_useless_wishes(path, wishes);
+  const Format& format = format_of(path);
+  if (!has_taps(format, wishes) || format.taps == Taps::where_there ||
+      fidelity_of(scenario.simulation) == Fidelity::waveform)
+    return;
   throw bad_input(
       "cannot trace into " + path.string(),
       "no samples are made at simulation.fidelity = \"" + scenario.simulation.fidelity + "\"",
       "end the name in .vcd, which has the wires");
 }
 
-void write_trace(const fs::path& path, const TracedTrial& trial) {
+void write_trace(const fs::path& path, TracedTrial trial, const TraceWishes& wishes) {
   const Format& format = format_of(path);
   const Paths places = format.places(path);
-  const Contents contents = format.contents(trial);
+  const Contents contents = format.contents(as_wished(std::move(trial), format, wishes));
   std::deque<NewFile> files;
   for (std::size_t i = 0; i < places.size(); ++i) files.emplace_back(places[i]).write(contents[i]);
   take_places(files);

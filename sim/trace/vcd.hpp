@@ -15,7 +15,8 @@ struct VcdWire {
 };
 
 /// From time 0 to `duration`. Flips are rounded to the nearest microsecond; of several in one
-/// microsecond the level after the last is kept. A flip at 0 becomes the initial level.
+/// microsecond the level after the last is kept. A flip at 0 becomes the initial level. At the end
+/// the levels stand once more, as some readers end at the last one.
 void write_vcd(std::ostream& out, std::span<const VcdWire> wires, dsp::Seconds duration);
 
 }  // namespace sim

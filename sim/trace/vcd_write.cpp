@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ostream>
+#include <vector>
 
 #include "sim/trace/vcd.hpp"
 
@@ -67,15 +68,20 @@ void write_header(std::ostream& out, std::span<const VcdWire> wires) {
   out << "$upscope $end\n$enddefinitions $end\n";
 }
 
+void write_levels(std::ostream& out, const std::vector<bool>& levels) {
+  for (std::size_t i = 0; i < levels.size(); ++i) out << levels[i] << code(i) << '\n';
+}
+
 }  // namespace
 
 void write_vcd(std::ostream& out, std::span<const VcdWire> wires, Seconds duration) {
   write_header(out, wires);
   std::vector<Change> changes;
+  std::vector<bool> levels;
+  for (std::size_t i = 0; i < wires.size(); ++i)
+    levels.push_back(append_changes(changes, *wires[i].trace, i));
   out << "#0\n$dumpvars\n";
-  for (std::size_t i = 0; i < wires.size(); ++i) {
-    out << append_changes(changes, *wires[i].trace, i) << code(i) << '\n';
-  }
+  write_levels(out, levels);
   out << "$end\n";
   std::ranges::stable_sort(changes, {}, &Change::tick);
   const std::int64_t end = tick_of(duration);
@@ -85,8 +91,11 @@ void write_vcd(std::ostream& out, std::span<const VcdWire> wires, Seconds durati
     if (change.tick != now) out << '#' << change.tick << '\n';
     now = change.tick;
     out << change.level << code(change.wire) << '\n';
+    levels[change.wire] = change.level;
   }
-  out << '#' << end << '\n';  // sigrok ends a capture at the last time that it reads
+  // sigrok ends a capture at the last time that it reads, simavr at the last level.
+  out << '#' << end << '\n';
+  write_levels(out, levels);
 }
 
 }  // namespace sim

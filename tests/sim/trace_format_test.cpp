@@ -134,7 +134,8 @@ TEST_F(CommandLine, DecodeReadsEveryTraceAlike) {
 
 TEST_F(CommandLine, DecodeReadsTheLightOfEveryTrace) {
   write_scenario("s.toml", "receiver.range_m = [0.5]");
-  for (const char* file : {"t.sr", "t.wav", "t.sigmf-meta"})
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.sr", "--taps"}).code, 0);
+  for (const char* file : {"t.wav", "t.sigmf-meta"})
     ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0) << file;
   for (const Words& decode :
        {Words{"decode", "t.sr", "--wire", "irradiance_mw_per_m2"}, Words{"decode", "t.wav"},
@@ -161,7 +162,7 @@ TEST_F(CommandLine, SigrokReadsRawSamples) {
 TEST_F(CommandLine, SigrokReadsWiresAndTapsOfASession) {
   if (!is_there("sigrok-cli")) GTEST_SKIP() << "sigrok-cli is not installed";
   write_scenario("s.toml", "receiver.range_m = [0.5]");
-  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.sr"}).code, 0);
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.sr", "--taps"}).code, 0);
   for (const char* wire : {"rx", "tx"}) {
     const std::string uart = std::string("uart:rx=") + wire + ":baudrate=600";
     EXPECT_EQ(tool("sigrok-cli", {"-i", "t.sr", "-P", uart, "-B", "uart=rx"}), on_the_wire);
@@ -169,6 +170,53 @@ TEST_F(CommandLine, SigrokReadsWiresAndTapsOfASession) {
   const std::string shown = tool("sigrok-cli", {"-i", "t.sr", "--show"});
   for (const char* fact : {"irradiance_mw_per_m2: analog", "agc_gain: analog", "rx: logic"})
     EXPECT_NE(shown.find(fact), std::string::npos) << fact << " in " << shown;
+}
+
+TEST_F(CommandLine, SigrokReadsASessionOfWiresAlone) {
+  if (!is_there("sigrok-cli")) GTEST_SKIP() << "sigrok-cli is not installed";
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.sr", "--pin", "D2", "--tail", "1s"}).code, 0);
+  for (const char* wire : {"D2", "tx"})
+    EXPECT_EQ(tool("sigrok-cli", {"-i", "t.sr", "-P", std::string("uart:baudrate=600:rx=") + wire,
+                                  "-B", "uart=rx"}),
+              on_the_wire);
+  const std::string shown = tool("sigrok-cli", {"-i", "t.sr", "--show"});
+  EXPECT_EQ(shown.find("analog"), std::string::npos) << shown;
+}
+
+TEST_F(CommandLine, WiresGoOnBehindATrialForATail) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  const auto end_us = [&](const Words& more) {
+    Words words{"trace", "s.toml", "-o", "t.vcd"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(program(words).code, 0);
+    const std::string vcd = content(path("t.vcd"));
+    return std::stol(vcd.substr(vcd.rfind('#') + 1));
+  };
+  EXPECT_EQ(end_us({"--tail", "1.5s"}), end_us({}) + 1'500'000);
+}
+
+TEST_F(CommandLine, TraceRefusesWishesThatAFormatCannotFulfil) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  const auto refused = [&](const Words& more, const std::string& line) {
+    Words words{"trace", "s.toml", "-o"};
+    words.insert(words.end(), more.begin(), more.end());
+    expect_refused(words, 2, line);
+  };
+  refused({"t.vcd", "--taps"}, "--taps (t.vcd has none) leave it out, or end the name in .sr");
+  refused({"t.csv", "--taps"},
+          "--taps (t.csv has them anyway) leave it out, or end the name in .sr");
+  refused({"t.ook", "--pin", "D2"},
+          "--pin D2 (a wire of t.ook gets no other name) leave it out, or end the name in .vcd or "
+          ".sr");
+  for (const char* file : {"t.h5", "t.svg"})
+    refused({file, "--tail", "1s"},
+            std::string("--tail (") + file +
+                " has taps, and they end with the trial) leave it out, or end the name in .vcd, "
+                ".ook or .bin");
+  refused(
+      {"t.vcd", "--pin", "D 2"},
+      "--pin: D 2 is no name of a wire such as iogD_2 (wrong usage) see cosys-sim trace --help");
 }
 
 TEST_F(CommandLine, SigrokReadsTheColumnsOfWires) {

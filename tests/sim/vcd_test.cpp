@@ -69,20 +69,20 @@ std::string failure_of(const std::string& text) {
 
 // --- what is written
 
-TEST(Vcd, WritesInitialLevelsThenChangesThenABareLastTime) {
+TEST(Vcd, WritesInitialLevelsThenChangesThenTheLastLevelsAgain) {
   const LogicTrace tx = at_us(true, {5, 9}, 9);
   const LogicTrace rx = at_us(false, {5, 7}, 7);
   EXPECT_EQ(written({{"tx", &tx}, {"rx", &rx}}, Seconds(20e-6)),
             "$version cosys-sim $end\n$timescale 1 us $end\n$scope module cosys $end\n"
             "$var wire 1 ! tx $end\n$var wire 1 \" rx $end\n$upscope $end\n$enddefinitions $end\n"
-            "#0\n$dumpvars\n1!\n0\"\n$end\n#5\n0!\n1\"\n#7\n0\"\n#9\n1!\n#20\n");
+            "#0\n$dumpvars\n1!\n0\"\n$end\n#5\n0!\n1\"\n#7\n0\"\n#9\n1!\n#20\n1!\n0\"\n");
 }
 
 TEST(Vcd, RoundsToTheMicrosecondAndDropsWhatIsShorter) {
   const LogicTrace line = at_us(true, {0.2, 3.4, 10.6, 10.9, 11.4, 20.1, 20.3, 31}, 31);
   const std::string text = written({{"rx", &line}}, Seconds(40e-6));
   EXPECT_EQ(text.substr(text.find("#0")),
-            "#0\n$dumpvars\n0!\n$end\n#3\n1!\n#11\n0!\n#31\n1!\n#40\n");
+            "#0\n$dumpvars\n0!\n$end\n#3\n1!\n#11\n0!\n#31\n1!\n#40\n1!\n");
 }
 
 TEST(Vcd, NothingIsWrittenFromTheEndOn) {

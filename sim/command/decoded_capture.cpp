@@ -1,0 +1,122 @@
+#include "sim/command/decoded_capture.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "protocol/uart_receivers.hpp"
+#include "protocol/uart_stream.hpp"
+#include "sim/capture/keyed_wire.hpp"
+#include "sim/capture/sampled_line.hpp"
+
+namespace sim {
+namespace {
+
+using dsp::Hertz;
+using dsp::Seconds;
+
+constexpr std::size_t batch = most_surveyed_flips;
+
+/// The next flips of a line; fewer than a batch at its end alone.
+std::vector<Seconds> next_flips(FlipSource& line) {
+  std::vector<Seconds> flips;
+  while (flips.size() < batch) {
+    const auto flip = line.next();
+    if (!flip) break;
+    flips.push_back(*flip);
+  }
+  return flips;
+}
+
+/// A line's characters and messages as it goes on.
+class CapturedLineDecoder {
+ public:
+  CapturedLineDecoder(const DecodeRequest& request, const DecodeListener& listener, bool initial,
+                      DecodedCapture& decoded)
+      : decoded_(decoded),
+        listener_(listener),
+        uart_(*protocol::find_uart_receiver(request.uart), decoded.line.baud, 0, initial),
+        statistics_(decoded.line.baud, initial),
+        frames_(wire_protocol(request.protocol).decoder()) {}
+
+  void take(std::span<const Seconds> flips, Seconds known_until) {
+    const auto bytes = uart_.take(flips, known_until);
+    statistics_.add(flips, bytes);
+    for (const protocol::UartByte& byte : bytes) tell(frames_->push(byte));
+    listener_.reached(known_until);
+  }
+
+  void end() {
+    tell(frames_->rest());
+    decoded_.fit = statistics_.fit();
+    decoded_.characters = statistics_.characters();
+    decoded_.framing_errors = statistics_.framing_errors();
+  }
+
+ private:
+  void tell(const std::optional<WireFrame>& frame) {
+    if (!frame) return;
+    ++(frame->outcome == "ok" ? decoded_.accepted : decoded_.refused);
+    listener_.message(*frame);
+  }
+
+  DecodedCapture& decoded_;
+  const DecodeListener& listener_;
+  protocol::UartStream uart_;
+  LineStatistics statistics_;
+  std::unique_ptr<WireDecoder> frames_;
+};
+
+std::optional<bool> told_inverted(const DecodeRequest& request) {
+  if (request.polarity == "auto") return std::nullopt;
+  return request.polarity == "idle-low";
+}
+
+std::optional<Hertz> hertz(const std::optional<double>& rate) {
+  return rate ? std::optional(Hertz(*rate)) : std::nullopt;
+}
+
+void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeListener& listener,
+                 DecodedCapture& decoded) {
+  std::vector<Seconds> flips = next_flips(line);
+  decoded.line = survey_line({line.initial(), flips, line.known_until()}, told_inverted(request),
+                             hertz(request.baud));
+  listener.chosen(decoded);
+  CapturedLineDecoder decoder(request, listener, line.initial() != decoded.line.inverted, decoded);
+  std::optional<Seconds> last;
+  for (; flips.size() == batch; flips = next_flips(line)) {
+    last = flips.back();
+    decoder.take(flips, *last);
+  }
+  if (!flips.empty()) last = flips.back();
+  decoder.take(flips, end_of_line(last, line.known_until(), decoded.line.baud));
+  decoder.end();
+}
+
+}  // namespace
+
+DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeRequest& request,
+                              const DecodeListener& listener) {
+  const LineHints hints{told_inverted(request), hertz(request.baud), hertz(request.carrier_hz)};
+  const Capture capture =
+      open_capture(path, {request.wire, hertz(request.sample_rate_hz), request.format,
+                          request.sample_bytes, request.tick, request.skip_rows, hints});
+  DecodedCapture decoded;
+  decoded.file = path.string();
+  decoded.read = capture.facts;
+  if (capture.logic) {
+    WireFlips wire(*capture.logic, capture.wire);
+    KeyedWire line(wire, hints.carrier);
+    decoded.carrier = line.carrier();
+    decode_line(line, request, listener, decoded);
+  } else {
+    SampledLine line(*capture.samples, {hints.carrier, hints.baud});
+    decoded.carrier = line.carrier();
+    decode_line(line, request, listener, decoded);
+  }
+  return decoded;
+}
+
+}  // namespace sim

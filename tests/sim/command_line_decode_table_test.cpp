@@ -1,0 +1,103 @@
+// decode of many captures and of folders from outside.
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::json;
+
+class DecodeTable : public CommandLine {
+ protected:
+  DecodeTable() {
+    write_scenario("s.toml", "receiver.range_m = [0.5]");
+    std::filesystem::create_directories(path("all/deeper"));
+    for (const char* file : {"all/a.vcd", "all/c.csv", "all/deeper/b.sr"})
+      if (program({"trace", "s.toml", "-o", file}).code != 0) throw std::runtime_error(file);
+    write("all/notes.txt", "no capture\n");
+  }
+
+  std::vector<Json> lines_of(const Words& command) const {
+    std::vector<Json> lines;
+    std::istringstream out(program(command).out);
+    for (std::string line; std::getline(out, line);) lines.push_back(Json::parse(line));
+    return lines;
+  }
+};
+
+TEST_F(DecodeTable, HasARowACapture) {
+  const Outcome o = program({"decode", "all"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  const std::string rest = "idle-high         600          17        0         1        0\n";
+  EXPECT_EQ(o.out, std::string(78, ' ') + "framing  messages\n" +
+                       "capture          format      channel       polarity           Bd  "
+                       "characters   errors  accepted  refused\n"
+                       "all/a.vcd        vcd         rx            " +
+                       rest + "all/c.csv        csv         rx            " + rest +
+                       "all/deeper/b.sr  sr          rx            " + rest);
+  EXPECT_EQ(o.err, "");
+}
+
+TEST_F(DecodeTable, SaysOfEachWhatOneSaysOfItself) {
+  const std::vector<Json> rows = lines_of({"decode", "--json", "all/c.csv", "all/a.vcd"});
+  ASSERT_EQ(rows.size(), 2U);
+  for (const Json& row : rows) {
+    const Json alone = lines_of({"decode", "--json", row["file"]}).back();
+    EXPECT_EQ(row["line"], alone["line"]);
+    EXPECT_EQ(row["messages"], (Json{{"accepted", 1}, {"refused", 0}}));
+    EXPECT_EQ(row["exit_code"], 0);
+  }
+  EXPECT_EQ(rows[0]["file"], "all/c.csv");
+}
+
+TEST_F(DecodeTable, GoesOnBehindAFileThatIsNoCapture) {
+  write("all/b.csv", "time,rx\n1,maybe\n");
+  const Outcome o = program({"decode", "all", "all/notes.txt"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.out.find("\nall/b.csv  "), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("\nall/c.csv "), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("\nall/notes.txt  "), std::string::npos) << o.out;
+  const std::vector<Json> rows = lines_of({"decode", "--json", "all"});
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[1]["exit_code"], 2);
+  EXPECT_FALSE(rows[1].contains("line"));
+  EXPECT_EQ(program({"decode", "all/b.csv"}).err,
+            "cosys-sim: " + rows[1]["problem"].get<std::string>() + "\n");
+}
+
+// Two wires that carry the same at two rates: either may be meant.
+TEST_F(DecodeTable, LeavesOpenWhatReadsAsWellInTwoWays) {
+  std::string vcd =
+      "$timescale 1 us $end $var wire 1 ! a $end $var wire 1 % b $end\n"
+      "$enddefinitions $end\n#0\n1!\n1%\n";
+  std::map<long, std::string> changes;
+  const auto add = [&](const char* code, long bit_us, const std::string& text) {
+    long at = 10 * bit_us;
+    for (const char c : text)
+      for (int slot = 0; slot < 10; ++slot, at += bit_us) {
+        const bool level = slot > 0 && (slot == 9 || ((c >> (slot - 1)) & 1) != 0);
+        changes[at] += std::string(level ? "1" : "0") + code + "\n";
+      }
+  };
+  add("!", 100, "UART at one rate\n");
+  add("%", 200, "UART at two rate\n");
+  for (const auto& [at, change] : changes) vcd += "#" + std::to_string(at) + "\n" + change;
+  write("two.vcd", vcd + "#100000\n");
+  const int alone = program({"decode", "two.vcd"}).code;
+  ASSERT_EQ(alone, 4);
+  const Outcome o = program({"decode", "two.vcd", "all/a.vcd"});
+  EXPECT_EQ(o.code, 4);
+  EXPECT_NE(o.out.find("say --channel"), std::string::npos) << o.out;
+}
+
+TEST_F(DecodeTable, RefusesAFolderWithoutACapture) {
+  std::filesystem::create_directory(path("empty"));
+  expect_refused({"decode", "empty"}, 2,
+                 "no capture in empty (no file there ends in .vcd, .sr, .ook, .wav, .sigmf-meta, "
+                 ".sigmf-data, .csv, .h5, .bin) name the files");
+  EXPECT_EQ(program({"decode", "all", "nowhere.vcd"}).code, 2);
+}
+
+}  // namespace
+}  // namespace sim
