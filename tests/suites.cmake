@@ -2,9 +2,10 @@
 # for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
 # `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
 # (-LE measured). Those of suites that the pattern GATE finds are `gate` too: tests/run leaves them to the gate. Suites
-# of which the pattern THREADS finds a part of a name have the label `threads`. Those of the pattern LONG are begun
-# before others.
-# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D OUTPUT=... -P suites.cmake
+# of the pattern OUTSIDE have the label `outside`; those of which THREADS finds a part of a name, `threads`. Those of
+# the pattern LONG are begun before others.
+# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D OUTSIDE=... -D OUTPUT=...
+#   -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
@@ -37,6 +38,9 @@ function(add_suite suite cases)
       set(labels "threads")
     endif()
   endforeach()
+  if(suite MATCHES "${OUTSIDE}")
+    list(APPEND labels "outside")
+  endif()
   if(plain)
     add_entry("${suite}" "${suite}" "${suite}.*-${suite}.Measured*" "${labels}")
   endif()

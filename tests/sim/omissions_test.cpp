@@ -13,9 +13,10 @@ namespace sim {
 namespace {
 
 TEST(Omissions, FindTheGainControlOfTheQuickstart) {
-  const LoadedScenario scenario = load_scenario(COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
-                                                {"stop.max_frames=8", "receiver.range_m=2,2.3,3"},
-                                                {COSYS_SOURCE_DIR "/scenarios"});
+  const LoadedScenario scenario = load_scenario(
+      COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
+      {"stop.max_frames=8", "receiver.range_m=2,2.3,3", "simulation.sample_rate_hz=250000"},
+      {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
   const ExperimentResult result =
       run_experiment(scenario, unfinished(scenario, ""), {.threads = 2});
