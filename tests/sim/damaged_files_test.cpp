@@ -203,7 +203,7 @@ TEST_P(DamagedFiles, AreReadOrRefusedInALine) {
     const std::string name = tried.name + ("_" + std::to_string(number));
     refused += code_of(damage.damaged(number), command, name) == 2 ? 1 : 0;
   }
-  if (end - first < 30) return;  // too few to tell
+  if (end - first < 100) return;  // too few to tell
   EXPECT_GT(refused, (end - first) / 4);
   EXPECT_LT(refused, end - first);
 }
