@@ -203,4 +203,9 @@ std::vector<std::string> capture_format_names() {
   return names;
 }
 
+bool has_capture_ending(const fs::path& path) {
+  const std::string ending = ending_of(path);
+  return ending != "sigmf-data" && named(ending) != nullptr;
+}
+
 }  // namespace sim

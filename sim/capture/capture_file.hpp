@@ -61,4 +61,8 @@ Capture open_capture(const std::filesystem::path& named, const CaptureSettings& 
 
 std::vector<std::string> capture_format_names();
 
+/// Whether a file of a folder is taken for a capture by its ending. A .sigmf-data is not: its
+/// .sigmf-meta stands for both.
+bool has_capture_ending(const std::filesystem::path& path);
+
 }  // namespace sim

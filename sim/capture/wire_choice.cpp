@@ -23,24 +23,36 @@ constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, mo
 constexpr std::uint64_t fewest_to_rival = 4;  // characters
 constexpr double reads_as_well = 0.9;         // of the other's worth
 
-/// "rx", "D1 RX", "top.uart.rxd", but not "proxy".
-bool is_called_rx(const std::string& name) {
+/// "rxd" of "top.uart.RXD".
+std::string last_word(const std::string& name) {
   const std::string text = in_lower_case(name);
   const auto first = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz");
-  const std::string last = first == std::string::npos ? text : text.substr(first + 1);
-  return last == "rx" || last == "rxd";
+  return first == std::string::npos ? text : text.substr(first + 1);
+}
+
+/// "rx", "D1 RX", "top.uart.rxd", but not "proxy".
+bool is_called_rx(const std::string& name) {
+  const std::string word = last_word(name);
+  return word == "rx" || word == "rxd";
+}
+
+/// What is sent, where the same is received elsewhere.
+bool is_sent(const ChannelSurvey& channel) {
+  const std::string word = last_word(channel.name);
+  return channel.facts.reading.messages > 0 && (word == "tx" || word == "txd");
 }
 
 auto rank_of(const ChannelSurvey& channel) {
   return std::tuple(channel.edges > 0, is_called_rx(channel.name),
-                    channel.facts.reading.messages > 0, channel.facts.reading.worth());
+                    channel.facts.reading.messages > 0, !is_sent(channel),
+                    channel.facts.reading.worth());
 }
 
 /// Whether `other` is a line of its own that reads as well as `taken`.
 bool is_rival(const ChannelSurvey& other, const ChannelSurvey& taken) {
   const LineReading &its = other.facts.reading, &own = taken.facts.reading;
   return other.edges > 0 && its.characters >= fewest_to_rival &&
-         is_called_rx(other.name) == is_called_rx(taken.name) &&
+         is_called_rx(other.name) == is_called_rx(taken.name) && is_sent(other) == is_sent(taken) &&
          (its.messages > 0) == (own.messages > 0) && its.worth() >= reads_as_well * own.worth() &&
          other.flips != taken.flips;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // Which channel of a capture is read, be it a wire or an analogue one: the one that was asked for,
 // else by what is on them. A channel without an edge is never preferred. One that is called rx (in
-// any case, at the end of its name too) comes before others, then one with whole messages, then the
-// one whose characters make most sense.
+// any case, at the end of its name too) comes before others, then one with whole messages (of
+// several one that is not called tx), then the one whose characters make most sense.
 #include <cstdint>
 #include <deque>
 #include <memory>

@@ -12,9 +12,9 @@
 namespace sim {
 namespace {
 
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-using Binomial = boost::math::binomial_distribution<double, InDouble>;
-using Poisson = boost::math::poisson_distribution<double, InDouble>;
+using Unpromoted = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using Binomial = boost::math::binomial_distribution<double, Unpromoted>;
+using Poisson = boost::math::poisson_distribution<double, Unpromoted>;
 
 constexpr std::uint64_t fewest_in_a_look = 64, most_looks = 8;
 constexpr double share_of_last_look = 0.5;

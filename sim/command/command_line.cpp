@@ -1,6 +1,7 @@
 #include "sim/command/command_line.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
@@ -115,6 +116,15 @@ ExitCode carry_out(CLI::App& app, const Requests& requests) {
   return decode_command(requests.decode);
 }
 
+/// CLI11 takes a word in brackets for a list. One that names a file or folder is that.
+void keep_names_in_brackets(std::vector<std::string>& words) {
+  for (std::string& word : words) {
+    std::error_code ignored;
+    if (word.starts_with('[') && word.ends_with(']') && std::filesystem::exists(word, ignored))
+      word.insert(0, "./");
+  }
+}
+
 /// "help" and "help run" stand for "--help" and "run --help". Last word first, as CLI11 takes them.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -125,6 +135,7 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
       throw not_known(app, words.front());
     words.emplace_back("--help");
   }
+  keep_names_in_brackets(words);
   std::ranges::reverse(words);
   return words;
 }

@@ -44,8 +44,10 @@ const CLI::Validator an_index(
 
 const CLI::Validator a_wire_name(
     [](const std::string& text) {
-      const bool printable = std::ranges::all_of(text, [](char c) { return c > ' ' && c <= '~'; });
-      return printable && !text.empty() ? "" : text + " is no name of a wire such as iogD_2";
+      const bool known = text.find_first_not_of(
+                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                             "0123456789_.-[]") == std::string::npos;
+      return known && !text.empty() ? "" : text + " is no name of a wire such as iogD_2";
     },
     "");
 
@@ -94,17 +96,20 @@ CLI::Validator auto_or_between(double low, double high) {
           ""};
 }
 
-CLI::Validator a_time() {
+CLI::Validator a_time(double most_s) {
   return {
-      [](std::string& text) -> std::string {
+      [most_s](std::string& text) -> std::string {
         static const std::map<std::string, double> seconds_in{{"s", 1}, {"min", 60}, {"h", 3600}};
         const std::size_t unit = std::min(text.find_last_of("0123456789.") + 1, text.size());
         const auto number = parse_number(text.substr(0, unit));
         const auto seconds = seconds_in.find(text.substr(unit));
         const bool known = number && seconds != seconds_in.end();
         const double time = known ? *number * seconds->second : 0;
-        if (!(time >= 0.1 && time <= 1e9))
-          return text + " is no time such as 90s, 10min or 2h, from 0.1s on";
+        if (!(time >= 0.1 && time <= most_s))
+          return text +
+                 (most_s < longest_time_s
+                      ? fmt::format(" is no time such as 1s or 2min, from 0.1s to {}s", most_s)
+                      : " is no time such as 90s, 10min or 2h, from 0.1s on");
         text = fmt::format("{}", time);
         return "";
       },

@@ -31,8 +31,10 @@ CLI::Validator between(double low, double high);
 /// The same, or the word auto.
 CLI::Validator auto_or_between(double low, double high);
 
-/// A time with its unit: "90s", "10min", "2h", as seconds.
-CLI::Validator a_time();
+constexpr double longest_time_s = 1e9;
+
+/// A time with its unit: "90s", "10min", "2h", as seconds; from 0.1 s on.
+CLI::Validator a_time(double most_s = longest_time_s);
 
 /// An option or argument that names files or folders.
 template <class Place>

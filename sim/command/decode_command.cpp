@@ -65,9 +65,7 @@ ExitCode decode_one(const DecodeRequest& request) {
 }  // namespace
 
 ExitCode decode_command(const DecodeRequest& request) {
-  const bool is_one =
-      request.captures.size() == 1 && !std::filesystem::is_directory(request.captures.front());
-  return is_one ? decode_one(request) : decode_table(request);
+  return is_table(request) ? decode_table(request) : decode_one(request);
 }
 
 }  // namespace sim

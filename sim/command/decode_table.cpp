@@ -17,54 +17,65 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_capture_by_name(const fs::path& path) {
-  const std::string name = in_lower_case(path.filename().string());
-  return std::ranges::any_of(capture_format_names(), [&](const std::string& format) {
-    return format != "sigmf-data" && name.ends_with("." + format);  // its .sigmf-meta is read
-  });
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
 }
 
-std::vector<fs::path> captures_in(const fs::path& folder) {
-  std::vector<fs::path> found;
-  try {
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file() && is_capture_by_name(entry.path()))
-        found.push_back(entry.path());
-  } catch (const fs::filesystem_error& error) {
-    throw Failure(
-        ExitCode::environment,
-        fmt::format("{} ({}) see its permissions", error.path1().string(), error.code().message()));
+/// A capture, or a folder that cannot be read, and why.
+struct Place {
+  fs::path path;
+  std::string problem;
+};
+
+/// Those of a folder and of the folders in it, by their names. Links to folders are not followed.
+void add_places(const fs::path& folder, std::vector<Place>& places) {
+  std::error_code error;
+  std::vector<fs::path> inside;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    inside.push_back(entry->path());
+  if (error)
+    places.push_back(
+        {folder, fmt::format("cannot read the folder ({}) see its permissions", error.message())});
+  std::ranges::sort(inside);
+  for (const fs::path& path : inside) {
+    std::error_code ignored;
+    if (fs::is_directory(fs::symlink_status(path, ignored)))
+      add_places(path, places);
+    else if (has_capture_ending(path))
+      places.push_back({path, ""});
   }
-  if (found.empty())
-    throw bad_input(
-        "no capture in " + folder.string(),
-        fmt::format("no file there ends in .{}", fmt::join(capture_format_names(), ", .")),
-        "name the files");
-  std::ranges::sort(found);
-  return found;
 }
 
-std::vector<fs::path> all_captures(const std::vector<fs::path>& named) {
-  std::vector<fs::path> all;
+std::vector<Place> all_places(const std::vector<fs::path>& named) {
+  std::vector<Place> places;
   for (const fs::path& path : named) {
-    if (!fs::is_directory(path)) {
-      all.push_back(path);
-      continue;
-    }
-    const std::vector<fs::path> found = captures_in(path);
-    all.insert(all.end(), found.begin(), found.end());
+    const std::size_t before = places.size();
+    if (!is_folder(path))
+      places.push_back({path, ""});
+    else
+      add_places(path, places);
+    if (places.size() == before)
+      throw bad_input("no capture in " + path.string(), "no file there has the ending of one",
+                      "name the files");
   }
-  return all;
+  return places;
 }
 
-CaptureOutcome outcome_of(const fs::path& path, const DecodeRequest& request,
+CaptureOutcome outcome_of(const Place& place, const DecodeRequest& request,
                           ReadingProgress& progress) {
   CaptureOutcome outcome;
-  outcome.decoded.file = path.string();
+  outcome.decoded.file = place.path.string();
+  if (!place.problem.empty()) {
+    outcome.problem = place.problem;
+    outcome.code = ExitCode::environment;
+    return outcome;
+  }
   const DecodeListener listener{[](const DecodedCapture&) {}, [](const WireFrame&) {},
                                 [&](dsp::Seconds at) { progress.show(at); }};
   try {
-    outcome.decoded = decode_capture(path, request, listener);
+    outcome.decoded = decode_capture(place.path, request, listener);
     if (const auto doubt = doubt_about(outcome.decoded)) {
       outcome.problem = *doubt;
       outcome.code = ExitCode::inconclusive;
@@ -72,14 +83,17 @@ CaptureOutcome outcome_of(const fs::path& path, const DecodeRequest& request,
   } catch (const Failure& failure) {
     outcome.problem = failure.what();
     outcome.code = failure.code();
+  } catch (const std::exception& error) {  // a file that needs more memory than there is
+    outcome.problem = error.what();
+    outcome.code = ExitCode::environment;
   }
   return outcome;
 }
 
-std::vector<TextColumn> capture_columns(const std::vector<fs::path>& captures) {
+std::vector<TextColumn> capture_columns(const std::vector<Place>& places) {
   std::size_t longest = 7;
-  for (const fs::path& path : captures)
-    longest = std::max(longest, letters_in(escaped(path.string())));
+  for (const Place& place : places)
+    longest = std::max(longest, letters_in(escaped(place.path.string())));
   return {{{"", "", "capture"}, -static_cast<int>(longest)},
           {{"", "", "format"}, -10},
           {{"", "", "channel"}, -12},
@@ -93,7 +107,10 @@ std::vector<TextColumn> capture_columns(const std::vector<fs::path>& captures) {
 
 std::string row_text(const CaptureOutcome& row, const std::vector<TextColumn>& table) {
   const DecodedCapture& decoded = row.decoded;
-  if (!row.was_read()) return fmt::format("{}  {}\n", escaped(decoded.file), row.problem);
+  if (!row.was_read()) {
+    const std::string name = table_line({table.front()}, {escaped(decoded.file)});
+    return name.substr(0, name.size() - 1) + "  " + row.problem + "\n";
+  }
   std::string line =
       table_line(table, {escaped(decoded.file), decoded.read.format,
                          shortened(escaped(decoded.read.channels[*decoded.read.taken].name), 12),
@@ -114,18 +131,26 @@ ExitCode worse_of(ExitCode a, ExitCode b) {
 
 }  // namespace
 
+bool is_table(const DecodeRequest& request) {
+  return request.captures.size() > 1 || is_folder(request.captures.front());
+}
+
 ExitCode decode_table(const DecodeRequest& request) {
-  const std::vector<fs::path> captures = all_captures(request.captures);
-  const std::vector<TextColumn> table = capture_columns(captures);
+  const std::vector<Place> places = all_places(request.captures);
+  const std::vector<TextColumn> table = capture_columns(places);
   if (!request.json) print(table_head(table));
   ExitCode code = ExitCode::done;
-  for (std::size_t i = 0; i < captures.size(); ++i) {
-    ReadingProgress progress(fmt::format("capture {} of {}", i + 1, captures.size()), true);
-    const CaptureOutcome outcome = outcome_of(captures[i], request, progress);
+  std::size_t unread = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ReadingProgress progress(fmt::format("capture {} of {}", i + 1, places.size()), true);
+    const CaptureOutcome outcome = outcome_of(places[i], request, progress);
     progress.clear();
     print(request.json ? outcome_as_json(outcome) : row_text(outcome, table));
     code = worse_of(code, outcome.code);
+    unread += outcome.was_read() ? 0 : 1;
   }
+  if (unread > 0)
+    say(fmt::format("cosys-sim: {} of {} captures could not be read\n", unread, places.size()));
   return code;
 }
 

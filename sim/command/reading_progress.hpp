@@ -17,6 +17,10 @@ class ReadingProgress {
   ReadingProgress(std::string what, bool is_shown)
       : what_(std::move(what)), is_shown_(is_shown && ::isatty(STDERR_FILENO) == 1) {}
 
+  ReadingProgress(const ReadingProgress&) = delete;
+  ReadingProgress& operator=(const ReadingProgress&) = delete;
+  ~ReadingProgress() { clear(); }
+
   void show(dsp::Seconds reached);
   /// Makes room for another line.
   void clear();

@@ -88,11 +88,10 @@ void add_trace(CLI::App& app, TraceRequest& request) {
   trace
       .add_option_function<double>(
           "--tail", [&request](double seconds) { request.wishes.tail = dsp::Seconds(seconds); },
-          "how long the wires of .vcd, .sr, .ook and .bin go on behind the trial, so that firmware "
-          "has time to answer; 0 if not given")
+          "how long the wires of .vcd, .sr, .ook and .bin go on after the trial, up to 10min, so "
+          "that firmware has time to answer; not at all if not given")
       ->type_name("TIME")
-      ->transform(a_time())
-      ->check(between(0.1, 3600));
+      ->transform(a_time(600));
   trace.add_flag("--taps", request.wishes.taps, "all taps into .sr too, beside the wires");
   add_scenario_options(trace, request.options);
   trace.footer("Example: cosys-sim trace scenarios/quickstart.toml --point 3 -o trial.vcd");

@@ -9,7 +9,6 @@
 #include "sim/scenario/method.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/standard_output.hpp"
-#include "sim/trace/raw_write.hpp"
 #include "sim/trace/trace_file.hpp"
 #include "sim/trial/trial.hpp"
 #include "sim/trial/wire_protocols.hpp"
@@ -18,19 +17,17 @@ namespace sim {
 namespace {
 
 /// A trace is made in memory: one without room there would end in a killed process.
-void refuse_without_memory(const Scenario& scenario, const TraceRequest& request) {
+void refuse_without_memory(const Scenario& scenario, std::uint32_t trial) {
   constexpr double bytes_a_sample = 100;  // taps, instants and the file's text
-  constexpr double bytes_a_logic_sample = 2;
   const Link link = make_link(scenario);
-  const double duration_s = transmit(link, request.trial).line.end().value;
-  const double need = bytes_a_sample * link.chain.sample_rate.value * duration_s +
-                      bytes_a_logic_sample * logic_rate.value * request.wishes.tail.value;
+  const double need =
+      bytes_a_sample * link.chain.sample_rate.value * transmit(link, trial).line.end().value;
   const double have =
       static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
   if (need <= have) return;
   throw Failure(ExitCode::environment,
                 fmt::format("the trace would take {:.0f} GB (this machine has {:.0f} GB of memory) "
-                            "raise device.baud, or lower simulation.warmup_messages or --tail",
+                            "raise device.baud or lower simulation.warmup_messages",
                             need / 1e9, have / 1e9));
 }
 
@@ -42,7 +39,7 @@ ExitCode trace_command(const TraceRequest& request) {
   check_trace_path(request.output);
   refuse_weighted(point, "trace shows trials as they come");
   check_traceable(request.output, point, request.wishes);
-  refuse_without_memory(point, request);
+  refuse_without_memory(point, request.trial);
   TracedTrial traced = trace_trial(point, request.trial);
   traced.origin = {.program = request.program,
                    .scenario_toml = scenario.text,

@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include "sim/failure.hpp"
+#include "sim/text/standard_output.hpp"
 
 namespace sim {
 
@@ -29,14 +30,17 @@ InputFile::~InputFile() {
   if (number_ >= 0) ::close(number_);
 }
 
-std::size_t InputFile::read(char* to, std::size_t size) const {
+std::size_t InputFile::read(char* to, std::size_t size) {
+  constexpr int patience_ms = 5000;
   for (;;) {
     const ssize_t n = ::read(number_, to, size);
     if (n >= 0) return static_cast<std::size_t>(n);
     if (errno != EAGAIN && errno != EINTR)
       throw bad_input(name_, "cannot be read", "check its permissions");
     pollfd wait{number_, POLLIN, 0};
-    ::poll(&wait, 1, -1);
+    if (::poll(&wait, 1, patience_ms) != 0 || told_) continue;
+    told_ = true;
+    say("cosys-sim: waiting for " + name_ + " (a pipe or device, and nothing has come for 5 s)\n");
   }
 }
 

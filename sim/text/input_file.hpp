@@ -22,12 +22,14 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Bytes read, waiting for at least one; 0 at the end. Throws where the file cannot be read.
-  std::size_t read(char* to, std::size_t size) const;
+  /// Bytes read, waiting for at least one, which is said once if it takes long; 0 at the end.
+  /// Throws where the file cannot be read.
+  std::size_t read(char* to, std::size_t size);
 
  private:
   std::string name_;
   int number_;
+  bool told_ = false;  // that it waits
 };
 
 /// A stream of the bytes of a file: readers that must not swallow a Failure use its rdbuf().

@@ -19,7 +19,7 @@ Failure too_long(const std::string& name, const std::string& what, std::size_t l
 
 std::string read_all(const fs::path& path, const std::string& what, std::size_t longest) {
   const std::string name = path.generic_string();
-  const InputFile file(path);
+  InputFile file(path);
   std::array<char, 65536> chunk;
   std::string text;
   for (;;) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <sstream>
 #include <string_view>
@@ -131,14 +132,21 @@ void refuse_useless_wishes(const fs::path& path, const TraceWishes& wishes) {
   const std::string name = path.filename().string();
   if (wishes.taps && format.taps != Taps::if_wished)
     throw bad_input("--taps",
-                    name + (format.taps == Taps::never ? " has none" : " has them anyway"),
+                    name + (format.taps == Taps::always ? " has them anyway" : " has none"),
                     "leave it out, or end the name in .sr");
+  const bool is_taken =
+      wishes.pin == "tx" ||
+      std::ranges::find(analogue_taps(), wishes.pin, &Tap::name) != analogue_taps().end();
+  if (is_taken)
+    throw bad_input("--pin " + wishes.pin, "another wire or tap is called so",
+                    "choose another name");
   if (!wishes.pin.empty() && !format.names_wires)
     throw bad_input("--pin " + wishes.pin, "a wire of " + name + " gets no other name",
                     "leave it out, or end the name in .vcd or .sr");
   if (wishes.tail.value > 0 && has_taps(format, wishes))
-    throw bad_input("--tail", name + " has taps, and they end with the trial",
-                    "leave it out, or end the name in .vcd, .ook or .bin");
+    throw bad_input("--tail", name + " shows the trial alone, as its samples end there",
+                    wishes.taps ? "leave out --tail or --taps"
+                                : "leave it out, or end the name in .vcd, .sr, .ook or .bin");
 }
 
 TracedTrial as_wished(TracedTrial trial, const Format& format, const TraceWishes& wishes) {
@@ -171,7 +179,7 @@ void check_traceable(const fs::path& path, const Scenario& scenario, const Trace
   throw bad_input(
       "cannot trace into " + path.string(),
       "no samples are made at simulation.fidelity = \"" + scenario.simulation.fidelity + "\"",
-      "end the name in .vcd, which has the wires");
+      wishes.taps ? "leave out --taps" : "end the name in .vcd, which has the wires");
 }
 
 void write_trace(const fs::path& path, TracedTrial trial, const TraceWishes& wishes) {

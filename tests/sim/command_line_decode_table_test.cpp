@@ -94,9 +94,31 @@ TEST_F(DecodeTable, LeavesOpenWhatReadsAsWellInTwoWays) {
 TEST_F(DecodeTable, RefusesAFolderWithoutACapture) {
   std::filesystem::create_directory(path("empty"));
   expect_refused({"decode", "empty"}, 2,
-                 "no capture in empty (no file there ends in .vcd, .sr, .ook, .wav, .sigmf-meta, "
-                 ".sigmf-data, .csv, .h5, .bin) name the files");
-  EXPECT_EQ(program({"decode", "all", "nowhere.vcd"}).code, 2);
+                 "no capture in empty (no file there has the ending of one) name the files");
+}
+
+// A link that leads nowhere or to itself, and a name that no file can have.
+TEST_F(DecodeTable, HasARowForWhatIsNotThere) {
+  std::filesystem::create_symlink("nowhere", path("all/b.vcd"));
+  std::filesystem::create_symlink("d.vcd", path("all/d.vcd"));
+  std::filesystem::create_symlink("loop", path("all/loop"));
+  const Outcome o = program({"decode", "all"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_EQ(std::ranges::count(o.out, '\n'), 7) << o.out;
+  EXPECT_EQ(o.err, "cosys-sim: 2 of 5 captures could not be read\n");
+  for (const std::string& name : {std::string("all/d.vcd"), std::string(300, 'x')}) {
+    EXPECT_EQ(program({"decode", name}).code, 2);
+    const Outcome many = program({"decode", name, "all/a.vcd"});
+    EXPECT_EQ(many.code, 2);
+    EXPECT_NE(many.out.find("\nall/a.vcd "), std::string::npos) << many.out;
+  }
+}
+
+TEST_F(DecodeTable, TakesNamesInBrackets) {
+  std::filesystem::create_directory(path("[2024,a]"));
+  std::filesystem::copy_file(path("all/a.vcd"), path("[2024,a]/a.vcd"));
+  EXPECT_EQ(program({"decode", "[2024,a]"}).code, 0);
+  EXPECT_EQ(program({"decode", "all/a.vcd", "[2024,a]"}).code, 0);
 }
 
 }  // namespace

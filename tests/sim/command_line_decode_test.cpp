@@ -195,6 +195,16 @@ TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
       std::string::npos);
 }
 
+TEST_F(CommandLine, MeasuredDecodeSaysThatItWaitsForAPipe) {
+  write_capture(path("t.vcd"), "IND 011111 OK 46\n");
+  const Outcome o = start_tool("sh", {"-c", "(sleep 5.5; cat t.vcd) | " +
+                                                std::string(COSYS_PROGRAM) + " decode -"})
+                        .finish();
+  EXPECT_NE(o.out.find(" ok "), std::string::npos);
+  EXPECT_EQ(o.err,
+            "cosys-sim: waiting for /dev/stdin (a pipe or device, and nothing has come for 5 s)\n");
+}
+
 TEST_F(CommandLine, DecodeReadsTheLightOfATrace) {
   write_scenario("s.toml", "receiver.range_m = [0.5]");
   ASSERT_EQ(program({"trace", "s.toml", "-o", "t.csv"}).code, 0);

@@ -108,7 +108,8 @@ TEST_F(NetcdfCapture, OtherFilesAreRefused) {
             "cannot decode t.h5 (its sample rate is none) give a trace as cosys-sim writes it");
 }
 
-// More in damaged_files_test.cpp. In a process of its own: what the library leaves open of a damaged file it may speak of at exit.
+// More in damaged_files_test.cpp. In a process of its own: what the library leaves open of a
+// damaged file it may speak of at exit.
 TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
   Random random(73);
   const std::string good = sim::trace_as_netcdf(random_trial(random, true, 2'000));

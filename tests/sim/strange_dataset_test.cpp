@@ -118,18 +118,25 @@ class StrangeDataset : public CommandLine,
 TEST_P(StrangeDataset, WithAStrangeVariable) {
   expect_page(stored_);
   expect_answers("missing", [](auto& variables, auto variable) { variables.erase(variable); });
-  std::size_t step = 1;  // 1 and 2 in turn
-  for (const StrangeNumber& strange : strange_numbers)
-    expect_answers(fmt::format("of {} in each cell, or in every other", strange.real),
-                   [&](auto&, auto variable) { fill(*variable, strange, step = 3 - step); });
+  // Half of all: of the one variable each cell, of the next every other one, and so on.
+  std::size_t kind = 0;
+  for (const StrangeNumber& strange : strange_numbers) {
+    ++kind;
+    expect_answers(fmt::format("of {}", strange.real), [&](auto& variables, auto variable) {
+      const auto place = static_cast<std::size_t>(variable - variables.begin());
+      fill(*variable, strange, 1 + (place + kind) % 2);
+    });
+  }
   std::vector<Texts> places{{}};
   for (const Dataset::Dimension& dimension : stored_.data.dimensions)
     places.push_back({dimension.facts.name});
-  bool on_axes = false;  // and not, in turn
-  for (const Texts& place : places)
-    expect_answers(
-        fmt::format("on {}, with axes or without", fmt::join(place, "")),
-        [&](auto&, auto variable) { move(stored_.data, *variable, on_axes = !on_axes, place); });
+  for (const Texts& place : places) {
+    ++kind;
+    expect_answers(fmt::format("on {}", fmt::join(place, "")), [&](auto& variables, auto variable) {
+      const auto at = static_cast<std::size_t>(variable - variables.begin());
+      move(stored_.data, *variable, (at + kind) % 2 == 0, place);
+    });
+  }
 }
 
 TEST_P(StrangeDataset, WithStrangeElementsOfADimension) {

@@ -182,6 +182,9 @@ TEST_F(CommandLine, SigrokReadsASessionOfWiresAlone) {
               on_the_wire);
   const std::string shown = tool("sigrok-cli", {"-i", "t.sr", "--show"});
   EXPECT_EQ(shown.find("analog"), std::string::npos) << shown;
+  const Outcome read = program({"decode", "t.sr"});
+  EXPECT_EQ(read.code, 0) << read.err;
+  EXPECT_TRUE(read.out.starts_with("read t.sr as sr: channel D2 ")) << read.out;
 }
 
 TEST_F(CommandLine, WiresGoOnBehindATrialForATail) {
@@ -212,8 +215,16 @@ TEST_F(CommandLine, TraceRefusesWishesThatAFormatCannotFulfil) {
   for (const char* file : {"t.h5", "t.svg"})
     refused({file, "--tail", "1s"},
             std::string("--tail (") + file +
-                " has taps, and they end with the trial) leave it out, or end the name in .vcd, "
-                ".ook or .bin");
+                " shows the trial alone, as its samples end there) leave it out, or end the name "
+                "in .vcd, .sr, .ook or .bin");
+  refused({"t.sr", "--taps", "--tail", "1s"},
+          "--tail (t.sr shows the trial alone, as its samples end there) leave out --tail or "
+          "--taps");
+  refused({"t.vcd", "--pin", "tx"},
+          "--pin tx (another wire or tap is called so) choose another name");
+  refused({"t.vcd", "--tail", "11min"},
+          "--tail: 11min is no time such as 1s or 2min, from 0.1s to 600s (wrong usage) see "
+          "cosys-sim trace --help");
   refused(
       {"t.vcd", "--pin", "D 2"},
       "--pin: D 2 is no name of a wire such as iogD_2 (wrong usage) see cosys-sim trace --help");
