@@ -197,7 +197,7 @@ TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
 
 TEST_F(CommandLine, MeasuredDecodeSaysThatItWaitsForAPipe) {
   write_capture(path("t.vcd"), "IND 011111 OK 46\n");
-  const Outcome o = start_tool("sh", {"-c", "(sleep 5.5; cat t.vcd) | " +
+  const Outcome o = start_tool("sh", {"-c", "(sleep 8; cat t.vcd) | " +
                                                 std::string(COSYS_PROGRAM) + " decode -"})
                         .finish();
   EXPECT_NE(o.out.find(" ok "), std::string::npos);
