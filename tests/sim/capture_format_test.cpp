@@ -112,7 +112,7 @@ TEST_F(CaptureFormat, CutAnywhereIsShorterOrRefused) {
   std::size_t refused = 0, read = 0;
   for (const Written& written : all_formats) {
     const std::string text = written.text(wire);
-    for (std::size_t size = 0; size<text.size(); size += text.size()> 1000 ? 7 : 1) {
+    for (std::size_t size = 0; size<text.size(); size += text.size()> 1000 ? 23 : 1) {
       const std::string failure = failure_of([&] {
         const auto back = wires(text.substr(0, size), written.format);
         // The last number may have lost digits.

@@ -11,10 +11,11 @@ using Json = nlohmann::json;
 class DecodeTable : public CommandLine {
  protected:
   DecodeTable() {
-    write_scenario("s.toml", "receiver.range_m = [0.5]");
     std::filesystem::create_directories(path("all/deeper"));
-    for (const char* file : {"all/a.vcd", "all/c.csv", "all/deeper/b.sr"})
-      if (program({"trace", "s.toml", "-o", file}).code != 0) throw std::runtime_error(file);
+    const std::filesystem::path corpus = COSYS_SOURCE_DIR "/tests/captures";
+    std::filesystem::copy_file(corpus / "icarus.vcd", path("all/a.vcd"));
+    std::filesystem::copy_file(corpus / "excel_mark.csv", path("all/c.csv"));
+    std::filesystem::copy_file(corpus / "rtl_433.ook", path("all/deeper/b.ook"));
     write("all/notes.txt", "no capture\n");
   }
 
@@ -30,12 +31,12 @@ TEST_F(DecodeTable, HasARowACapture) {
   const Outcome o = program({"decode", "all"});
   EXPECT_EQ(o.code, 0) << o.err;
   const std::string rest = "idle-high         600          17        0         1        0\n";
-  EXPECT_EQ(o.out, std::string(78, ' ') + "framing  messages\n" +
-                       "capture          format      channel       polarity           Bd  "
+  EXPECT_EQ(o.out, std::string(79, ' ') + "framing  messages\n" +
+                       "capture           format      channel       polarity           Bd  "
                        "characters   errors  accepted  refused\n"
-                       "all/a.vcd        vcd         rx            " +
-                       rest + "all/c.csv        csv         rx            " + rest +
-                       "all/deeper/b.sr  sr          rx            " + rest);
+                       "all/a.vcd         vcd         rx            " +
+                       rest + "all/c.csv         csv         rx            " + rest +
+                       "all/deeper/b.ook  ook         rx            " + rest);
   EXPECT_EQ(o.err, "");
 }
 
