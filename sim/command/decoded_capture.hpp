@@ -35,7 +35,7 @@ struct DecodeListener {
 };
 
 /// Throws Failure(bad_input) for what is no capture.
-DecodedCapture decode_capture(const std::filesystem::path& capture, const DecodeRequest& request,
+DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeRequest& request,
                               const DecodeListener& listener);
 
 /// Where another reading is about as good: what it is, and how to ask for it.
