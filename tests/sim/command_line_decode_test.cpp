@@ -197,9 +197,9 @@ TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
 
 TEST_F(CommandLine, MeasuredDecodeSaysThatItWaitsForAPipe) {
   write_capture(path("t.vcd"), "IND 011111 OK 46\n");
-  const Outcome o = start_tool("sh", {"-c", "(sleep 8; cat t.vcd) | " +
-                                                std::string(COSYS_PROGRAM) + " decode -"})
-                        .finish();
+  const Outcome o =
+      start_tool("sh", {"-c", "(sleep 8; cat t.vcd) | " + std::string(COSYS_PROGRAM) + " decode -"})
+          .finish();
   EXPECT_NE(o.out.find(" ok "), std::string::npos);
   EXPECT_EQ(o.err,
             "cosys-sim: waiting for /dev/stdin (a pipe or device, and nothing has come for 5 s)\n");
