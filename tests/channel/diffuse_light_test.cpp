@@ -81,7 +81,7 @@ TEST(Diffuse, MatchesAPlainSumForAnyPose) {
     double m, n;
     Pose led, receiver;
     Floor floor;
-  } cases[] = {
+  } scenes[] = {
       {1, 1, at(0, 0, .02), at(.06, 0, .02, 180), white},
       {3, 2, at(0, .01, .03, 40, -30), at(.05, -.02, .015, 150, -10), white},
       {15.5, 1, at(0, 0, .1, 30, -60), at(.02, .04, .02, 250, 20), {1.5, .1, .6}},
@@ -90,12 +90,12 @@ TEST(Diffuse, MatchesAPlainSumForAnyPose) {
       {3, 1, at(0, 0, .02, 0, -70), at(.001, 0, .021, 180, -70), white},
       {1, 1, at(0, 0, .02), at(.001, 0, .03), white},
   };
-  for (const auto& c : cases) {
+  for (const auto& c : scenes) {
     const double light =
         received_light(cosine_led(c.m), one_watt, c.led, cosine(c.n), c.receiver, c.floor)
             .diffuse.value;
     const double plain = plain_diffuse(c.m, c.n, c.led, c.receiver, c.floor);
-    EXPECT_NEAR(light, plain, .01 * plain) << &c - cases;
+    EXPECT_NEAR(light, plain, .01 * plain) << &c - scenes;
   }
 }
 

@@ -16,13 +16,13 @@ using test::Random;
 using Type = SharedLinkFieldType;
 using Outcome = SharedLinkOutcome;
 
-const SharedLinkMessage seed{'A',
-                             'B',
-                             {{Type::index, "0"},
-                              {Type::data, "40.12345678"},
-                              {Type::data, "-113.12345678"},
-                              {Type::data, "85.6"},
-                              {Type::data, "22.1"}}};
+const SharedLinkMessage seed_message{'A',
+                                     'B',
+                                     {{Type::index, "0"},
+                                      {Type::data, "40.12345678"},
+                                      {Type::data, "-113.12345678"},
+                                      {Type::data, "85.6"},
+                                      {Type::data, "22.1"}}};
 const std::string seed_line = "[:AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1|CD4]\r\n";
 
 /// Byte number i starts at i seconds.
@@ -69,7 +69,7 @@ SharedLinkMessage random_message(Random& random) {
 }
 
 TEST(SharedLink, WhatPeopleWriteHasNoFormat) {
-  EXPECT_EQ(shared_link_text(seed), "AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1");
+  EXPECT_EQ(shared_link_text(seed_message), "AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1");
   SharedLinkMessage message;
   const auto problem = [&](const std::string& text) {
     return parse_shared_link(text, message).value_or("");
@@ -104,11 +104,11 @@ TEST(SharedLink, ShowsWhatHasNotEnded) {
 }
 
 TEST(SharedLink, VectorsOfTheProtocol) {
-  EXPECT_EQ(line_of(seed), seed_line);
+  EXPECT_EQ(line_of(seed_message), seed_line);
   const auto frames = decode(seed_line);
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_EQ(frames[0].outcome, Outcome::ok);
-  EXPECT_EQ(frames[0].message, seed);
+  EXPECT_EQ(frames[0].message, seed_message);
   EXPECT_EQ(frames[0].start.value, 0);
   EXPECT_EQ(frames[0].text, seed_line.substr(1, seed_line.size() - 4));
 }
@@ -162,9 +162,9 @@ TEST(SharedLink, BeginsAfreshAtTheNextBracket) {
   ASSERT_EQ(frames.size(), 3u);
   EXPECT_EQ(frames[0].outcome, Outcome::unended);
   EXPECT_EQ(frames[0].text, ":AB|D1");
-  EXPECT_EQ(frames[1].message, seed);
+  EXPECT_EQ(frames[1].message, seed_message);
   EXPECT_EQ(frames[1].start.value, 19);
-  EXPECT_EQ(frames[2].message, seed);
+  EXPECT_EQ(frames[2].message, seed_message);
 }
 
 TEST(SharedLink, MemoryIsBounded) {
@@ -200,7 +200,7 @@ TEST(SharedLink, WhatCannotBeSentHasAReason) {
   EXPECT_EQ(problem({'A', 'B', {{Type::reply, "x]"}}}), "']' at position 1 belongs to the format");
   EXPECT_EQ(problem({'A', 'B', {{Type::data, "12\r"}}}),
             "byte 0x0d at position 2 is not printable ASCII, 0x20 to 0x7e");
-  EXPECT_EQ(problem(seed), "");
+  EXPECT_EQ(problem(seed_message), "");
 }
 
 // The sum sees every single bit.
@@ -210,7 +210,8 @@ TEST(SharedLink, NoSingleWrongBitPasses) {
       std::string damaged = seed_line;
       damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
       for (const SharedLinkFrame& frame : decode(damaged))
-        EXPECT_TRUE(frame.outcome != Outcome::ok || frame.message == seed) << at << ' ' << bit;
+        EXPECT_TRUE(frame.outcome != Outcome::ok || frame.message == seed_message)
+            << at << ' ' << bit;
     }
 }
 
@@ -225,7 +226,7 @@ TEST(SharedLink, SurvivesAnyBytes) {
     decode({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, decoder);
     const auto frames = decode(seed_line, decoder);
     ASSERT_FALSE(frames.empty());
-    EXPECT_EQ(frames.back().message, seed);
+    EXPECT_EQ(frames.back().message, seed_message);
   }
 }
 

@@ -69,14 +69,14 @@ TEST(SharedNode, SendsTheMessageOfTheProtocol) {
   SharedNode b({.address = 'B',
                 .peer = 'A',
                 .outbound = {"AutoGpsLat", "AutoGpsLon", "AutoGpsHead", "AutoGpsVel"}});
-  const std::vector<std::string> seed{"40.12345678", "-113.12345678", "85.6", "22.1"};
-  for (std::size_t i = 0; i < 4; ++i) expect_set(b, i, seed[i]);
+  const std::vector<std::string> sent{"40.12345678", "-113.12345678", "85.6", "22.1"};
+  for (std::size_t i = 0; i < 4; ++i) expect_set(b, i, sent[i]);
   EXPECT_EQ(text_of(b.transmit(Seconds(0))),
             "[:AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1|CD4]\r\n");
   SharedNode a({.address = 'A', .peer = 'B', .inbound = names(4)});
   EXPECT_EQ(hear(a, bytes_of("[:AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1|CD4]\r\n")),
             (std::vector<std::size_t>{0, 1, 2, 3}));
-  EXPECT_EQ(values(a.inbound()), seed);
+  EXPECT_EQ(values(a.inbound()), sent);
 }
 
 TEST(SharedNode, LeavesOutWhatHasNotChanged) {
@@ -178,19 +178,19 @@ TEST(SharedNode, EachMisfitIsCounted) {
   const auto message = [](char to, char from, const std::vector<SharedLinkField>& fields) {
     return shared_link_encode({to, from, fields});
   };
-  using Type = SharedLinkFieldType;
-  hear(a, message('C', 'B', {{Type::index, "0"}, {Type::data, "1"}}));
-  hear(a, message('A', 'C', {{Type::index, "0"}, {Type::data, "1"}}));
-  hear(a, message('B', 'A', {{Type::index, "0"}, {Type::data, "1"}}));
-  hear(a, message('A', 'A', {{Type::index, "0"}, {Type::data, "1"}}));
-  hear(a, message('A', 'B', {{Type::index, "3"}}));
-  hear(a, message('A', 'B', {{Type::index, "-1"}, {Type::data, "1"}}));
-  hear(a, message('A', 'B', {{Type::index, "1"}, {Type::data, "1"}, {Type::data, "2"}}));
-  hear(a, message('A', 'B', {{Type::data, "1"}}));
-  hear(a, message('A', 'B', {{Type::reply, "Variable0"}}));
-  hear(a, message('A', 'B', {{Type::reply, "Variable0"}, {Type::query, "Own"}}));
-  hear(a, message('A', 'B', {{Type::reply, "Nobody"}, {Type::data, "1"}}));
-  hear(a, message('A', 'B', {{Type::query, "Nobody"}, {Type::query, "Own"}}));
+  using Field = SharedLinkFieldType;
+  hear(a, message('C', 'B', {{Field::index, "0"}, {Field::data, "1"}}));
+  hear(a, message('A', 'C', {{Field::index, "0"}, {Field::data, "1"}}));
+  hear(a, message('B', 'A', {{Field::index, "0"}, {Field::data, "1"}}));
+  hear(a, message('A', 'A', {{Field::index, "0"}, {Field::data, "1"}}));
+  hear(a, message('A', 'B', {{Field::index, "3"}}));
+  hear(a, message('A', 'B', {{Field::index, "-1"}, {Field::data, "1"}}));
+  hear(a, message('A', 'B', {{Field::index, "1"}, {Field::data, "1"}, {Field::data, "2"}}));
+  hear(a, message('A', 'B', {{Field::data, "1"}}));
+  hear(a, message('A', 'B', {{Field::reply, "Variable0"}}));
+  hear(a, message('A', 'B', {{Field::reply, "Variable0"}, {Field::query, "Own"}}));
+  hear(a, message('A', 'B', {{Field::reply, "Nobody"}, {Field::data, "1"}}));
+  hear(a, message('A', 'B', {{Field::query, "Nobody"}, {Field::query, "Own"}}));
   hear(a, bytes_of("[:AB|D1|C00]"));
   EXPECT_EQ(a.counts().for_others, 1u);
   EXPECT_EQ(a.counts().from_others, 1u);

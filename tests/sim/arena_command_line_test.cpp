@@ -6,8 +6,6 @@
 
 namespace {
 
-constexpr int bad_input = 2;
-
 const std::string scene =
     "title = \"two\"\nexperiment = \"arena\"\n[receiver]\nmodule = \"TSSP4056\"\n"
     "[arena]\nduration_s = 5\nruns = 2\n"

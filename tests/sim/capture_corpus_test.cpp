@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::vector<Json> lines_of(const std::string& text) {
+std::vector<Json> json_lines(const std::string& text) {
   std::vector<Json> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
@@ -29,8 +29,8 @@ TEST_F(CommandLine, DecodeSaysOfEachCaptureOfTheCorpusWhatIsExpected) {
   std::filesystem::create_directory_symlink(corpus, path("captures"));
   const Outcome o = program({"decode", "--json", "captures"});
   EXPECT_EQ(o.code, 0) << o.err;
-  const std::vector<Json> said = lines_of(o.out),
-                          expected = lines_of(content(corpus / "expected.jsonl"));
+  const std::vector<Json> said = json_lines(o.out),
+                          expected = json_lines(content(corpus / "expected.jsonl"));
   ASSERT_EQ(said.size(), expected.size());
   for (std::size_t i = 0; i < said.size(); ++i) EXPECT_EQ(rounded(said[i]), rounded(expected[i]));
 }

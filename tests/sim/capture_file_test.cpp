@@ -9,9 +9,9 @@ namespace {
 using sim::test::failure_of;
 using sim::test::flips_us;
 
-const std::string vcd =
+const std::string vcd_text =
     "$timescale 1 us $end $var wire 1 ! rx $end $enddefinitions $end #0 1! #5 0! #9 1! #20";
-const std::string csv = "time_us,rx\n0,1\n5,0\n9,1\n20,1\n";
+const std::string csv_text = "time_us,rx\n0,1\n5,0\n9,1\n20,1\n";
 const std::string pulses = ";pulse data\n;timescale 1us\n4 1\n;end\n";
 const std::string utf8 = "\xEF\xBB\xBF", utf16_le = "\xFF\xFE", utf16_be = "\xFE\xFF";
 
@@ -36,8 +36,10 @@ class CaptureFile : public CommandLine {
 
 // Oscilloscopes write to file systems that have capitals alone.
 TEST_F(CaptureFile, EndingsMayBeCapitals) {
-  for (const char* name : {"x.vcd", "x.VCD", "x.Vcd"}) EXPECT_EQ(pulse_us(name, vcd), 4) << name;
-  for (const char* name : {"x.csv", "x.CSV", "x.Csv"}) EXPECT_EQ(pulse_us(name, csv), 4) << name;
+  for (const char* name : {"x.vcd", "x.VCD", "x.Vcd"})
+    EXPECT_EQ(pulse_us(name, vcd_text), 4) << name;
+  for (const char* name : {"x.csv", "x.CSV", "x.Csv"})
+    EXPECT_EQ(pulse_us(name, csv_text), 4) << name;
   EXPECT_EQ(pulse_us("x.OOK", pulses), 4);
   EXPECT_EQ(pulse_us("x.BIN", std::string("\1\1\0\0\1\1", 6), {"", dsp::Hertz(0.5e6), ""}), 4);
   const auto why = [&](const std::string& name) {
@@ -51,14 +53,14 @@ TEST_F(CaptureFile, EndingsMayBeCapitals) {
 }
 
 TEST_F(CaptureFile, AMarkBeforeATextIsPassedOver) {
-  EXPECT_EQ(pulse_us("x.vcd", utf8 + vcd), 4);
-  EXPECT_EQ(pulse_us("x.csv", utf8 + csv), 4);
+  EXPECT_EQ(pulse_us("x.vcd", utf8 + vcd_text), 4);
+  EXPECT_EQ(pulse_us("x.csv", utf8 + csv_text), 4);
   EXPECT_EQ(pulse_us("x.ook", utf8 + pulses), 4);
-  EXPECT_EQ(pulse_us("x", utf8 + vcd), 4);
+  EXPECT_EQ(pulse_us("x", utf8 + vcd_text), 4);
   EXPECT_EQ(pulse_us("x", utf8 + pulses), 4);
-  EXPECT_EQ(pulse_us("x", utf8 + csv, {"", {}, "csv"}), 4);
+  EXPECT_EQ(pulse_us("x", utf8 + csv_text, {"", {}, "csv"}), 4);
   // A pipe may give it byte by byte.
-  write("x.csv", csv);
+  write("x.csv", csv_text);
   const std::string decode = " | " COSYS_PROGRAM " decode - --baud 1000 --format csv";
   const std::string pipe = "(printf '\\357'; sleep 0.2; printf '\\273\\277'; cat x.csv)" + decode;
   EXPECT_EQ(tool("sh", {"-c", pipe}), tool("sh", {"-c", "cat x.csv" + decode}));

@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
-
 LoadedScenario parse(const std::string& text, const std::vector<std::string>& overrides = {},
                      const std::vector<fs::path>& roots = {scenarios}) {
   return parse_scenario(text, "x.toml", overrides, roots);

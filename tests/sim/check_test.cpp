@@ -9,6 +9,7 @@
 #include "sim/check/point_check.hpp"
 #include "sim/check/unpaired_losses.hpp"
 #include "sim/failure.hpp"
+#include "two_threads.hpp"
 
 namespace sim {
 namespace {
@@ -70,19 +71,19 @@ JudgedPoint point_of(const char* clock_error_ppm, const char* range_m = "12.4") 
       .front();
 }
 
-constexpr Workers workers{.threads = 2, .interrupt = nullptr};
 constexpr GateRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
 
 BaselinePoint baseline_of(const JudgedPoint& point, const Decoder& decoder, std::uint32_t frames) {
-  return {.name = point.name,
-          .scenario = 0,
-          .physics = physics_hash(point),
-          .frames = decode_frames(judged_link(point), {&decoder}, 0, frames, workers)[0].frames};
+  return {
+      .name = point.name,
+      .scenario = 0,
+      .physics = physics_hash(point),
+      .frames = decode_frames(judged_link(point), {&decoder}, 0, frames, two_threads)[0].frames};
 }
 
 PointCheck checked(const CheckSetup& setup, const JudgedPoint& point,
                    const BaselinePoint& baseline) {
-  std::vector<PointCheck> checks{check_point(setup, point, baseline, workers)};
+  std::vector<PointCheck> checks{check_point(setup, point, baseline, two_threads)};
   judge(checks, setup);
   return checks.front();
 }

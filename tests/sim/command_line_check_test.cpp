@@ -2,8 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "text_lines.hpp"
 
 namespace {
+
+using sim::last_line;
 
 class CheckCommand : public CommandLine {
  protected:
@@ -32,11 +35,6 @@ class CheckCommand : public CommandLine {
 
   static nlohmann::json json_of(const Outcome& o) { return nlohmann::json::parse(o.out); }
 };
-
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.rfind('\n', text.size() - 2);
-  return text.substr(end == std::string::npos ? 0 : end + 1);
-}
 
 TEST_F(CheckCommand, PassesTheBaselinesOwnDecoder) {
   const Outcome o = check({});

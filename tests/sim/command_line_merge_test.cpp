@@ -4,8 +4,11 @@
 #include <thread>
 
 #include "program.hpp"
+#include "text_lines.hpp"
 
 namespace {
+
+using sim::last_line;
 
 class Merge : public CommandLine {
  protected:
@@ -28,10 +31,6 @@ class Merge : public CommandLine {
 };
 
 /// Without "NAME: digest ..." and what was said of the time it took.
-std::string last_line(const std::string& text) {
-  return text.substr(text.rfind('\n', text.size() - 2) + 1);
-}
-
 TEST_F(Merge, ShardsAddUpToTheWholeRun) {
   run({"-o", "whole.h5"});
   for (const char* shard : {"1/2", "3/4", "7/8", "8/8"}) run_shard(shard);

@@ -9,8 +9,6 @@
 
 namespace {
 
-constexpr int bad_input = 2, environment = 3;
-
 class CommandLineOutput : public CommandLine {
  protected:
   /// What a script prints in which $P is the program.

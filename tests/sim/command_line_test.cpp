@@ -3,17 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "text_lines.hpp"
 
 namespace {
 
-constexpr int bad_input = 2, environment = 3;
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
+using sim::lines_of;
 
 std::string digest_in(const std::string& out) {
   const std::string key = ": digest ";

@@ -6,16 +6,15 @@
 
 namespace {
 
-constexpr int bad_input = 2;
 const std::string on_the_wire = "IND 011111 OK 46\n";
-const std::string sweep = "receiver.range_m = [900, 0.5]";
+const std::string far_and_near = "receiver.range_m = [900, 0.5]";
 
-/// The second point of the sweep, where everything arrives.
+/// The second point of the far_and_near, where everything arrives.
 Words trace_to(const std::string& file) { return {"trace", "s.toml", "--point", "1", "-o", file}; }
 
 /// The time at which a VCD of 1 us ends: its last line.
-double end_of_vcd_s(const std::string& vcd) {
-  return std::stod(vcd.substr(vcd.rfind('#') + 1)) * 1e-6;
+double end_of_vcd_s(const std::string& trace) {
+  return std::stod(trace.substr(trace.rfind('#') + 1)) * 1e-6;
 }
 
 TEST_F(CommandLine, EncodePrintsWhatTheLineCarries) {
@@ -26,7 +25,7 @@ TEST_F(CommandLine, EncodePrintsWhatTheLineCarries) {
 }
 
 TEST_F(CommandLine, SigrokReadsBothWiresOfATrace) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   const Outcome o = program(trace_to("t.vcd"));
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(o.out + o.err, "");
@@ -38,7 +37,7 @@ TEST_F(CommandLine, SigrokReadsBothWiresOfATrace) {
 }
 
 TEST_F(CommandLine, DecodeReadsWhatTraceWrites) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   const auto start_s = [&](const char* wire, const char* uart) {
     const Outcome o = program({"decode", "t.vcd", "--wire", wire, "--uart", uart, "--json"});
@@ -57,7 +56,7 @@ TEST_F(CommandLine, DecodeReadsWhatTraceWrites) {
 }
 
 TEST_F(CommandLine, DecodeRefusesWhatItCannotRead) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   write("garbage.vcd", "garbage\n");
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   expect_refused({"decode", "missing.vcd"}, bad_input, "missing.vcd (no such file) check the path");
@@ -96,7 +95,7 @@ TEST_F(CommandLine, TraceOfDecisionsHasTheWires) {
 }
 
 TEST_F(CommandLine, CsvHasARowASample) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   ASSERT_EQ(program(trace_to("t.csv")).code, 0);
   ASSERT_EQ(program(trace_to("t.vcd")).code, 0);
   const std::string csv = content(path("t.csv"));
@@ -110,7 +109,7 @@ TEST_F(CommandLine, CsvHasARowASample) {
 }
 
 TEST_F(CommandLine, Hdf5TraceSaysWhereItComesFrom) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   Words words = trace_to("t.h5");
   words.insert(words.end(), {"--trial", "5", "--seed", "7"});
   ASSERT_EQ(program(words).code, 0);
@@ -122,7 +121,7 @@ TEST_F(CommandLine, Hdf5TraceSaysWhereItComesFrom) {
 }
 
 TEST_F(CommandLine, TrialsDifferAndRepeat) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   const auto traced = [&](const char* trial) {
     EXPECT_EQ(program({"trace", "s.toml", "--trial", trial, "-o", "t.csv"}).code, 0);
     return content(path("t.csv"));
@@ -133,7 +132,7 @@ TEST_F(CommandLine, TrialsDifferAndRepeat) {
 }
 
 TEST_F(CommandLine, TraceRefusesPointsAndTrialsOutOfRange) {
-  write_scenario("s.toml", sweep);
+  write_scenario("s.toml", far_and_near);
   const auto trace = [](const char* option, const char* value) {
     return Words{"trace", "s.toml", "-o", "t.vcd", option, value};
   };

@@ -9,11 +9,10 @@
 #include "program.hpp"
 #include "scenarios.hpp"
 #include "scripted_decoder.hpp"
+#include "two_threads.hpp"
 
 namespace sim {
 namespace {
-
-constexpr Workers workers{.threads = 2, .interrupt = nullptr};
 
 JudgedPoint weak_point(const char* clock_error_ppm) {
   return judged_points(loaded("[receiver]\nmodule = 'TSSP4056'\nrange_m = 12.4\n[simulation]\n"
@@ -46,7 +45,7 @@ TEST(Contest, SaysWhoLosesLess) {
   const auto atmega = make_built_in_decoder("atmega");
   const Careless careless(4);
   std::vector<ContestPoint> points{
-      contest(weak_point("0"), {&careless, atmega.get(), atmega.get()}, 640, workers)};
+      contest(weak_point("0"), {&careless, atmega.get(), atmega.get()}, 640, two_threads)};
   decide(points, 1e-3);
   const auto& duels = points[0].duels;
   ASSERT_EQ(duels.size(), 3U);
@@ -70,7 +69,7 @@ TEST(Contest, IsTwoSided) {
     const auto duels = contest(weak_point("0"),
                                swapped ? std::vector<const Decoder*>{&five, &ten}
                                        : std::vector<const Decoder*>{&ten, &five},
-                               64, workers)
+                               64, two_threads)
                            .duels;
     ASSERT_EQ(duels.size(), 1U);
     EXPECT_NEAR(duels[0].p_value, 2 * 4944.0 / 32768, 1e-12);
@@ -82,7 +81,7 @@ TEST(Contest, LeavesOpenWhatFewFramesDoNotTell) {
   const auto atmega = make_built_in_decoder("atmega");
   const Careless careless(10);
   std::vector<ContestPoint> points{
-      contest(weak_point("0"), {&careless, atmega.get()}, 64, workers)};
+      contest(weak_point("0"), {&careless, atmega.get()}, 64, two_threads)};
   decide(points, 1e-3);
   EXPECT_FALSE(points[0].duels[0].decided);
 }
@@ -97,7 +96,8 @@ TEST(Contest, DoesNotLetTheSilentTakePart) {
    private:
     std::string name_ = "silent";
   } silent;
-  std::vector<ContestPoint> points{contest(weak_point("0"), {&silent, atmega.get()}, 64, workers)};
+  std::vector<ContestPoint> points{
+      contest(weak_point("0"), {&silent, atmega.get()}, 64, two_threads)};
   EXPECT_TRUE(points[0].faults[0].has_value());
   EXPECT_TRUE(points[0].duels.empty());
   EXPECT_EQ(points[0].counts[0].frames, 0U);

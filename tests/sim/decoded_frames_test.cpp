@@ -22,15 +22,15 @@ std::vector<FrameOutcome> outcomes(const DecodedFrames& decoded) {
   return all;
 }
 
-std::vector<DecodedFrames> decode(const std::vector<const Decoder*>& decoders, std::uint32_t first,
-                                  std::uint32_t n, int threads = 1) {
+std::vector<DecodedFrames> frames_of(const std::vector<const Decoder*>& decoders,
+                                     std::uint32_t first, std::uint32_t n, int threads = 1) {
   return decode_frames(weak_link(), decoders, first, n, {.threads = threads, .interrupt = nullptr});
 }
 
 TEST(DecodedFrames, OfOneDecoderDoNotHangOnOthersNorOnThreads) {
   const auto atmega = make_built_in_decoder("atmega"), edges = make_built_in_decoder("edge-timing");
-  const auto together = decode({edges.get(), atmega.get()}, 0, 300);
-  const auto alone = decode({atmega.get()}, 0, 300, 3);
+  const auto together = frames_of({edges.get(), atmega.get()}, 0, 300);
+  const auto alone = frames_of({atmega.get()}, 0, 300, 3);
   EXPECT_EQ(outcomes(together[1]), outcomes(alone[0]));
   EXPECT_NE(outcomes(together[0]), outcomes(alone[0]));
   EXPECT_EQ(alone[0].frames.size(), 300U);
@@ -41,8 +41,8 @@ TEST(DecodedFrames, OfOneDecoderDoNotHangOnOthersNorOnThreads) {
 
 TEST(DecodedFrames, AreTheSameWherePointsAreGoneOnWith) {
   const auto decoder = make_built_in_decoder("software-serial");
-  const auto all = outcomes(decode({decoder.get()}, 0, 300)[0]);
-  const auto rest = outcomes(decode({decoder.get()}, 128, 172)[0]);
+  const auto all = outcomes(frames_of({decoder.get()}, 0, 300)[0]);
+  const auto rest = outcomes(frames_of({decoder.get()}, 128, 172)[0]);
   EXPECT_EQ(std::vector(all.begin() + 128, all.end()), rest);
 }
 
@@ -62,7 +62,7 @@ class Forgetful : public Decoder {
 
 TEST(DecodedFrames, AreUnknownWhereADecoderLosesUndisturbedMessages) {
   const Forgetful decoder;
-  const DecodedFrames decoded = decode({&decoder}, 0, 384).front();
+  const DecodedFrames decoded = frames_of({&decoder}, 0, 384).front();
   ASSERT_TRUE(decoded.fault.has_value());
   EXPECT_EQ(decoded.fault->kind, DecoderFault::Kind::garbage);
   EXPECT_EQ(decoded.fault->what, "it lost undisturbed messages, beside 128 of 128 frames");
@@ -88,7 +88,7 @@ class Failing : public Decoder {
 
 TEST(DecodedFrames, AreUnknownNotLostWhereADecoderFails) {
   const Failing decoder;
-  const DecodedFrames decoded = decode({&decoder}, 0, 64).front();
+  const DecodedFrames decoded = frames_of({&decoder}, 0, 64).front();
   ASSERT_TRUE(decoded.fault.has_value());
   EXPECT_EQ(decoded.fault->what, "late");
   for (const FrameOutcome& outcome : outcomes(decoded)) {

@@ -17,11 +17,6 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-Keys with(Keys keys, const Keys& more) {
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
 /// A point where some bits fail, and about how many.
 struct Point {
   const char* module;

@@ -40,11 +40,6 @@ ExchangePoint only_point(const std::vector<std::string>& set = {}) {
 const std::vector<std::string> patient{"exchange.interval_min_ms=2000",
                                        "exchange.interval_max_ms=4000", "exchange.duration_s=60"};
 
-std::vector<std::string> with(std::vector<std::string> all, const std::vector<std::string>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 TEST(Exchange, InGoodLightEverythingArrives) {
   const DirectionTally all = together(
       only_point(with(patient, {"exchange.query_every_s=5", "exchange.query_timeout_s=10"})).tally);

@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-const std::string text = "[receiver]\nrange_m = 1\n";
+const std::string one_metre = "[receiver]\nrange_m = 1\n";
 
 LiveScenario live(const std::string& toml, const std::vector<std::string>& set = {}) {
   return LiveScenario({toml, "x.toml", set, {COSYS_SOURCE_DIR "/scenarios"}});
@@ -22,11 +22,11 @@ std::string refused(const std::string& toml, const std::vector<std::string>& set
 }
 
 std::uint32_t point_of(const std::vector<std::string>& set) {
-  return make_link(point_scenario(loaded(text, set), {})).point;
+  return make_link(point_scenario(loaded(one_metre, set), {})).point;
 }
 
 TEST(LiveScenario, IsThePointThatSetMakes) {
-  LiveScenario scenario = live(text, {"led.current_ma=50"});
+  LiveScenario scenario = live(one_metre, {"led.current_ma=50"});
   EXPECT_EQ(scenario.link()->point, point_of({"led.current_ma=50"}));
   scenario.set("receiver.range_m=4");
   EXPECT_EQ(scenario.link()->point, point_of({"led.current_ma=50", "receiver.range_m=4"}));
@@ -45,7 +45,7 @@ TEST(LiveScenario, IsThePointThatSetMakes) {
 }
 
 TEST(LiveScenario, IsAsItWasBehindAChangeThatIsRefused) {
-  LiveScenario scenario = live(text);
+  LiveScenario scenario = live(one_metre);
   scenario.set("receiver.range_m=2");
   const auto before = scenario.link();
   for (const char* wrong :

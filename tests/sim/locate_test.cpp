@@ -15,8 +15,6 @@
 namespace sim {
 namespace {
 
-using Outcome = LocateOutcome;
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 LocateSettings settings_of(const LightModel& model) {
@@ -26,7 +24,7 @@ LocateSettings settings_of(const LightModel& model) {
 }
 
 void expect_at(const Location& location, const Position& device, double within) {
-  ASSERT_EQ(location.outcome, Outcome::located);
+  ASSERT_EQ(location.outcome, LocateOutcome::located);
   ASSERT_EQ(location.places.size(), 1U);
   EXPECT_NEAR(location.places[0].at.at.x, device.x, within);
   EXPECT_NEAR(location.places[0].at.at.y, device.y, within);
@@ -87,7 +85,7 @@ TEST(Locate, TwoReceiversOnALineSeeTheMirrorImageAsWell) {
   const Position device{1.5, 0.8};
   const auto readings = readings_of(model, device, {receiver_at(0, 0, 0), receiver_at(1, 0, 0)});
   const Location location = locate(settings_of(model), readings);
-  ASSERT_EQ(location.outcome, Outcome::ambiguous);
+  ASSERT_EQ(location.outcome, LocateOutcome::ambiguous);
   ASSERT_EQ(location.places.size(), 2U);
   for (const LocatedPlace& place : location.places) {
     EXPECT_NEAR(place.at.at.x, 1.5, 1e-6);
@@ -105,7 +103,7 @@ TEST(Locate, SoTheyDoWhereTheFloorScattersFarMoreThanADeviation) {
                    receiver_at(0.6, 0, 0), receiver_at(-2, 0, 0)},
                   3e-5);
   const Location location = locate(settings_of(model), readings);
-  EXPECT_EQ(location.outcome, Outcome::ambiguous);
+  EXPECT_EQ(location.outcome, LocateOutcome::ambiguous);
   EXPECT_EQ(location.places.size(), 2U);
 }
 
@@ -142,7 +140,7 @@ TEST(Locate, OneReadingIsARing) {
   const LightModel model = inverse_square();
   const Location location =
       locate(settings_of(model), readings_of(model, {1.5, 0.8}, {receiver_at(0, 0, 0)}));
-  EXPECT_EQ(location.outcome, Outcome::underdetermined);
+  EXPECT_EQ(location.outcome, LocateOutcome::underdetermined);
   ASSERT_EQ(location.places.size(), 1U);
   const Position& at = location.places[0].at.at;
   EXPECT_NEAR(std::hypot(at.x, at.y), std::hypot(1.5, 0.8), 1e-4);
@@ -153,7 +151,7 @@ TEST(Locate, TheSameReadingTwiceIsStillARing) {
   const LightModel model = inverse_square();
   const auto readings =
       readings_of(model, {1.5, 0.8}, {receiver_at(0, 0, 0), receiver_at(0, 0, 0)});
-  EXPECT_EQ(locate(settings_of(model), readings).outcome, Outcome::underdetermined);
+  EXPECT_EQ(locate(settings_of(model), readings).outcome, LocateOutcome::underdetermined);
 }
 
 TEST(Locate, ReadingsOfNoSinglePlaceAreAPoorFit) {
@@ -161,7 +159,7 @@ TEST(Locate, ReadingsOfNoSinglePlaceAreAPoorFit) {
   auto readings = readings_of(model, {1.1, 0.7}, four_corners());
   readings[2].irradiance_w_per_m2 *= 1.5;  // fifty deviations
   const Location location = locate(settings_of(model), readings);
-  EXPECT_EQ(location.outcome, Outcome::poor_fit);
+  EXPECT_EQ(location.outcome, LocateOutcome::poor_fit);
   EXPECT_LT(location.probability, 1e-3);
 }
 
@@ -170,7 +168,7 @@ TEST(Locate, APlaceOutsideOfTheAreaIsNotReached) {
   LocateSettings settings = settings_of(model);
   settings.area = Area{2, 3, 1.5, 2};
   const Location location = locate(settings, readings_of(model, {1.1, 0.7}, four_corners()));
-  EXPECT_EQ(location.outcome, Outcome::not_converged);
+  EXPECT_EQ(location.outcome, LocateOutcome::not_converged);
   EXPECT_TRUE(location.places.empty());
 }
 
@@ -281,7 +279,7 @@ TEST(LocationTrials, MirrorImagesAreCountedAsAmbiguous) {
       trials_of(inverse_square(), {1.5, 0.8}, {receiver_at(0, 0, 0), receiver_at(1, 0, 0)}, 0.01);
   s.trials = 100;
   const LocationTrials result = measure_location(s);
-  EXPECT_EQ(result.count[static_cast<std::size_t>(Outcome::ambiguous)], 100U);
+  EXPECT_EQ(result.count[static_cast<std::size_t>(LocateOutcome::ambiguous)], 100U);
   EXPECT_TRUE(std::isnan(result.rmse_m.value));
 }
 

@@ -11,8 +11,8 @@
 namespace sim {
 namespace {
 
-constexpr FrameOutcome delivered{.delivered = true}, lost{}, unknown{.unknown = true},
-    deceived{.deceived = true};
+constexpr FrameOutcome was_delivered{.delivered = true}, was_lost{}, was_unknown{.unknown = true},
+    was_deceived{.deceived = true};
 
 std::vector<FrameOutcome> outcomes(const std::vector<std::string>& accepted) {
   return outcomes_between_markers(accepted, "A", 7, 3);
@@ -20,23 +20,24 @@ std::vector<FrameOutcome> outcomes(const std::vector<std::string>& accepted) {
 
 TEST(Markers, TellWhoseMessagesTheseAre) {
   EXPECT_EQ(outcomes({"MARK #7", "A", "MARK #8", "MARK #9", "B", "MARK #10"}),
-            (std::vector{delivered, lost, deceived}));
-  EXPECT_EQ(outcomes({"A", "MARK #7", "A", "B", "A", "MARK #8", "MARK #9", "A", "MARK #10", "A"}),
-            (std::vector{FrameOutcome{.delivered = true, .deceived = true}, lost, delivered}));
+            (std::vector{was_delivered, was_lost, was_deceived}));
+  EXPECT_EQ(
+      outcomes({"A", "MARK #7", "A", "B", "A", "MARK #8", "MARK #9", "A", "MARK #10", "A"}),
+      (std::vector{FrameOutcome{.delivered = true, .deceived = true}, was_lost, was_delivered}));
 }
 
 TEST(Markers, ThatAreMissingLeaveTheFramesBesideThemUnknown) {
-  EXPECT_EQ(outcomes({}), (std::vector{unknown, unknown, unknown}));
+  EXPECT_EQ(outcomes({}), (std::vector{was_unknown, was_unknown, was_unknown}));
   EXPECT_EQ(outcomes({"MARK #7", "A", "MARK #9", "A", "MARK #10"}),
-            (std::vector{unknown, unknown, delivered}));
+            (std::vector{was_unknown, was_unknown, was_delivered}));
   EXPECT_EQ(outcomes({"A", "MARK #8", "A", "MARK #9", "A"}),
-            (std::vector{unknown, delivered, unknown}));
+            (std::vector{was_unknown, was_delivered, was_unknown}));
 }
 
 TEST(Markers, OutOfTurnAreNone) {
   EXPECT_EQ(outcomes({"MARK #7", "MARK #8", "MARK #7", "A", "MARK #9", "MARK #6", "MARK #99",
                       "MARK #10"}),
-            (std::vector{lost, delivered, lost}));
+            (std::vector{was_lost, was_delivered, was_lost}));
 }
 
 TEST(Markers, HoldAllThatWasAcceptedOfOneTrial) {
@@ -83,21 +84,21 @@ std::vector<FrameOutcome> decoded(const JudgedLink& link, const std::string& dec
 TEST(MarkedLine, GivesEveryDecoderEveryFrameOfAClearLink) {
   const JudgedLink link = judged(clear_link());
   for (const std::string& decoder : built_in_decoders())
-    EXPECT_EQ(decoded(link, decoder, 40, 20), std::vector(20, delivered)) << decoder;
+    EXPECT_EQ(decoded(link, decoder, 40, 20), std::vector(20, was_delivered)) << decoder;
 }
 
 TEST(MarkedLine, GivesNothingOfALinkInTheDark) {
   const JudgedLink link = judged({"receiver.range_m=100"});
   for (const std::string& decoder : built_in_decoders())
-    EXPECT_EQ(decoded(link, decoder, 0, 9), std::vector(9, lost)) << decoder;
+    EXPECT_EQ(decoded(link, decoder, 0, 9), std::vector(9, was_lost)) << decoder;
 }
 
 // The receiver's clock makes a link's times longer or shorter, not the markers'.
 TEST(MarkedLine, IsOnTheClockOfTheReceiver) {
   for (const char* error : {"uart.clock_error_ppm=40000", "uart.clock_error_ppm=-40000"})
-    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, delivered));
+    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, was_delivered));
   for (const char* error : {"uart.clock_error_ppm=80000", "uart.clock_error_ppm=-80000"})
-    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, lost));
+    EXPECT_EQ(decoded(judged(clear_link({error})), "mid-bit", 0, 9), std::vector(9, was_lost));
 }
 
 std::vector<std::uint64_t> light(const MarkedLine& line) {

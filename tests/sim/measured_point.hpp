@@ -1,5 +1,6 @@
 #pragma once
-// A point as a run leaves it, for the tests of what is reported of it.
+// A point as a run leaves it, and axes of which one has texts, for the tests of what is reported of
+// it.
 #include "sim/result/result.hpp"
 
 namespace sim {
@@ -21,5 +22,9 @@ inline PointResult measured_point() {
   p.simulated_s = 620;
   return p;
 }
+
+inline const std::vector<Axis> text_axes{
+    {"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "a-longer-name"}},
+    {"receiver.range_m", "m", "distance", {1, 2, 3}}};
 
 }  // namespace sim

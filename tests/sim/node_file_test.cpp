@@ -10,7 +10,7 @@ namespace {
 
 const std::string ends = "address = \"A\"\npeer = \"B\"\n";
 
-std::string refusal(const std::string& text) {
+std::string file_refusal(const std::string& text) {
   try {
     parse_node_file(text, "x.toml");
   } catch (const Failure& failure) {
@@ -54,69 +54,72 @@ TEST(NodeFile, ItsBaudSaysHowManyQueriesATransmissionHas) {
 }
 
 TEST(NodeFile, RefusesAddresses) {
-  EXPECT_EQ(refusal("address = \"Q\"\n"),
+  EXPECT_EQ(file_refusal("address = \"Q\"\n"),
             "address = \"Q\" in x.toml:1 (no address) use one capital letter, \"A\" to \"P\"");
-  EXPECT_EQ(refusal("peer = 2\n"),
+  EXPECT_EQ(file_refusal("peer = 2\n"),
             "peer in x.toml:1 (a number where a letter is expected) write it as \"A\"");
-  EXPECT_EQ(refusal("peer = \"B\"\n"),
+  EXPECT_EQ(file_refusal("peer = \"B\"\n"),
             "x.toml (it does not say its address) add a line such as address = \"A\"");
-  EXPECT_EQ(refusal("address = \"B\"\npeer = \"B\"\n"),
+  EXPECT_EQ(file_refusal("address = \"B\"\npeer = \"B\"\n"),
             "peer = \"B\" in x.toml:2 (the node's own address) give the other end's");
 }
 
 TEST(NodeFile, RefusesLists) {
-  EXPECT_EQ(refusal(ends + "outbound = [\"a|b\"]\n"),
+  EXPECT_EQ(file_refusal(ends + "outbound = [\"a|b\"]\n"),
             "outbound in x.toml:3 (variable \"a|b\": '|' at position 1 belongs to the format) give "
             "each name once, and use printable ASCII without [, ] and |");
   EXPECT_EQ(
-      refusal(ends + "inbound = [\"a\", \"\\u00e9\"]\n").find("inbound in x.toml:3 (variable"), 0U);
-  EXPECT_EQ(refusal(ends + "inbound = [\"a\",\n\"b\", \"a\"]\n"),
+      file_refusal(ends + "inbound = [\"a\", \"\\u00e9\"]\n").find("inbound in x.toml:3 (variable"),
+      0U);
+  EXPECT_EQ(file_refusal(ends + "inbound = [\"a\",\n\"b\", \"a\"]\n"),
             "inbound in x.toml:3 (variable \"a\" is in the list twice) give each name once, and "
             "use printable ASCII without [, ] and |");
-  EXPECT_EQ(refusal(ends + "outbound = [\"\"]\n").find("outbound in x.toml:3 (a variable has no"),
-            0U);
-  EXPECT_EQ(refusal(ends + "outbound = [1, 2]\n"),
+  EXPECT_EQ(
+      file_refusal(ends + "outbound = [\"\"]\n").find("outbound in x.toml:3 (a variable has no"),
+      0U);
+  EXPECT_EQ(file_refusal(ends + "outbound = [1, 2]\n"),
             "outbound in x.toml:3 (a list where a list of names is expected) write it as "
             "[\"AutoGpsLat\", \"AutoGpsLon\"]");
-  EXPECT_EQ(refusal(ends), "x.toml (both lists are empty) add outbound or inbound = [\"A_NAME\"]");
+  EXPECT_EQ(file_refusal(ends),
+            "x.toml (both lists are empty) add outbound or inbound = [\"A_NAME\"]");
   std::string many = ends + "inbound = [\"0\"";
   for (int i = 1; i <= 4096; ++i) many += ", \"" + std::to_string(i) + "\"";
-  EXPECT_EQ(refusal(many + "]\n"),
+  EXPECT_EQ(file_refusal(many + "]\n"),
             "inbound in x.toml:3 (4097 variables, 4096 at most) make the list shorter");
 }
 
 TEST(NodeFile, RefusesWhatDoesNotFitIntoAMessage) {
   const std::string list = ends + "max_size_bytes = 40\noutbound = [\"Name\"]\n";
-  EXPECT_EQ(refusal(list + "values.Name = \"" + std::string(19, 'x') + "\"\n"), "accepted");
-  EXPECT_EQ(refusal(list + "values.Name = \"" + std::string(30, 'x') + "\"\n"),
+  EXPECT_EQ(file_refusal(list + "values.Name = \"" + std::string(19, 'x') + "\"\n"), "accepted");
+  EXPECT_EQ(file_refusal(list + "values.Name = \"" + std::string(30, 'x') + "\"\n"),
             "values.Name in x.toml:5 (it would be 46 bytes long, 6 over the limit of 40) use "
             "printable ASCII without [, ] and |, and not too much of it");
-  EXPECT_EQ(refusal(ends + "max_size_bytes = 16\ninbound = [\"LongName\"]\n"),
+  EXPECT_EQ(file_refusal(ends + "max_size_bytes = 16\ninbound = [\"LongName\"]\n"),
             "x.toml (variable \"LongName\": it would be 21 bytes long, 5 over the limit of 16) "
             "shorten the name or raise max_size_bytes");
 }
 
 TEST(NodeFile, RefusesKeysAndValues) {
   const std::string list = ends + "outbound = [\"Name\"]\n";
-  EXPECT_EQ(refusal(list + "adress = \"A\"\n"),
+  EXPECT_EQ(file_refusal(list + "adress = \"A\"\n"),
             "adress in x.toml:4 (no such key) did you mean address?");
-  EXPECT_EQ(refusal(list + "[node]\nbaud = 1\n"),
+  EXPECT_EQ(file_refusal(list + "[node]\nbaud = 1\n"),
             "node.baud in x.toml:5 (no such key) did you mean baud?");
-  EXPECT_EQ(refusal(list + "baud = 0\n"),
+  EXPECT_EQ(file_refusal(list + "baud = 0\n"),
             "baud = 0 in x.toml:4 (speed of the line must be at least 50 1/s) use a whole number "
             "50 to 4000000");
-  EXPECT_EQ(refusal(list + "query_timeout_s = nan\n"),
+  EXPECT_EQ(file_refusal(list + "query_timeout_s = nan\n"),
             "query_timeout_s = nan in x.toml:4 (not a finite number) use a value 0.01 to 86400");
-  EXPECT_EQ(refusal(list + "compressed = 1\n"),
+  EXPECT_EQ(file_refusal(list + "compressed = 1\n"),
             "compressed in x.toml:4 (a number where true or false is expected) write it so");
-  EXPECT_EQ(refusal(list + "[values]\nNmae = \"1\"\n"),
+  EXPECT_EQ(file_refusal(list + "[values]\nNmae = \"1\"\n"),
             "values.Nmae in x.toml:5 (no such outbound variable) did you mean Name?");
-  EXPECT_EQ(refusal(list + "[values]\nName = 1\n"),
+  EXPECT_EQ(file_refusal(list + "[values]\nName = 1\n"),
             "values.Name in x.toml:5 (a number where text is expected) write the value in quotes");
-  EXPECT_EQ(refusal(list + "[values]\nName = \"a]\"\n").find("values.Name in x.toml:5 (']' at"),
-            0U);
-  EXPECT_EQ(refusal(list + "[values]\n"), "accepted");
-  EXPECT_EQ(refusal(list + "address = \"A\"\n").find("syntax error in x.toml:4"), 0U);
+  EXPECT_EQ(
+      file_refusal(list + "[values]\nName = \"a]\"\n").find("values.Name in x.toml:5 (']' at"), 0U);
+  EXPECT_EQ(file_refusal(list + "[values]\n"), "accepted");
+  EXPECT_EQ(file_refusal(list + "address = \"A\"\n").find("syntax error in x.toml:4"), 0U);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ protocol::SharedNode some_node() {
   return protocol::SharedNode({.outbound = {"Goal", "a", "a=b", "?x"}, .inbound = {"Lat", "Lon"}});
 }
 
-std::string refusal(const std::string& line) {
+std::string line_refusal(const std::string& line) {
   protocol::SharedNode node = some_node();
   try {
     obey(node, line);
@@ -41,7 +41,7 @@ TEST(Instruction, SetsValues) {
   EXPECT_EQ(value_after("a=c", 1), "c");
   EXPECT_EQ(value_after("a=b=c", 2), "c") << "the longest name that fits";
   EXPECT_EQ(value_after("{\"set\": {\"Goal\": \"1\", \"?x\": \"2\"}}", 3), "2");
-  EXPECT_EQ(refusal(""), "obeyed");
+  EXPECT_EQ(line_refusal(""), "obeyed");
 }
 
 TEST(Instruction, SetsAllOrNothing) {
@@ -59,28 +59,30 @@ TEST(Instruction, AsksForVariables) {
 }
 
 TEST(Instruction, RefusesWhatCannotBeDone) {
-  EXPECT_EQ(refusal("Gaol=1"), "cannot set Gaol (no such outbound variable) did you mean Goal?");
-  EXPECT_EQ(refusal("Lat=1"),
+  EXPECT_EQ(line_refusal("Gaol=1"),
+            "cannot set Gaol (no such outbound variable) did you mean Goal?");
+  EXPECT_EQ(line_refusal("Lat=1"),
             "cannot set Lat (it is inbound, the peer's to set) ask for it by ?Lat");
-  EXPECT_EQ(refusal("Goal="),
+  EXPECT_EQ(line_refusal("Goal="),
             "cannot set Goal (an empty value cannot be sent: it says that nothing "
             "has changed) it stays as it is");
-  EXPECT_EQ(refusal("Goal=a|b"),
+  EXPECT_EQ(line_refusal("Goal=a|b"),
             "cannot set Goal ('|' at position 1 belongs to the format) it stays as it is");
-  EXPECT_EQ(refusal("?Goal"), "cannot ask for Goal (no such inbound variable) did you mean Lat?");
-  EXPECT_EQ(refusal("hello"),
+  EXPECT_EQ(line_refusal("?Goal"),
+            "cannot ask for Goal (no such inbound variable) did you mean Lat?");
+  EXPECT_EQ(line_refusal("hello"),
             "cannot read a line of stdin (neither a value nor a question) write "
             "Name=value or ?Name");
-  EXPECT_EQ(refusal("{\"set\":"),
+  EXPECT_EQ(line_refusal("{\"set\":"),
             "cannot read a line of stdin (it begins as JSON but is none) "
             "write Name=value or ?Name");
   const std::string meaningless =
       "cannot read a line of stdin (a JSON object that means nothing here) write {\"set\": "
       "{\"Name\": \"value\"}} or {\"ask\": \"Name\"}";
-  EXPECT_EQ(refusal("{\"set\": {\"Goal\": 1}}"), meaningless);
-  EXPECT_EQ(refusal("{\"ask\": [\"Lat\"]}"), meaningless);
-  EXPECT_EQ(refusal("{}"), meaningless);
-  EXPECT_EQ(refusal("Goal=" + std::string(1 << 16, 'x')),
+  EXPECT_EQ(line_refusal("{\"set\": {\"Goal\": 1}}"), meaningless);
+  EXPECT_EQ(line_refusal("{\"ask\": [\"Lat\"]}"), meaningless);
+  EXPECT_EQ(line_refusal("{}"), meaningless);
+  EXPECT_EQ(line_refusal("Goal=" + std::string(1 << 16, 'x')),
             "cannot read a line of stdin (longer than 64 KiB) write Name=value or ?Name");
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "scenarios.hpp"
 #include "sim/parts/digitised_curve.hpp"
 #include "sim/parts/parts.hpp"
 #include "sim/report/part_sheet.hpp"
@@ -12,9 +13,9 @@
 
 namespace {
 
-namespace fs = std::filesystem;
+using sim::scenarios;
 
-const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
+namespace fs = std::filesystem;
 
 class PartsCommand : public CommandLine {
  protected:

@@ -8,14 +8,15 @@
 
 #include "channel/emitter.hpp"
 #include "gtest/gtest.h"
+#include "scenarios.hpp"
 #include "sim/failure.hpp"
 #include "sim/scenario/keys.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
+using sim::scenarios;
 
-const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
+namespace fs = std::filesystem;
 
 channel::ModuleData module_of(const std::string& name, const sim::PartRoots& folders,
                               const std::string& asked = "") {

@@ -18,6 +18,8 @@
 
 using Words = std::vector<std::string>;
 
+constexpr int bad_input = 2, environment = 3;  // codes of the exit
+
 struct Outcome {
   int code = 0;  // of the exit; minus the signal's number if one killed it
   std::string out, err;

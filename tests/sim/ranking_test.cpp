@@ -17,8 +17,8 @@ using Losses = std::vector<std::vector<std::uint64_t>>;  // of 1000 frames: one 
 const sim::Axis range{"receiver.range_m", "m", "distance", {1, 2, 3, 4}};
 const sim::Axis height{"receiver.height_mm", "mm", "height", {10, 50}};
 
-sim::Axis modules(std::vector<std::string> names) {
-  sim::Axis axis{"receiver.module", "", "receiver module", {}, std::move(names)};
+sim::Axis modules(std::vector<std::string> labels) {
+  sim::Axis axis{"receiver.module", "", "receiver module", {}, std::move(labels)};
   for (std::size_t i = 0; i < axis.labels.size(); ++i)
     axis.values.push_back(static_cast<double>(i));
   return axis;
@@ -60,16 +60,16 @@ const Losses losses{{0, 0, 1000, 1000},        // between 2 and 3 m
                     {0, 900, 0, 900},          // up and down
                     {0, 1000, 1000, 1000},     // between 1 and 2 m
                     {0, 10, 150, 700}};        // fitted
-const std::vector<std::string> names{"jump", "dead", "far", "odd", "short", "fitted-part"};
+const std::vector<std::string> part_names{"jump", "dead", "far", "odd", "short", "fitted-part"};
 
 std::size_t index_of(const sim::RowCrossing& row) {
   return static_cast<std::size_t>(row.others.at(0));
 }
 
-const std::string& name_of(const sim::RowCrossing& row) { return names[index_of(row)]; }
+const std::string& name_of(const sim::RowCrossing& row) { return part_names[index_of(row)]; }
 
 TEST(Ranking, SortsTextsBestFirst) {
-  const auto result = grid(modules(names), range, losses);
+  const auto result = grid(modules(part_names), range, losses);
   std::vector<std::string> order;
   for (const auto& row : sim::rank(result).rows) order.push_back(name_of(row));
   EXPECT_EQ(order,
@@ -77,7 +77,7 @@ TEST(Ranking, SortsTextsBestFirst) {
 }
 
 TEST(Ranking, EachRowIsTheCrossingOfItsOwnSweep) {
-  const auto result = grid(modules(names), range, losses);
+  const auto result = grid(modules(part_names), range, losses);
   for (const auto& row : sim::rank(result).rows) {
     sim::ExperimentResult alone;
     alone.axes = {range};
@@ -105,28 +105,28 @@ TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
       EXPECT_EQ(p.coordinates, sim::point_coordinates(sorted.axes, i));
       const std::string& name =
           sorted.axes[text].labels[static_cast<std::size_t>(p.coordinates[text])];
-      const auto row = std::ranges::find(names, name) - names.begin();
+      const auto row = std::ranges::find(part_names, name) - part_names.begin();
       const auto column = static_cast<std::size_t>(p.coordinates[number]) - 1;
       EXPECT_EQ(p.tally.n_frames_lost, losses[static_cast<std::size_t>(row)][column]) << name;
     }
   };
-  check(grid(modules(names), falling, reversed), 0, 1);
-  sim::ExperimentResult last = turned(grid(modules(names), range, losses));
+  check(grid(modules(part_names), falling, reversed), 0, 1);
+  sim::ExperimentResult last = turned(grid(modules(part_names), range, losses));
   std::ranges::sort(last.points, {}, &sim::PointResult::coordinates);
   check(last, 1, 0);
 }
 
 TEST(BestFirst, LeavesOthersAsTheyAre) {
-  auto weighted = grid(modules(names), range, losses);
+  auto weighted = grid(modules(part_names), range, losses);
   for (sim::PointResult& p : weighted.points) p.tally.weighted.n_groups = 1;
-  EXPECT_EQ(sim::best_first(weighted, sim::rank(weighted)).axes[0].labels, names);
+  EXPECT_EQ(sim::best_first(weighted, sim::rank(weighted)).axes[0].labels, part_names);
   const sim::Axis current{"led.current_ma", "mA", "current", {10, 20, 50, 100, 200, 300}};
   const auto numbers = grid(current, range, losses);
   EXPECT_EQ(sim::best_first(numbers, sim::rank(numbers)).axes[0].values, numbers.axes[0].values);
 }
 
 TEST(Ranking, TextsMayBeTheLastAxis) {
-  const auto result = grid(modules(names), range, losses);
+  const auto result = grid(modules(part_names), range, losses);
   EXPECT_EQ(lines(turned(result)), lines(result));
 }
 

@@ -14,10 +14,7 @@
 namespace {
 
 using sim::measured_point;
-
-const std::vector<sim::Axis> text_axes{
-    {"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "a-longer-name"}},
-    {"receiver.range_m", "m", "distance", {1, 2, 3}}};
+using sim::text_axes;
 
 TEST(Json, HoldsAllCountsAndRates) {
   sim::ExperimentResult result;

@@ -7,10 +7,13 @@
 #include <sstream>
 
 #include "measured_point.hpp"
+#include "text_lines.hpp"
 
 namespace {
 
+using sim::lines_of;
 using sim::measured_point;
+using sim::text_axes;
 
 const std::vector<sim::Axis> one_axis{{"receiver.range_m", "m", "distance", {7.5}}};
 const std::vector<sim::Axis> two_axes{
@@ -18,13 +21,6 @@ const std::vector<sim::Axis> two_axes{
     {"ambient.irradiance_w_per_m2", "W/m2", "ambient irradiance", {0.6}}};
 
 std::string row(const sim::PointResult& p) { return sim::table_row(one_axis, p, 0.95); }
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -83,10 +79,6 @@ TEST(TableRow, FitsAScreenWithTwoAxes) {
   EXPECT_LE(sim::table_row(two_axes, p, 0.95).size(), 160U);
   for (const auto& line : lines_of(sim::table_header(two_axes))) EXPECT_LE(line.size(), 152U);
 }
-
-const std::vector<sim::Axis> text_axes{
-    {"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "a-longer-name"}},
-    {"receiver.range_m", "m", "distance", {1, 2, 3}}};
 
 TEST(TableRow, ShowsTextsToTheLeftInAColumnAsWideAsTheLongest) {
   sim::PointResult p = measured_point();

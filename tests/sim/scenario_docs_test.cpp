@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "scenarios.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/scenario/key_reference.hpp"
 #include "sim/scenario/keys.hpp"
@@ -13,7 +14,8 @@
 
 namespace {
 
-const std::filesystem::path scenarios = std::filesystem::path(COSYS_SOURCE_DIR) / "scenarios";
+using sim::scenarios;
+
 const std::string begin_mark = "<!-- keys: begin (printed by the program) -->\n";
 const std::string end_mark = "\n<!-- keys: end -->";
 

@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path scenarios = fs::path(COSYS_SOURCE_DIR) / "scenarios";
-
 struct Refusal {
   const char* text;
   const char* message;

@@ -1,5 +1,6 @@
 #pragma once
 // Scenarios for tests, from text, with the project's own parts.
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,11 @@
 
 namespace sim {
 
+/// Those that the project ships, with its parts.
+inline const std::filesystem::path scenarios = COSYS_SOURCE_DIR "/scenarios";
+
 inline LoadedScenario loaded(const std::string& text, const std::vector<std::string>& set = {}) {
-  return parse_scenario(text, "x.toml", set, {COSYS_SOURCE_DIR "/scenarios"});
+  return parse_scenario(text, "x.toml", set, {scenarios});
 }
 
 /// The line that refuses such a scenario; "accepted" if none does.
@@ -25,6 +29,13 @@ inline std::string refusal(const std::string& text, const std::vector<std::strin
     return failure.what();
   }
   return "accepted";
+}
+
+/// Keys as of --set, and more of them.
+inline std::vector<std::string> with(std::vector<std::string> keys,
+                                     const std::vector<std::string>& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
 }
 
 /// One point, with keys set as of --set.

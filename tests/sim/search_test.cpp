@@ -13,10 +13,10 @@
 namespace sim {
 namespace {
 
-constexpr double level = 0.01;
+constexpr double wanted_level = 0.01;
 
 /// A link whose loss rises with the logarithm of x, 1 % at `at`; stopped as a run is.
-struct Link {
+struct FallingLink {
   double at, slope;
   std::mt19937_64 random{1};
   std::vector<double> looked_at{};
@@ -24,9 +24,9 @@ struct Link {
 
   std::optional<Tally> operator()(double x) {
     looked_at.push_back(x);
-    const double logit = std::log(level / (1 - level)) + slope * std::log(x / at);
+    const double logit = std::log(wanted_level / (1 - wanted_level)) + slope * std::log(x / at);
     std::binomial_distribution<std::uint64_t> lost_of_group(8, 1 / (1 + std::exp(-logit)));
-    const StopRule rule{.max_frames = 5000, .target_flr = level};
+    const StopRule rule{.max_frames = 5000, .target_flr = wanted_level};
     Tally tally;
     while (!stop_reason(rule, tally)) {
       tally.n_frames += 8;
@@ -50,22 +50,22 @@ struct Link {
   }
 };
 
-CountAt counting(Link& link) {
+CountAt counting(FallingLink& link) {
   return [&](double x) { return link(x); };
 }
 
 TEST(Search, BracketsAJumpAsNarrowlyAsAsked) {
   for (const double at : {1.37, 8.21, 39.0}) {
-    Link link{.at = at, .slope = 2000};
-    search({.low = 1, .high = 40, .tolerance = 0.005}, level, counting(link));
+    FallingLink link{.at = at, .slope = 2000};
+    search({.low = 1, .high = 40, .tolerance = 0.005}, wanted_level, counting(link));
     EXPECT_LT(link.nearest_above() / link.nearest_below(), 1.0051) << at;
     EXPECT_LE(link.looked_at.size(), 12u) << at;
   }
 }
 
 TEST(Search, LooksBesideAPointAtTheLevel) {
-  Link link{.at = std::sqrt(40.0), .slope = 2};
-  search({.low = 1, .high = 40}, level, counting(link));
+  FallingLink link{.at = std::sqrt(40.0), .slope = 2};
+  search({.low = 1, .high = 40}, wanted_level, counting(link));
   ASSERT_EQ(link.looked_at.size(), 5u);  // the ends, the middle, and between
   EXPECT_NEAR(link.looked_at[2], link.at, 0.01);
 }
@@ -76,7 +76,7 @@ TEST(Search, FallingLossTooAndValuesThatAreNotPositive) {
     looked_at.push_back(x);
     return Tally{.n_frames = 2000, .n_frames_lost = x < -3.3 ? 2000u : 0u};
   };
-  search({.low = -10, .high = 10, .tolerance = 0.01}, level, falls);
+  search({.low = -10, .high = 10, .tolerance = 0.01}, wanted_level, falls);
   std::ranges::sort(looked_at);
   const auto above = std::ranges::upper_bound(looked_at, -3.3);
   EXPECT_LT(*above - *(above - 1), 0.1 + 1e-9);
@@ -88,16 +88,16 @@ TEST(Search, WholeNumbersStayWhole) {
     looked_at.push_back(x);
     return Tally{.n_frames = 2000, .n_frames_lost = x >= 13 ? 2000u : 0u};
   };
-  search({.low = 1, .high = 100, .tolerance = 1e-9, .whole_numbers = true}, level, count);
+  search({.low = 1, .high = 100, .tolerance = 1e-9, .whole_numbers = true}, wanted_level, count);
   EXPECT_EQ(std::ranges::count(looked_at, 12), 1);
   EXPECT_EQ(std::ranges::count(looked_at, 13), 1);
   for (const double x : looked_at) EXPECT_EQ(x, std::round(x));
 }
 
 TEST(Search, EndsWhereThereIsNothingToFind) {
-  for (const std::uint64_t lost : {0u, 20u, 2000u}) {  // below, about at the level, above
+  for (const std::uint64_t lost : {0u, 20u, 2000u}) {  // below, about at the wanted_level, above
     int looks = 0;
-    search({.low = 1, .high = 40}, level, [&](double) {
+    search({.low = 1, .high = 40}, wanted_level, [&](double) {
       ++looks;
       return Tally{.n_frames = 2000, .n_frames_lost = lost};
     });
@@ -107,7 +107,7 @@ TEST(Search, EndsWhereThereIsNothingToFind) {
 
 TEST(Search, EndsAtOnceWhenInterrupted) {
   int looks = 0;
-  search({.low = 1, .high = 40}, level, [&](double) -> std::optional<Tally> {
+  search({.low = 1, .high = 40}, wanted_level, [&](double) -> std::optional<Tally> {
     if (++looks == 4) return std::nullopt;
     return Tally{.n_frames = 2000, .n_frames_lost = looks == 2 ? 2000u : 0u};
   });
@@ -117,7 +117,7 @@ TEST(Search, EndsAtOnceWhenInterrupted) {
 // Few frames do not tell that none of them is lost, but they tell the other side.
 TEST(Search, AnEndOfWhichTooLittleIsKnownDoesNotEndIt) {
   std::vector<double> looked_at;
-  search({.low = 1, .high = 40}, level, [&](double x) {
+  search({.low = 1, .high = 40}, wanted_level, [&](double x) {
     looked_at.push_back(x);
     return Tally{.n_frames = 100, .n_frames_lost = x > 2.16 ? 100u : 0u};
   });
@@ -125,7 +125,7 @@ TEST(Search, AnEndOfWhichTooLittleIsKnownDoesNotEndIt) {
   const auto above = std::ranges::upper_bound(looked_at, 2.16);
   EXPECT_LT(*above / *(above - 1), 1.011);
   looked_at.clear();
-  search({.low = 1, .high = 40}, level, [&](double x) {
+  search({.low = 1, .high = 40}, wanted_level, [&](double x) {
     looked_at.push_back(x);
     return Tally{.n_frames = 100, .n_frames_lost = x < 2.16 ? 100u : 0u};
   });
@@ -134,11 +134,11 @@ TEST(Search, AnEndOfWhichTooLittleIsKnownDoesNotEndIt) {
   EXPECT_LT(*below / *(below - 1), 1.011);
 }
 
-// A grid as fine as the bracket takes 5000 frames at each point that is near the level.
+// A grid as fine as the bracket takes 5000 frames at each point that is near the wanted_level.
 TEST(Search, TakesFarFewerFramesThanAGrid) {
-  Link link{.at = 8, .slope = 100};
-  search({.low = 1, .high = 40}, level, counting(link));
-  Link grid{.at = 8, .slope = 100};
+  FallingLink link{.at = 8, .slope = 100};
+  search({.low = 1, .high = 40}, wanted_level, counting(link));
+  FallingLink grid{.at = 8, .slope = 100};
   for (double x = 1; x < 40; x *= 1.01) grid(x);
   EXPECT_LT(10 * link.frames, grid.frames);
 }

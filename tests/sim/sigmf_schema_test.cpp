@@ -7,7 +7,7 @@
 
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class SigmfSchema : public CommandLine {
  protected:
@@ -31,9 +31,9 @@ class SigmfSchema : public CommandLine {
   }
 
   /// The same of t.sigmf-meta with a value in it changed.
-  std::string problems_with(const char* pointer, const json& value) const {
-    json meta = json::parse(content(path("t.sigmf-meta")));
-    meta[json::json_pointer(pointer)] = value;
+  std::string problems_with(const char* pointer, const Json& value) const {
+    Json meta = Json::parse(content(path("t.sigmf-meta")));
+    meta[Json::json_pointer(pointer)] = value;
     std::filesystem::copy_file(path("t.sigmf-data"), path("u.sigmf-data"),
                                std::filesystem::copy_options::overwrite_existing);
     write("u.sigmf-meta", meta.dump());
@@ -55,9 +55,9 @@ TEST_F(SigmfSchema, SeesWhatIsWrong) {
   EXPECT_NE(problems_with("/annotations/0/core:sample_start", 1'000'000'000), "");
   EXPECT_NE(problems_with("/annotations/0/core:sample_start", 50'000), "");
   EXPECT_NE(problems_with("/annotations/0/core:freq_lower_edge", 60e3), "");
-  EXPECT_NE(problems_with("/captures/0", json::object()), "");
+  EXPECT_NE(problems_with("/captures/0", Json::object()), "");
   EXPECT_NE(problems_with("/global/core:sha512", std::string(128, '0')), "");
-  EXPECT_NE(problems_with("/global/core:extensions/0", json{{"name", "cosys"}}), "");
+  EXPECT_NE(problems_with("/global/core:extensions/0", Json{{"name", "cosys"}}), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "decibels.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
@@ -13,8 +14,6 @@
 
 namespace sim {
 namespace {
-
-double ratio_of(double db) { return std::pow(10, db / 10); }
 
 Link decision_link(const std::string& module, double db, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"receiver.module=" + module, "receiver.ebn0_db=" + std::to_string(db),

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "decibels.hpp"
+
 namespace sim {
 namespace {
-
-double ratio_of(double db) { return std::pow(10, db / 10); }
 
 void expect_equal(double value, double golden) { EXPECT_NEAR(value / golden, 1, 2e-11) << golden; }
 

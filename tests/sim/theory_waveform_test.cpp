@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "decibels.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
@@ -15,8 +16,6 @@
 
 namespace sim {
 namespace {
-
-double ratio_of(double db) { return std::pow(10, db / 10); }
 
 std::vector<std::string> keys_of(const std::string& module, double db,
                                  std::vector<std::string> more = {}) {

@@ -1,0 +1,22 @@
+#pragma once
+// A text by its lines, without their ends.
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The last line, with the end that it has.
+inline std::string last_line(const std::string& text) {
+  const std::size_t end = text.rfind('\n', text.size() - 2);
+  return text.substr(end == std::string::npos ? 0 : end + 1);
+}
+
+}  // namespace sim
