@@ -12,7 +12,7 @@
 namespace channel {
 namespace {
 
-std::vector<double> cosine(std::size_t n, double cycles, double phase, double offset = 0) {
+std::vector<double> sampled_cosine(std::size_t n, double cycles, double phase, double offset = 0) {
   std::vector<double> x(n);
   for (std::size_t i = 0; i < n; ++i)
     x[i] = offset + std::cos(2 * std::numbers::pi * (cycles * static_cast<double>(i) + phase));
@@ -39,19 +39,19 @@ double exceeded(const Detector& detector, std::size_t n, double threshold) {
 }
 
 TEST(SynchronousDetector, GivesTheRootOfTheEnergyThatVaries) {
-  const auto x = cosine(100, 0.05, 0.13, 7);  // whole cycles: energy of the cosine n / 2
+  const auto x = sampled_cosine(100, 0.05, 0.13, 7);  // whole cycles: energy of the cosine n / 2
   EXPECT_NEAR(SynchronousDetector(x)(x), std::sqrt(50), 1e-9);
 }
 
 TEST(SynchronousDetector, DoesNotSeeSteadyLight) {
-  const auto x = cosine(97, 0.053, 0.1);
+  const auto x = sampled_cosine(97, 0.053, 0.1);
   EXPECT_NEAR(SynchronousDetector(x)(std::vector<double>(97, 3.0)), 0, 1e-12);
   EXPECT_TRUE(SynchronousDetector(std::vector<double>(97, 3.0)).blind());
   EXPECT_FALSE(SynchronousDetector(x).blind());
 }
 
 TEST(SynchronousDetector, IsStandardNormalInNoise) {
-  const SynchronousDetector detector(cosine(23, 0.27, 0.3, 1));
+  const SynchronousDetector detector(sampled_cosine(23, 0.27, 0.3, 1));
   EXPECT_NEAR(exceeded(detector, 23, 1.0), 0.15866, 4 * std::sqrt(0.1587 * 0.8413 / 20000));
 }
 
@@ -61,7 +61,7 @@ constexpr std::array odd_frequencies{0.0731, 0.0271, 0.4913, 2.95};
 TEST(GoertzelDetector, GivesTheEnergyOfAnyPhaseAndIgnoresTheMean) {
   for (const double f : odd_frequencies)
     for (const double phase : {0.0, 0.21, 0.77}) {
-      const auto x = cosine(23, f, phase, 40);
+      const auto x = sampled_cosine(23, f, phase, 40);
       const double root = SynchronousDetector(x)(x);  // of the energy of what varies
       EXPECT_NEAR(GoertzelDetector(f, 23)(x), root * root, 1e-7) << f << " " << phase;
     }

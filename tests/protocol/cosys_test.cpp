@@ -34,7 +34,7 @@ std::vector<CosysFrame> decode(std::string_view stream) {
 
 std::string text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
-std::string random_message(Random& random, std::size_t longest) {
+std::string random_text(Random& random, std::size_t longest) {
   std::string message(random() % (longest + 1), ' ');
   for (char& c : message) c = static_cast<char>(' ' + random() % 95);
   return message;
@@ -60,7 +60,7 @@ TEST(Cosys, DecodingUndoesEncoding) {
   Random random(11);
   CosysDecoder decoder;
   for (int i = 0; i < 3000; ++i) {
-    const std::string message = random_message(random, longest_message);
+    const std::string message = random_text(random, longest_message);
     const auto frames = decode(decoder, text(cosys_encode(message)));
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].outcome, CosysOutcome::ok);
@@ -74,7 +74,7 @@ TEST(Cosys, RoundTripOverTheLineThroughEveryReceiver) {
     std::vector<std::string> sent;
     Bytes bytes;
     for (int i = 0; i < 30; ++i) {
-      sent.push_back(random_message(random, 40));
+      sent.push_back(random_text(random, 40));
       const Bytes line = cosys_encode(sent.back());
       bytes.insert(bytes.end(), line.begin(), line.end());
     }

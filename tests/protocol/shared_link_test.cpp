@@ -54,7 +54,7 @@ std::string checked(const std::string& text) {
          digits[static_cast<std::size_t>(sum % 16)] + "]";
 }
 
-SharedLinkMessage random_message(Random& random) {
+SharedLinkMessage random_link_message(Random& random) {
   const auto address = [&] { return static_cast<char>('A' + random() % 16); };
   SharedLinkMessage message{address(), address(), {}};
   constexpr std::array types{Type::index, Type::data, Type::query, Type::reply};
@@ -86,7 +86,7 @@ TEST(SharedLink, WhatPeopleWriteHasNoFormat) {
 TEST(SharedLinkLaw, TextAndMessageAreTheSame) {
   Random random(7);
   for (int i = 0; i < 1000; ++i) {
-    const SharedLinkMessage message = random_message(random);
+    const SharedLinkMessage message = random_link_message(random);
     SharedLinkMessage read;
     EXPECT_FALSE(parse_shared_link(shared_link_text(message), read));
     EXPECT_EQ(read, message);
@@ -117,7 +117,7 @@ TEST(SharedLink, DecodingUndoesEncoding) {
   Random random(7);
   SharedLinkDecoder decoder;
   for (int i = 0; i < 2000; ++i) {
-    const SharedLinkMessage message = random_message(random);
+    const SharedLinkMessage message = random_link_message(random);
     ASSERT_FALSE(problem_in_message(message)) << *problem_in_message(message);
     const auto frames = decode(line_of(message), decoder);
     ASSERT_EQ(frames.size(), 1u);

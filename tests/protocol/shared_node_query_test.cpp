@@ -18,7 +18,7 @@ using dsp::Seconds;
 const Seconds byte_time = bits_per_byte * dsp::period(test::baud);
 constexpr std::size_t n_variables = 60;
 
-std::vector<std::string> names() {
+std::vector<std::string> query_names() {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < n_variables; ++i) all.push_back("Var" + std::to_string(100 + i));
   return all;
@@ -61,12 +61,12 @@ class Asking : public testing::Test {
   explicit Asking(Seconds full_set_every = Seconds(3600))
       : a({.address = 'A',
            .peer = 'B',
-           .inbound = names(),
+           .inbound = query_names(),
            .query_timeout = Seconds(5),
            .byte_time = byte_time}),
         b({.address = 'B',
            .peer = 'A',
-           .outbound = names(),
+           .outbound = query_names(),
            .full_set_every = full_set_every,
            .byte_time = byte_time}) {
     for (std::size_t i = 0; i < n_variables; ++i)

@@ -22,7 +22,7 @@ std::vector<std::string> names(std::size_t n) {
   return all;
 }
 
-std::vector<std::string> values(const std::vector<SharedVariable>& list) {
+std::vector<std::string> data_of(const std::vector<SharedVariable>& list) {
   std::vector<std::string> all;
   for (const SharedVariable& variable : list) all.push_back(variable.value);
   return all;
@@ -76,7 +76,7 @@ TEST(SharedNode, SendsTheMessageOfTheProtocol) {
   SharedNode a({.address = 'A', .peer = 'B', .inbound = names(4)});
   EXPECT_EQ(hear(a, bytes_of("[:AB|N0|D40.12345678|D-113.12345678|D85.6|D22.1|CD4]\r\n")),
             (std::vector<std::size_t>{0, 1, 2, 3}));
-  EXPECT_EQ(values(a.inbound()), sent);
+  EXPECT_EQ(data_of(a.inbound()), sent);
 }
 
 TEST(SharedNode, LeavesOutWhatHasNotChanged) {
@@ -103,7 +103,7 @@ TEST(SharedNode, SplitsLongLists) {
   const Bytes all = pair.b.transmit(Seconds(0));
   EXPECT_GT(pair.b.counts().sent, 20u);
   EXPECT_EQ(hear(pair.a, all).size(), 100u);
-  EXPECT_EQ(values(pair.a.inbound()), values(pair.b.outbound()));
+  EXPECT_EQ(data_of(pair.a.inbound()), data_of(pair.b.outbound()));
   EXPECT_EQ(pair.a.counts().accepted, pair.b.counts().sent);
 }
 
@@ -201,7 +201,7 @@ TEST(SharedNode, EachMisfitIsCounted) {
   EXPECT_EQ(a.counts().unknown_asked, 1u);
   EXPECT_EQ(a.counts().accepted, 2u);
   EXPECT_EQ(a.counts().rejected[static_cast<std::size_t>(SharedLinkOutcome::wrong_checksum)], 1u);
-  EXPECT_EQ(values(a.inbound()), (std::vector<std::string>{"", ""})) << "nothing of a bad message";
+  EXPECT_EQ(data_of(a.inbound()), (std::vector<std::string>{"", ""})) << "nothing of a bad message";
 }
 
 TEST(SharedNode, WhatCannotBeIsRefused) {
@@ -236,7 +236,7 @@ void change(SharedNode& node, Random& random) {
 }
 
 /// One byte changed, lost or added.
-Bytes damaged(Bytes bytes, Random& random) {
+Bytes damaged_line(Bytes bytes, Random& random) {
   if (bytes.empty()) return bytes;
   const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(random() % bytes.size());
   const auto byte = static_cast<std::uint8_t>(1 + random() % 255);
@@ -262,14 +262,14 @@ TEST(SharedNodeLaw, DamageNeverMisplacesAValueAndAFullSetMendsAll) {
     double now = 0;
     for (int turn = 0; turn < 20; ++turn, now += 0.3) {
       change(pair.b, random);
-      hear(pair.a, damaged(pair.b.transmit(Seconds(now)), random), Seconds(now));
+      hear(pair.a, damaged_line(pair.b.transmit(Seconds(now)), random), Seconds(now));
       for (std::size_t i = 0; i < pair.a.inbound().size(); ++i) {
         const std::string& value = pair.a.inbound()[i].value;
         ASSERT_TRUE(value.empty() || value.starts_with(std::to_string(i) + ":")) << i << value;
       }
     }
     hear(pair.a, pair.b.transmit(Seconds(now + 1)), Seconds(now + 1));
-    ASSERT_EQ(values(pair.a.inbound()), values(pair.b.outbound()));
+    ASSERT_EQ(data_of(pair.a.inbound()), data_of(pair.b.outbound()));
   }
 }
 
@@ -289,7 +289,7 @@ TEST(SharedNodeLaw, CompressionNeverChangesWhatIsHeldInTheEnd) {
       plain_bytes += all.size();
       hear(compressed.a, few, now);
       hear(plain.a, all, now);
-      ASSERT_EQ(values(compressed.a.inbound()), values(plain.a.inbound()));
+      ASSERT_EQ(data_of(compressed.a.inbound()), data_of(plain.a.inbound()));
     }
     EXPECT_LE(bytes, plain_bytes);
   }
@@ -307,7 +307,7 @@ TEST(SharedNodeLaw, RecoversFromAnyGarbage) {
     const auto accepted = pair.a.counts().accepted;
     hear(pair.a, pair.b.transmit(Seconds(run)), Seconds(run));
     ASSERT_GT(pair.a.counts().accepted, accepted);
-    ASSERT_EQ(values(pair.a.inbound()), values(pair.b.outbound()));
+    ASSERT_EQ(data_of(pair.a.inbound()), data_of(pair.b.outbound()));
   }
 }
 

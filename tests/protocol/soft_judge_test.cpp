@@ -21,7 +21,7 @@ SoftCharacter character(std::uint8_t value, Seconds at, double mismatch) {
   return c;
 }
 
-Characters line_of(const std::string& message, double at_s, double mismatch_a_character) {
+Characters soft_line_of(const std::string& message, double at_s, double mismatch_a_character) {
   Characters line;
   for (const std::uint8_t byte : cosys_encode(message))
     line.push_back(character(byte, Seconds(at_s), mismatch_a_character));
@@ -29,9 +29,15 @@ Characters line_of(const std::string& message, double at_s, double mismatch_a_ch
 }
 
 /// Believed alone; believed if it was heard; not believed.
-Characters clear(const std::string& message, double at_s) { return line_of(message, at_s, 0.55); }
-Characters weak(const std::string& message, double at_s) { return line_of(message, at_s, 0.65); }
-Characters faint(const std::string& message, double at_s) { return line_of(message, at_s, 1.05); }
+Characters clear(const std::string& message, double at_s) {
+  return soft_line_of(message, at_s, 0.55);
+}
+Characters weak(const std::string& message, double at_s) {
+  return soft_line_of(message, at_s, 0.65);
+}
+Characters faint(const std::string& message, double at_s) {
+  return soft_line_of(message, at_s, 1.05);
+}
 
 class Memory : public testing::Test {
  protected:
@@ -128,7 +134,7 @@ bool is_repeated(const Characters& line, const std::string& message) {
 TEST(SoftJudge, PutsRightNoMoreThanItMay) {
   const std::string message = "IND 011111 OK";
   const auto wrong = [&](double first, double second) {
-    return with(line_of(message, 1, 0), {{0, 0, -first}, {4, 1, -second}});
+    return with(soft_line_of(message, 1, 0), {{0, 0, -first}, {4, 1, -second}});
   };
   EXPECT_TRUE(is_believed(wrong(0.9, 0.5), message));
   EXPECT_FALSE(is_believed(wrong(0.9, 0.7), message));
@@ -140,7 +146,7 @@ TEST(SoftJudge, PutsRightNoMoreThanItMay) {
 TEST(SoftJudge, WantsOtherLinesToBeFurtherOff) {
   const std::string message = "IND 011111 OK";
   const auto doubtful = [&](double each) {
-    return with(line_of(message, 1, 0), {{2, 3, each}, {7, 3, each}});
+    return with(soft_line_of(message, 1, 0), {{2, 3, each}, {7, 3, each}});
   };
   EXPECT_TRUE(is_believed(doubtful(0.5), message));
   EXPECT_FALSE(is_believed(doubtful(0.4), message));
@@ -153,7 +159,7 @@ TEST(SoftJudge, CountsLinesOfOtherChecksums) {
   const std::string message = "IND 011111 OK";  // 46
   const std::size_t digit = message.size() + 2;
   const auto doubtful = [&](double each) {
-    return with(line_of(message, 1, 0), {{5, 0, each}, {digit, 0, each}});
+    return with(soft_line_of(message, 1, 0), {{5, 0, each}, {digit, 0, each}});
   };
   EXPECT_TRUE(is_believed(doubtful(0.5), message));
   EXPECT_FALSE(is_believed(doubtful(0.4), message));

@@ -13,7 +13,7 @@ double share(const SenderTally& tally, FrameFate fate) {
 }
 
 /// Of the first device.
-SenderTally tally_of(const std::string& scene, const std::vector<std::string>& set = {}) {
+SenderTally sender_tally(const std::string& scene, const std::vector<std::string>& set = {}) {
   return arena_point(two_minutes + scene, set).tally.senders.front();
 }
 
@@ -22,7 +22,7 @@ SenderTally tally_of(const std::string& scene, const std::vector<std::string>& s
 constexpr double first_messages = 0.03;
 
 TEST(FrameFates, NearAndAloneAllIsDelivered) {
-  const SenderTally tally = tally_of(device("a", "1"));
+  const SenderTally tally = sender_tally(device("a", "1"));
   EXPECT_GT(tally.messages(), 100u);
   EXPECT_GT(share(tally, FrameFate::delivered), 1 - first_messages);
   EXPECT_EQ(tally[FrameFate::out_of_reach] + tally[FrameFate::agc] + tally[FrameFate::collision],
@@ -32,13 +32,14 @@ TEST(FrameFates, NearAndAloneAllIsDelivered) {
 }
 
 TEST(FrameFates, ABusyDeviceIsSilent) {
-  const SenderTally tally = tally_of(device("a", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6"));
+  const SenderTally tally =
+      sender_tally(device("a", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6"));
   EXPECT_EQ(share(tally, FrameFate::silent), 1);
   EXPECT_EQ(tally.sent() + tally.airtime_us, 0u);
 }
 
 TEST(FrameFates, AFarDeviceIsOutOfReach) {
-  const SenderTally tally = tally_of(device("a", "100"));
+  const SenderTally tally = sender_tally(device("a", "100"));
   EXPECT_EQ(share(tally, FrameFate::out_of_reach), 1);
   EXPECT_EQ(tally.n_in_reach + tally.airtime_in_reach_us, 0u);
   EXPECT_GT(tally.airtime_us, 0u);
@@ -46,7 +47,7 @@ TEST(FrameFates, AFarDeviceIsOutOfReach) {
 
 // Noise lifts light that is a little less than the module hears: what it delivers was in reach.
 TEST(FrameFates, WhatIsDeliveredFromBelowReachWasInReach) {
-  const SenderTally tally = tally_of(device("a", "12.4"));
+  const SenderTally tally = sender_tally(device("a", "12.4"));
   ASSERT_GT(tally[FrameFate::out_of_reach], 0u);
   ASSERT_GT(tally[FrameFate::delivered], 0u);
   EXPECT_EQ(tally.n_in_reach, tally.sent() - tally[FrameFate::out_of_reach]);
@@ -57,25 +58,26 @@ TEST(FrameFates, WhatIsDeliveredFromBelowReachWasInReach) {
 TEST(FrameFates, ASlowAgcKillsFromTwoMetresOn) {
   const std::string pauses = "interval_min_ms = 600\ninterval_max_ms = 1200";
   const std::vector<std::string> tsop{"receiver.module=TSOP4856"};
-  const SenderTally near = tally_of(device("a", "1", pauses), tsop);
+  const SenderTally near = sender_tally(device("a", "1", pauses), tsop);
   EXPECT_GT(share(near, FrameFate::delivered), 1 - first_messages);
   EXPECT_EQ(near[FrameFate::agc], 0u);
-  const SenderTally far = tally_of(device("a", "3", pauses), tsop);
+  const SenderTally far = sender_tally(device("a", "3", pauses), tsop);
   EXPECT_GT(share(far, FrameFate::agc), 0.8);
   EXPECT_GT(share(far, FrameFate::agc) + share(far, FrameFate::delivered), 1 - first_messages);
 }
 
 TEST(FrameFates, TwoOfEqualLightCollide) {
-  const SenderTally tally = tally_of(device("a", "1", without_pause) +
-                                     device("b", "1", "carrier_error_ppm = 700\n" + without_pause));
+  const SenderTally tally =
+      sender_tally(device("a", "1", without_pause) +
+                   device("b", "1", "carrier_error_ppm = 700\n" + without_pause));
   EXPECT_EQ(tally.n_overlapped, tally.messages());
   EXPECT_GT(share(tally, FrameFate::collision), 0.95);
 }
 
 TEST(FrameFates, NobodyCollidesWithTheSilentNorWithTheFar) {
-  const SenderTally tally =
-      tally_of(device("a", "1") + device("far", "100", without_pause) +
-               device("quiet", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6\n" + without_pause));
+  const SenderTally tally = sender_tally(
+      device("a", "1") + device("far", "100", without_pause) +
+      device("quiet", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6\n" + without_pause));
   EXPECT_GT(tally.n_in_reach, 100u);
   EXPECT_EQ(tally.n_overlapped, 0u);
   EXPECT_EQ(tally[FrameFate::collision], 0u);
@@ -95,14 +97,14 @@ TEST(FrameFates, TheStrongerCaptures) {
 
 // A clock that is 7 % slow puts the last bit of each character where its stop bit should be.
 TEST(FrameFates, AWrongClockIsTheUartsLoss) {
-  const SenderTally tally = tally_of(device("a", "1", "clock_error_ppm = -70000"));
+  const SenderTally tally = sender_tally(device("a", "1", "clock_error_ppm = -70000"));
   EXPECT_EQ(share(tally, FrameFate::uart), 1);
 }
 
 // At the edge of what noise allows single bits are wrong, seldom one that starts or ends a
 // character.
 TEST(FrameFates, ASingleWrongBitIsTheChecksumsLoss) {
-  const SenderTally tally = tally_of(device("a", "11"), {"noise.scale=8"});
+  const SenderTally tally = sender_tally(device("a", "11"), {"noise.scale=8"});
   EXPECT_EQ(tally.n_in_reach, tally.messages());
   EXPECT_EQ(tally[FrameFate::checksum] + tally[FrameFate::uart] + tally[FrameFate::delivered],
             tally.messages());

@@ -22,7 +22,7 @@ std::string line_of(const std::string& text, const std::vector<std::string>& set
 
 const std::string one = "experiment = \"arena\"\n[devices.a]\nx_m = 1\n";
 
-std::string with(const std::string& line) { return line_of(one + line + "\n"); }
+std::string line_with(const std::string& line) { return line_of(one + line + "\n"); }
 
 TEST(ArenaRefusals, OneDeviceIsEnough) { EXPECT_EQ(line_of(one), "accepted"); }
 
@@ -56,27 +56,28 @@ TEST(ArenaRefusals, ADeviceWithoutANameOrPlace) {
   EXPECT_EQ(
       line_of("experiment = \"arena\"\n[devices.\"a b\"]\nx_m = 1\n"),
       "devices.a b.x_m in x.toml:3 (no name of a device) use letters, digits, - and _ for it");
-  EXPECT_EQ(with("y = 1"), "devices.a.y in x.toml:4 (no such key) did you mean devices.a.y_m?");
+  EXPECT_EQ(line_with("y = 1"),
+            "devices.a.y in x.toml:4 (no such key) did you mean devices.a.y_m?");
 }
 
 TEST(ArenaRefusals, TwoDevicesOfOneName) {
-  EXPECT_EQ(with("count = 3\n[devices.a-2]\nx_m = 1"),
+  EXPECT_EQ(line_with("count = 3\n[devices.a-2]\nx_m = 1"),
             "devices.a-2 (another device is named a-2 too) rename one of the two");
 }
 
 TEST(ArenaRefusals, NumbersOutOfRange) {
-  EXPECT_EQ(with("count = 0"),
+  EXPECT_EQ(line_with("count = 0"),
             "devices.a.count = 0 in x.toml:4 (devices of this kind must be at least 1) use a whole "
             "number 1 to 1000");
-  EXPECT_EQ(with("leds = 2.5"),
+  EXPECT_EQ(line_with("leds = 2.5"),
             "devices.a.leds = 2.5 in x.toml:4 (LEDs in even steps around the device: only whole "
             "numbers) use a whole number 1 to 36");
   EXPECT_EQ(
-      with("interval_min_ms = 5000"),
+      line_with("interval_min_ms = 5000"),
       "devices.a.interval_min_ms = 5000 in x.toml:4 with devices.a.interval_max_ms = 900 by "
       "default (the shortest pause cannot exceed the longest) lower devices.a.interval_min_ms "
       "to 900 or raise devices.a.interval_max_ms to 5000");
-  EXPECT_EQ(with("current_ma = 1200"),
+  EXPECT_EQ(line_with("current_ma = 1200"),
             "devices.a.current_ma = 1200 in x.toml:4 (the data of TSAL6200 end at 997 mA) use at "
             "most 997");
   EXPECT_EQ(line_of(one + "[sweep]\ndevices.a.current_ma = [100, 1200]\n"),
@@ -85,41 +86,41 @@ TEST(ArenaRefusals, NumbersOutOfRange) {
 }
 
 TEST(ArenaRefusals, AWayThatTakesLongerThanARunMay) {
-  EXPECT_EQ(with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01"),
+  EXPECT_EQ(line_with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01"),
             "path.speed_m_per_s = 0.01 in x.toml:6 (the way takes 90000 s, a run 86400 at most) "
             "raise it, or set arena.duration_s");
-  EXPECT_EQ(with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01\n[arena]\nduration_s = 10"),
+  EXPECT_EQ(line_with("[path]\nx_m = [0, 900]\nspeed_m_per_s = 0.01\n[arena]\nduration_s = 10"),
             "accepted");
 }
 
 TEST(ArenaRefusals, ATemperatureOfWhichADevicesOwnLedIsNotKnown) {
-  EXPECT_EQ(with("led = \"IR333-A\"\n[led]\ntemperature_c = 40"),
+  EXPECT_EQ(line_with("led = \"IR333-A\"\n[led]\ntemperature_c = 40"),
             "led.temperature_c = 40 in x.toml:6 (the data of IR333-A hold for one temperature) use "
             "25");
 }
 
 TEST(ArenaRefusals, ListsThatAreNone) {
-  EXPECT_EQ(with("[path]\nx_m = [0, 2000]"),
+  EXPECT_EQ(line_with("[path]\nx_m = [0, 2000]"),
             "path.x_m = 2000 in x.toml:5 (way-points along x must be at most 1000 m) use a value "
             "-1000 to 1000");
-  EXPECT_EQ(with("[path]\nx_m = [0, nan]"),
+  EXPECT_EQ(line_with("[path]\nx_m = [0, nan]"),
             "path.x_m = 0,nan in x.toml:5 (not a finite number) write a finite one");
-  EXPECT_EQ(with("[path]\nx_m = \"0,far\""),
+  EXPECT_EQ(line_with("[path]\nx_m = \"0,far\""),
             "path.x_m = 0,far in x.toml:5 (\"far\" is not a number) write a:step:b, such as "
             "1:0.5:20, or a list, such as 1,2,5");
-  EXPECT_EQ(with("[path]\nx_m = true"),
+  EXPECT_EQ(line_with("[path]\nx_m = true"),
             "path.x_m in x.toml:5 (true or false where a list of numbers is expected) write [1, 2, "
             "5]");
-  EXPECT_EQ(with("intervals_ms = [5, -1]"),
+  EXPECT_EQ(line_with("intervals_ms = [5, -1]"),
             "devices.a.intervals_ms = -1 in x.toml:4 (pauses in turn, instead of those must be at "
             "least 0 ms) use a value 0 to 1000000");
   std::string many = "intervals_ms = [1";
   for (int i = 0; i < 5000; ++i) many += ", 1";
-  EXPECT_NE(with(many + ", inf]").find("..."), std::string::npos);
+  EXPECT_NE(line_with(many + ", inf]").find("..."), std::string::npos);
 }
 
 TEST(ArenaRefusals, ListsThatDoNotFit) {
-  EXPECT_EQ(with("[path]\nx_m = [0, 1, 2]\ny_m = [0, 1]"),
+  EXPECT_EQ(line_with("[path]\nx_m = [0, 1, 2]\ny_m = [0, 1]"),
             "path.y_m has 2 numbers (the way has 3 way-points) give one or 3");
 }
 
@@ -129,13 +130,13 @@ TEST(ArenaRefusals, ListsAreNoSweep) {
 }
 
 TEST(ArenaRefusals, MessagesThatNobodyCanSend) {
-  EXPECT_EQ(with("messages = [\"OK\", \"\\u0007\"]"),
+  EXPECT_EQ(line_with("messages = [\"OK\", \"\\u0007\"]"),
             "devices.a.messages = \"OK??\" in x.toml:4 (byte 0x07 at position 0 is not printable "
             "ASCII, 0x20 to 0x7e) use printable ASCII, at most 252 characters");
-  EXPECT_EQ(with("messages = \"A\\nB\""),
+  EXPECT_EQ(line_with("messages = \"A\\nB\""),
             "devices.a.messages in x.toml:4 (a line break in a message) write [\"A\", \"B\"] for "
             "several messages");
-  EXPECT_EQ(with("messages = []"),
+  EXPECT_EQ(line_with("messages = []"),
             "devices.a.messages in x.toml:4 (a list where a text or a list of texts is "
             "expected) write [\"A\", \"B\"]");
   const std::string long_one(250, 'x');
@@ -152,10 +153,10 @@ TEST(ArenaRefusals, MessagesThatNobodyCanSend) {
 
 TEST(ArenaRefusals, UnknownNames) {
   EXPECT_EQ(
-      with("source = \"random\""),
+      line_with("source = \"random\""),
       "devices.a.source = \"random\" in x.toml:4 (the choice of the message sent is one of a list) "
       "use fixed or list or counter or status");
-  EXPECT_NE(with("led = \"TSAL9\"")
+  EXPECT_NE(line_with("led = \"TSAL9\"")
                 .find("devices.a.led = \"TSAL9\" in x.toml:4 (no LED of this "
                       "name"),
             std::string::npos);

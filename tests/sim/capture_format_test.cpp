@@ -152,12 +152,12 @@ TEST_F(CaptureFormat, GarbageIsReadOrRefused) {
 
 // --- what is particular to each
 
-const std::string pulses =
+const std::string pulse_text =
     ";pulse data\n;version 1\n;timescale 1us\n;ook 2 pulses\n;freq1 0\n"
     "1667 3333\n5000 20000\n;end\n";
 
 TEST_F(CaptureFormat, PulsesAreLightOnAnIdleLine) {
-  const auto wire = wires(pulses, "ook").at(0);
+  const auto wire = wires(pulse_text, "ook").at(0);
   EXPECT_EQ(wire.name, "rx");
   EXPECT_TRUE(wire.trace.initial());
   const auto flips = flips_us(wire.trace);

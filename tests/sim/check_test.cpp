@@ -62,7 +62,7 @@ OwnDecoder sampling_at(double part) {
 }
 
 /// A weak signal from a device whose clock is slow, or not.
-JudgedPoint point_of(const char* clock_error_ppm, const char* range_m = "12.4") {
+JudgedPoint judged_point(const char* clock_error_ppm, const char* range_m = "12.4") {
   return judged_points(
              loaded("[receiver]\nmodule = 'TSSP4056'\n[simulation]\nfidelity = 'envelope'\n"
                     "warmup_messages = 1\n",
@@ -96,18 +96,18 @@ PointCheck compared(const JudgedPoint& point, const Decoder& candidate, const De
 
 TEST(Check, FindsADecoderThatSamplesTenPercentLate) {
   const OwnDecoder good = sampling_at(0.5), late = sampling_at(0.6);
-  const PointCheck check = compared(point_of("40000"), late, good);
+  const PointCheck check = compared(judged_point("40000"), late, good);
   EXPECT_EQ(check.verdict, Verdict::worse);
   EXPECT_GT(check.candidate.lost, check.baseline.lost);
   EXPECT_LT(check.losses.frames, 2000U) << "it stops early";
   EXPECT_EQ(check.only_candidate_lost.size(), check.losses.candidate_only);
-  EXPECT_EQ(compared(point_of("40000"), good, late).verdict, Verdict::passed);
+  EXPECT_EQ(compared(judged_point("40000"), good, late).verdict, Verdict::passed);
 }
 
 TEST(Check, PassesADecoderThatIsTheSame) {
   const OwnDecoder good = sampling_at(0.5), same = sampling_at(0.5000001);
   for (const char* error : {"0", "40000"}) {
-    const PointCheck check = compared(point_of(error), same, good);
+    const PointCheck check = compared(judged_point(error), same, good);
     EXPECT_EQ(check.verdict, Verdict::passed);
     EXPECT_EQ(check.losses.discordant(), 0U);
     EXPECT_EQ(check.pairing, Pairing::stored);
@@ -116,7 +116,7 @@ TEST(Check, PassesADecoderThatIsTheSame) {
 
 TEST(Check, IsInconclusiveRatherThanGuess) {
   const OwnDecoder good = sampling_at(0.5);
-  const PointCheck few = compared(point_of("0", "12.25"), good, good, 200);
+  const PointCheck few = compared(judged_point("0", "12.25"), good, good, 200);
   EXPECT_EQ(few.verdict, Verdict::inconclusive);
   EXPECT_LT(few.power, 0.5);
   EXPECT_GT(few.frames_needed, 200U);
@@ -125,7 +125,7 @@ TEST(Check, IsInconclusiveRatherThanGuess) {
 // Losses and wrong messages are two tests a point: of 64 frames eleven are 0.98 of a thousandth, of
 // which each has half.
 TEST(Check, StopsEarlyForNothingThatHolmWouldLetPass) {
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   const BaselinePoint good = baseline_of(point, ScriptedDecoder(losing(0, 0)), 128);
   GateRule nothing_is_negligible = rule;
   nothing_is_negligible.negligible = 0;
@@ -155,7 +155,7 @@ TEST(Check, FindsADecoderThatAcceptsWrongMessages) {
     }
     return more;
   });
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   std::vector<PointCheck> checks{check_point({.rule = rule, .candidate = liar, .baseline = nullptr},
                                              point, baseline_of(point, good, 512),
                                              {.threads = 1, .interrupt = nullptr})};
@@ -173,7 +173,7 @@ BaselinePoint of_other_light(BaselinePoint baseline) {
 
 TEST(Check, DecodesTheNewLightAgainWhereTheBaselinesIsAnother) {
   const auto atmega = make_built_in_decoder("atmega"), late = make_built_in_decoder("edge-timing");
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   const BaselinePoint old = baseline_of(point, *atmega, 1000);
   CheckSetup setup{.rule = rule, .candidate = *late, .baseline = atmega.get()};
   const PointCheck same = checked(setup, point, old);
@@ -185,7 +185,7 @@ TEST(Check, DecodesTheNewLightAgainWhereTheBaselinesIsAnother) {
 
 TEST(Check, ComparesCountsWhereTheBaselineCannotDecodeTheNewLight) {
   const auto atmega = make_built_in_decoder("atmega");
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   BaselinePoint old = baseline_of(point, *atmega, 1000);
   old.frames[20].light ^= 1;
   const PointCheck same =
@@ -202,7 +202,7 @@ TEST(Check, ComparesCountsWhereTheBaselineCannotDecodeTheNewLight) {
 // A third of what may be missed is for this way to pass.
 TEST(Check, PassesCountsThatAreSurelyBelowTheMargin) {
   constexpr std::uint32_t frames = 1000, lost = 100;
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   BaselinePoint old = baseline_of(point, ScriptedDecoder(losing(0, lost)), frames);
   old.frames[0].light ^= 1;
   const auto is_sure = [&](std::uint32_t n) {
@@ -220,7 +220,7 @@ TEST(Check, PassesCountsThatAreSurelyBelowTheMargin) {
 }
 
 TEST(Check, LeavesOutWhatTheBaselineDoesNotKnowOfTheNewLight) {
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   const ScriptedDecoder good(losing(0, 0)), without_a_marker(losing(0, 0), 5);
   BaselinePoint old = baseline_of(point, good, 128);
   old.frames[0].light ^= 1;
@@ -233,7 +233,7 @@ TEST(Check, LeavesOutWhatTheBaselineDoesNotKnowOfTheNewLight) {
 }
 
 TEST(Check, GoldenCountsWrongMessagesToo) {
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   const ScriptedDecoder good(losing(0, 0)), liar([](std::uint32_t trial) {
     return trial == 7 ? std::vector<std::string>{sent_message, "A"} : std::vector{sent_message};
   });
@@ -246,7 +246,7 @@ TEST(Check, GoldenCountsWrongMessagesToo) {
 
 TEST(Check, GoldenSaysEveryFrameThatComesOutOtherwise) {
   const auto atmega = make_built_in_decoder("atmega");
-  const JudgedPoint point = point_of("0");
+  const JudgedPoint point = judged_point("0");
   BaselinePoint old = baseline_of(point, *atmega, 300);
   const CheckSetup setup{
       .rule = rule, .candidate = *atmega, .baseline = atmega.get(), .golden = true};
@@ -278,7 +278,7 @@ TEST(BaselineFile, IsRefusedWhereAScenarioHasNoPoint) {
 TEST(Check, SaysThatADecoderFailedAndNotThatItLost) {
   const auto atmega = make_built_in_decoder("atmega");
   const OwnDecoder deaf([](const dsp::LogicTrace&) { return std::vector<protocol::UartByte>(); });
-  const PointCheck check = compared(point_of("0"), deaf, *atmega, 300);
+  const PointCheck check = compared(judged_point("0"), deaf, *atmega, 300);
   EXPECT_EQ(check.verdict, Verdict::broken);
   ASSERT_TRUE(check.fault.has_value());
   EXPECT_EQ(check.fault->kind, DecoderFault::Kind::garbage);

@@ -31,8 +31,8 @@ sim::ExperimentResult sweep(const std::vector<double>& at, const std::vector<std
 
 using Loss = std::function<double(double)>;
 
-sim::ExperimentResult drawn(const std::vector<double>& at, const Loss& loss, unsigned seed,
-                            std::uint64_t frames = 2000) {
+sim::ExperimentResult drawn_sweep(const std::vector<double>& at, const Loss& loss, unsigned seed,
+                                  std::uint64_t frames = 2000) {
   std::mt19937_64 random(seed);
   std::vector<std::uint64_t> lost;
   for (const double x : at) {
@@ -53,7 +53,7 @@ TEST(Crossing, MeasuredIntervalCoversTheTruth) {
   int covered = 0, fitted = 0, covered_by_fit = 0;
   double mean = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
-    const auto c = sim::frame_loss_crossing(drawn(ranges, loss_over_range, seed));
+    const auto c = sim::frame_loss_crossing(drawn_sweep(ranges, loss_over_range, seed));
     const bool covers = c.low <= truth && truth <= c.high;
     covered += covers;
     if (c.kind != Kind::fitted) continue;  // one of twenty is taken for misfit
@@ -68,7 +68,7 @@ TEST(Crossing, MeasuredIntervalCoversTheTruth) {
 }
 
 TEST(Crossing, FindsAnyLevel) {
-  const auto result = drawn(ranges, loss_over_range, 1);
+  const auto result = drawn_sweep(ranges, loss_over_range, 1);
   EXPECT_NEAR(sim::frame_loss_crossing(result, 0.5).at, 10, 0.1);
   EXPECT_NEAR(sim::frame_loss_crossing(result, 0.1).at, 10 * std::exp(std::log(1. / 9) / 12), 0.1);
 }
@@ -76,7 +76,7 @@ TEST(Crossing, FindsAnyLevel) {
 TEST(Crossing, UsesTheAxisItselfWhereItIsNotPositive) {
   const std::vector<double> levels{-10, -5, 0, 5, 10};
   const auto loss = [](double x) { return logistic(0.5 * x); };
-  const auto c = sim::frame_loss_crossing(drawn(levels, loss, 2));
+  const auto c = sim::frame_loss_crossing(drawn_sweep(levels, loss, 2));
   ASSERT_EQ(c.kind, Kind::fitted);
   EXPECT_NEAR(c.at, 2 * std::log(0.01 / 0.99), 0.5);
 }
@@ -84,7 +84,7 @@ TEST(Crossing, UsesTheAxisItselfWhereItIsNotPositive) {
 TEST(Crossing, IsTheSameForALossThatFallsAlongTheAxis) {
   const auto falling = [](double x) { return logistic(12 * std::log(10 / x)); };
   const std::vector<double> currents{8, 9, 10, 12, 14, 16, 18, 20};
-  const auto c = sim::frame_loss_crossing(drawn(currents, falling, 3));
+  const auto c = sim::frame_loss_crossing(drawn_sweep(currents, falling, 3));
   ASSERT_EQ(c.kind, Kind::fitted);
   EXPECT_NEAR(c.at, 10 * std::exp(-std::log(0.01 / 0.99) / 12), 0.3);
   EXPECT_LT(c.low, c.at);
@@ -180,7 +180,7 @@ TEST(Crossing, MeasuredIntervalCoversTheTruthOfAShoulder) {
   for (const std::uint64_t frames : {8U, 24U, 60U, 120U, 400U, 2000U}) {
     int covered = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
-      const auto c = sim::frame_loss_crossing(drawn(shoulder_ranges, shoulder, seed, frames));
+      const auto c = sim::frame_loss_crossing(drawn_sweep(shoulder_ranges, shoulder, seed, frames));
       covered += c.low <= 1 && c.high >= 1.2;  // the truth is between
     }
     EXPECT_GE(covered, 187) << frames;  // 190 expected of 200 at least, standard deviation 3.1
@@ -199,7 +199,7 @@ TEST(Crossing, MeasuredIntervalCoversTheTruthOfAHeavyTail) {
   for (const std::uint64_t frames : {60U, 100U, 200U, 400U, 2000U}) {
     int covered = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
-      const auto c = sim::frame_loss_crossing(drawn(at, loss, seed, frames));
+      const auto c = sim::frame_loss_crossing(drawn_sweep(at, loss, seed, frames));
       covered += c.low <= truth && truth <= c.high;
     }
     EXPECT_GE(covered, 187) << frames;
@@ -265,7 +265,7 @@ TEST(Crossing, IsUnfinishedWhereWhatLiesBeyondIsNotCounted) {
 }
 
 TEST(Crossing, LeavesOutPointsNeverReached) {
-  auto result = drawn(ranges, loss_over_range, 5);
+  auto result = drawn_sweep(ranges, loss_over_range, 5);
   const auto all = sim::frame_loss_crossing(result);
   add_point(result, 13, 0, 0);
   const auto fewer = sim::frame_loss_crossing(result);

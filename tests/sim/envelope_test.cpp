@@ -25,7 +25,7 @@ struct Point {
   Keys more = {};
 };
 
-Tally tally_of(const Point& point, const char* fidelity, std::uint64_t frames) {
+Tally tally_at(const Point& point, const char* fidelity, std::uint64_t frames) {
   const Link link =
       link_of(with({std::string("receiver.module=") + point.module,
                     std::string("receiver.range_m=") + point.range_m,
@@ -43,8 +43,8 @@ double standard_error(const Tally& t) {
 
 /// Whether 99 % intervals of the differences hold none.
 void expect_agreement(const Point& point, std::uint64_t frames) {
-  const Tally a = tally_of(point, "waveform", frames);
-  const Tally b = tally_of(point, "envelope", 4 * frames);
+  const Tally a = tally_at(point, "waveform", frames);
+  const Tally b = tally_at(point, "envelope", 4 * frames);
   const double ber = ratio(a.n_bit_errors, a.n_bits);
   const std::string what = std::string(point.module) + " at " + point.range_m + " m";
   EXPECT_NEAR(std::log10(ber / point.ber), 0, 0.3) << what << ": " << ber;

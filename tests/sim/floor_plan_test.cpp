@@ -41,16 +41,17 @@ std::vector<At> points(const std::string& svg, const std::string& style) {
 
 constexpr double disc_radius = 3;  // a disc begins at its left
 
-PlanMark device(double x, double y, std::size_t colour = 0) {
+PlanMark device_mark(double x, double y, std::size_t colour = 0) {
   return {.at = {x, y}, .colour = colour};
 }
 
 TEST(FloorPlan, HasOneScaleAlongBothAxes) {
   for (const double size : {0.1, 1.0, 40.0}) {
-    const std::string svg = floor_plan_as_svg(
-        {.title = "t",
-         .description = "d",
-         .devices = {device(0, 0), device(size, 0), device(0, size / 2), device(-size, 0)}});
+    const std::string svg =
+        floor_plan_as_svg({.title = "t",
+                           .description = "d",
+                           .devices = {device_mark(0, 0), device_mark(size, 0),
+                                       device_mark(0, size / 2), device_mark(-size, 0)}});
     const std::vector<At> at = begins(svg, "curve1 disc");
     ASSERT_EQ(at.size(), 4U);
     EXPECT_GT(at[1].x - at[0].x, 100) << "uses its room";
@@ -111,7 +112,7 @@ TEST(FloorPlan, DrawsEllipsesOfTheirSizeAndDirection) {
   const std::string svg =
       floor_plan_as_svg({.title = "t",
                          .description = "d",
-                         .devices = {device(0, 0, 1), device(4, 0, 1)},
+                         .devices = {device_mark(0, 0, 1), device_mark(4, 0, 1)},
                          .ellipses = {{{2, 0}, 1, 0.25, tilt, 0}, {{2, 0}, 5, 1, 0, 2}}});
   const std::vector<At> at = begins(svg, "curve2 disc");
   const double metre = (at[1].x - at[0].x) / 4;
@@ -132,7 +133,7 @@ TEST(FloorPlan, DrawsEllipsesOfTheirSizeAndDirection) {
 
 TEST(FloorPlan, LabelsTheAxesInRoundMetres) {
   const std::string svg = floor_plan_as_svg(
-      {.title = "t", .description = "d", .devices = {device(-1, -1), device(1, 1)}});
+      {.title = "t", .description = "d", .devices = {device_mark(-1, -1), device_mark(1, 1)}});
   for (const char* label : {">-1</text>", ">0</text>", ">1</text>", ">x [m]</text>"})
     EXPECT_NE(svg.find(label), std::string::npos) << label;
   EXPECT_EQ(svg.find(">-0</text>"), std::string::npos);
@@ -140,8 +141,9 @@ TEST(FloorPlan, LabelsTheAxesInRoundMetres) {
 
 TEST(FloorPlan, StandsWithoutAnybody) {
   for (const FloorPlan& plan :
-       {FloorPlan{"t", "d"}, FloorPlan{.title = "t", .description = "d", .devices = {device(5, 5)}},
-        FloorPlan{.title = "t", .description = "d", .devices = {device(std::nan(""), 0)}}}) {
+       {FloorPlan{"t", "d"},
+        FloorPlan{.title = "t", .description = "d", .devices = {device_mark(5, 5)}},
+        FloorPlan{.title = "t", .description = "d", .devices = {device_mark(std::nan(""), 0)}}}) {
     const std::string svg = floor_plan_as_svg(plan);
     EXPECT_NE(svg.find("class=\"floor\""), std::string::npos);
     for (const char* number : {"inf", "nan"}) EXPECT_EQ(svg.find(number), std::string::npos);

@@ -107,11 +107,11 @@ struct Decoders {
 
 using Random = std::mt19937_64;
 
-double uniform(Random& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
+double uniform_share(Random& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
 
 void receive(PairedLosses& losses, const Decoders& decoders, Random& random) {
-  const double hardness = uniform(random);
-  const double others = uniform(random) < decoders.alike ? hardness : uniform(random);
+  const double hardness = uniform_share(random);
+  const double others = uniform_share(random) < decoders.alike ? hardness : uniform_share(random);
   losses.add(hardness < decoders.candidate_flr, others < decoders.baseline_flr);
 }
 

@@ -11,7 +11,7 @@ LiveScenario live(const std::string& toml, const std::vector<std::string>& set =
   return LiveScenario({toml, "x.toml", set, {COSYS_SOURCE_DIR "/scenarios"}});
 }
 
-std::string refused(const std::string& toml, const std::vector<std::string>& set = {}) {
+std::string set_refused(const std::string& toml, const std::vector<std::string>& set = {}) {
   try {
     live(toml, set);
   } catch (const Failure& failure) {
@@ -21,26 +21,26 @@ std::string refused(const std::string& toml, const std::vector<std::string>& set
   return "accepted";
 }
 
-std::uint32_t point_of(const std::vector<std::string>& set) {
+std::uint32_t number_of_point(const std::vector<std::string>& set) {
   return make_link(point_scenario(loaded(one_metre, set), {})).point;
 }
 
 TEST(LiveScenario, IsThePointThatSetMakes) {
   LiveScenario scenario = live(one_metre, {"led.current_ma=50"});
-  EXPECT_EQ(scenario.link()->point, point_of({"led.current_ma=50"}));
+  EXPECT_EQ(scenario.link()->point, number_of_point({"led.current_ma=50"}));
   scenario.set("receiver.range_m=4");
-  EXPECT_EQ(scenario.link()->point, point_of({"led.current_ma=50", "receiver.range_m=4"}));
+  EXPECT_EQ(scenario.link()->point, number_of_point({"led.current_ma=50", "receiver.range_m=4"}));
   scenario.set("ambient.irradiance_w_per_m2=2");
   scenario.set("receiver.range_m=1");
   EXPECT_EQ(scenario.link()->point,
-            point_of({"led.current_ma=50", "ambient.irradiance_w_per_m2=2"}));
+            number_of_point({"led.current_ma=50", "ambient.irradiance_w_per_m2=2"}));
   scenario.set("led.current_ma=100");
   scenario.set("ambient.irradiance_w_per_m2=0.6");
-  EXPECT_EQ(scenario.link()->point, point_of({}));
+  EXPECT_EQ(scenario.link()->point, number_of_point({}));
   scenario.set("receiver.module=TSOP4456");
   scenario.set("device.message=IND 1 OK");
   EXPECT_EQ(scenario.link()->point,
-            point_of({"receiver.module=TSOP4456", "device.message=IND 1 OK"}));
+            number_of_point({"receiver.module=TSOP4456", "device.message=IND 1 OK"}));
   EXPECT_EQ(scenario.link()->message, "IND 1 OK");
 }
 
@@ -57,21 +57,21 @@ TEST(LiveScenario, IsAsItWasBehindAChangeThatIsRefused) {
     EXPECT_EQ(scenario.link(), before) << wrong;
   }
   scenario.set("led.current_ma=50");  // and none of them is kept
-  EXPECT_EQ(scenario.link()->point, point_of({"receiver.range_m=2", "led.current_ma=50"}));
+  EXPECT_EQ(scenario.link()->point, number_of_point({"receiver.range_m=2", "led.current_ma=50"}));
 }
 
 TEST(LiveScenario, RefusesWhatIsNoLine) {
-  EXPECT_EQ(refused("[sweep]\nreceiver.range_m = [1, 2]\n"),
+  EXPECT_EQ(set_refused("[sweep]\nreceiver.range_m = [1, 2]\n"),
             "receiver.range_m has several values in x.toml:2 (a line is at one point) give one, "
             "such as receiver.range_m=1");
-  EXPECT_EQ(refused("", {"receiver.module=TSOP4456,TSOP4856"}),
+  EXPECT_EQ(set_refused("", {"receiver.module=TSOP4456,TSOP4856"}),
             "receiver.module has several values in --set (a line is at one point) give one, such "
             "as receiver.module=TSOP4456");
-  EXPECT_EQ(refused("[simulation]\nwarmup_messages = 0\n"),
+  EXPECT_EQ(set_refused("[simulation]\nwarmup_messages = 0\n"),
             "simulation.warmup_messages = 0 in x.toml:2 (a trial of one message has no pause that "
             "could be played) use at least 1");
-  EXPECT_NE(refused("", {"simulation.method=importance"}), "accepted");
-  EXPECT_EQ(refused("[sweep]\nreceiver.range_m = [1]\n"), "accepted");
+  EXPECT_NE(set_refused("", {"simulation.method=importance"}), "accepted");
+  EXPECT_EQ(set_refused("[sweep]\nreceiver.range_m = [1]\n"), "accepted");
 }
 
 }  // namespace

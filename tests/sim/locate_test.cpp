@@ -17,7 +17,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-LocateSettings settings_of(const LightModel& model) {
+LocateSettings settings_for(const LightModel& model) {
   LocateSettings settings;
   settings.model = model;
   return settings;
@@ -34,7 +34,7 @@ TEST(Locate, IsExactWithoutNoise) {
   const LightModel model = inverse_square();
   for (const Position device : {Position{1.1, 0.7}, Position{2.6, 1.8}, Position{0.3, 0.2}}) {
     const auto readings = readings_of(model, device, four_corners());
-    expect_at(locate(settings_of(model), readings), device, 1e-6);
+    expect_at(locate(settings_for(model), readings), device, 1e-6);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(Locate, IsExactOnAFloorThatScatters) {
   model.all_round = true;
   const Position device{1.1, 0.7};
   const auto readings = readings_of(model, device, four_corners());
-  const Location location = locate(settings_of(model), readings);
+  const Location location = locate(settings_for(model), readings);
   expect_at(location, device, 1e-5);  // patches of the scattered light
   EXPECT_EQ(location.degrees_of_freedom, 2);
 }
@@ -53,7 +53,7 @@ TEST(Locate, IsExactByHeadingsOfOneRobot) {  // which tell the direction by the 
   model.all_round = true;
   const Position device{1.4, 0.5};
   const auto readings = readings_of(model, device, headings(0, 0, {-40, 0, 40, 80}));
-  expect_at(locate(settings_of(model), readings), device, 1e-5);
+  expect_at(locate(settings_for(model), readings), device, 1e-5);
 }
 
 TEST(Locate, FindsABeamsPlaceWhereItsYawIsKnown) {
@@ -63,7 +63,7 @@ TEST(Locate, FindsABeamsPlaceWhereItsYawIsKnown) {
   const auto readings = readings_of(model, device,
                                     {receiver_at(0, 0, 180), receiver_at(0, 0.5, 190),
                                      receiver_at(-0.2, -0.3, 170), receiver_at(0.3, 0.4, 200)});
-  expect_at(locate(settings_of(model), readings), device, 1e-4);
+  expect_at(locate(settings_for(model), readings), device, 1e-4);
 }
 
 TEST(Locate, FindsTheIntensityToo) {
@@ -71,7 +71,7 @@ TEST(Locate, FindsTheIntensityToo) {
   const Position device{1.1, 0.7};
   auto readings = readings_of(model, device, four_corners());
   for (Reading& r : readings) r.irradiance_w_per_m2 *= 0.3;
-  LocateSettings settings = settings_of(model);
+  LocateSettings settings = settings_for(model);
   settings.intensity_unknown = true;
   settings.area = Area{-1, 4, -1, 3};
   const Location location = locate(settings, readings);
@@ -84,7 +84,7 @@ TEST(Locate, TwoReceiversOnALineSeeTheMirrorImageAsWell) {
   const LightModel model = inverse_square();
   const Position device{1.5, 0.8};
   const auto readings = readings_of(model, device, {receiver_at(0, 0, 0), receiver_at(1, 0, 0)});
-  const Location location = locate(settings_of(model), readings);
+  const Location location = locate(settings_for(model), readings);
   ASSERT_EQ(location.outcome, LocateOutcome::ambiguous);
   ASSERT_EQ(location.places.size(), 2U);
   for (const LocatedPlace& place : location.places) {
@@ -102,7 +102,7 @@ TEST(Locate, SoTheyDoWhereTheFloorScattersFarMoreThanADeviation) {
                   {receiver_at(0, 0, 0), receiver_at(1, 0, 0), receiver_at(1.3, 0, 0),
                    receiver_at(0.6, 0, 0), receiver_at(-2, 0, 0)},
                   3e-5);
-  const Location location = locate(settings_of(model), readings);
+  const Location location = locate(settings_for(model), readings);
   EXPECT_EQ(location.outcome, LocateOutcome::ambiguous);
   EXPECT_EQ(location.places.size(), 2U);
 }
@@ -124,13 +124,13 @@ TEST(Locate, ABearingTellsTheSides) {
   const Position device{1.5, 0.8};
   auto readings = readings_of(model, device, {receiver_at(0, 0, 0), receiver_at(1, 0, 0)});
   add_bearings(readings, device, 5);
-  expect_at(locate(settings_of(model), readings), device, 1e-6);
+  expect_at(locate(settings_for(model), readings), device, 1e-6);
 }
 
 TEST(Locate, AnAreaTellsTheSides) {
   const LightModel model = inverse_square();
   const Position device{1.5, 0.8};
-  LocateSettings settings = settings_of(model);
+  LocateSettings settings = settings_for(model);
   settings.area = Area{-3, 3, 0.1, 3};
   const auto readings = readings_of(model, device, {receiver_at(0, 0, 0), receiver_at(1, 0, 0)});
   expect_at(locate(settings, readings), device, 1e-6);
@@ -139,7 +139,7 @@ TEST(Locate, AnAreaTellsTheSides) {
 TEST(Locate, OneReadingIsARing) {
   const LightModel model = inverse_square();
   const Location location =
-      locate(settings_of(model), readings_of(model, {1.5, 0.8}, {receiver_at(0, 0, 0)}));
+      locate(settings_for(model), readings_of(model, {1.5, 0.8}, {receiver_at(0, 0, 0)}));
   EXPECT_EQ(location.outcome, LocateOutcome::underdetermined);
   ASSERT_EQ(location.places.size(), 1U);
   const Position& at = location.places[0].at.at;
@@ -151,21 +151,21 @@ TEST(Locate, TheSameReadingTwiceIsStillARing) {
   const LightModel model = inverse_square();
   const auto readings =
       readings_of(model, {1.5, 0.8}, {receiver_at(0, 0, 0), receiver_at(0, 0, 0)});
-  EXPECT_EQ(locate(settings_of(model), readings).outcome, LocateOutcome::underdetermined);
+  EXPECT_EQ(locate(settings_for(model), readings).outcome, LocateOutcome::underdetermined);
 }
 
 TEST(Locate, ReadingsOfNoSinglePlaceAreAPoorFit) {
   const LightModel model = inverse_square();
   auto readings = readings_of(model, {1.1, 0.7}, four_corners());
   readings[2].irradiance_w_per_m2 *= 1.5;  // fifty deviations
-  const Location location = locate(settings_of(model), readings);
+  const Location location = locate(settings_for(model), readings);
   EXPECT_EQ(location.outcome, LocateOutcome::poor_fit);
   EXPECT_LT(location.probability, 1e-3);
 }
 
 TEST(Locate, APlaceOutsideOfTheAreaIsNotReached) {
   const LightModel model = inverse_square();
-  LocateSettings settings = settings_of(model);
+  LocateSettings settings = settings_for(model);
   settings.area = Area{2, 3, 1.5, 2};
   const Location location = locate(settings, readings_of(model, {1.1, 0.7}, four_corners()));
   EXPECT_EQ(location.outcome, LocateOutcome::not_converged);
@@ -184,7 +184,7 @@ std::string refusal_of(const LocateSettings& settings, const std::vector<Reading
 
 // With the ambient light taken off, noise makes a photodiode that looks away read below 0.
 TEST(Locate, TakesReadingsThatNoiseMadeNegative) {
-  const LocateSettings settings = settings_of(inverse_square());
+  const LocateSettings settings = settings_for(inverse_square());
   auto readings = readings_of(settings.model, {1.1, 0.7}, four_corners());
   Reading away = readings[0];
   away.receiver.yaw += dsp::degrees(180);
@@ -198,7 +198,7 @@ TEST(Locate, TakesReadingsThatNoiseMadeNegative) {
 }
 
 TEST(Locate, RefusesReadingsThatCannotBe) {
-  const LocateSettings settings = settings_of(inverse_square());
+  const LocateSettings settings = settings_for(inverse_square());
   const auto good = readings_of(settings.model, {1.1, 0.7}, four_corners());
   auto readings = good;
   readings[1].irradiance_w_per_m2 = nan;
@@ -227,7 +227,7 @@ TEST(Locate, RefusesReadingsThatCannotBe) {
 LocationTrialsSettings trials_of(const LightModel& model, const Position& truth,
                                  const std::vector<channel::Pose>& receivers, double share) {
   LocationTrialsSettings s;
-  s.locate = settings_of(model);
+  s.locate = settings_for(model);
   s.truth = truth;
   s.readings = readings_of(model, truth, receivers, share);
   s.trials = 2000;

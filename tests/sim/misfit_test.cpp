@@ -11,7 +11,7 @@
 namespace sim {
 namespace {
 
-constexpr Position device{1.1, 0.7};
+constexpr Position device_place{1.1, 0.7};
 
 /// Misfits by the whole model, nothing of it linear.
 std::vector<double> misfits(const LightModel& model, const std::vector<Reading>& readings,
@@ -26,8 +26,9 @@ std::vector<double> misfits(const LightModel& model, const std::vector<Reading>&
 }
 
 void expect_slopes_of_differences(const LightModel& model, std::vector<Reading> readings) {
-  const Unknowns here{device, 1.3};
-  const auto rows = misfit_rows(model, readings, scattered_light(model, readings, device), here);
+  const Unknowns here{device_place, 1.3};
+  const auto rows =
+      misfit_rows(model, readings, scattered_light(model, readings, device_place), here);
   constexpr double h = 3e-3;
   for (int unknown = 0; unknown < 3; ++unknown) {
     Unknowns above = here, below = here;
@@ -58,13 +59,13 @@ TEST(Misfit, ChiSquareIsTheSumOfSquares) {
   const LightModel model = indoors();
   auto readings = readings_of(model, {1.3, 0.6}, four_corners());
   add_bearings(readings, {1.3, 0.6}, 3);
-  const ScatteredLight scattered = scattered_light(model, readings, device);
+  const ScatteredLight scattered = scattered_light(model, readings, device_place);
   double sum = 0;
-  for (const double misfit : misfits(model, readings, {device, 1.3})) sum += misfit * misfit;
+  for (const double misfit : misfits(model, readings, {device_place, 1.3})) sum += misfit * misfit;
   double of_rows = 0;
-  for (const MisfitRow& row : misfit_rows(model, readings, scattered, {device, 1.3}))
+  for (const MisfitRow& row : misfit_rows(model, readings, scattered, {device_place, 1.3}))
     of_rows += row.misfit * row.misfit;
-  EXPECT_NEAR(chi_square(model, readings, scattered, {device, 1.3}), sum, 1e-9 * sum);
+  EXPECT_NEAR(chi_square(model, readings, scattered, {device_place, 1.3}), sum, 1e-9 * sum);
   EXPECT_NEAR(of_rows, sum, 1e-9 * sum);
 }
 
@@ -78,9 +79,9 @@ TEST(Misfit, BearingsAreFromTheHeadingAndWrapped) {
 
 TEST(ScatteredLight, IsTheModelsAroundThePlace) {
   const LightModel model = indoors();
-  const auto readings = readings_of(model, device, four_corners());
-  const ScatteredLight scattered = scattered_light(model, readings, device);
-  const Position aside{device.x + 0.01, device.y - 0.01};
+  const auto readings = readings_of(model, device_place, four_corners());
+  const ScatteredLight scattered = scattered_light(model, readings, device_place);
+  const Position aside{device_place.x + 0.01, device_place.y - 0.01};
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const channel::Pose& receiver = readings[i].receiver;
     const double diffuse =
@@ -93,17 +94,17 @@ TEST(ScatteredLight, IsTheModelsAroundThePlace) {
 /// of E the information is the sum of 4 / (s d)^2 u u^T, u the unit vector from receiver to device.
 TEST(CramerRaoBound, IsTheClosedFormOfAnInverseSquareLaw) {
   constexpr double share = 0.02;
-  const auto readings = readings_of(inverse_square(), device, four_corners(), share);
+  const auto readings = readings_of(inverse_square(), device_place, four_corners(), share);
   double xx = 0, xy = 0, yy = 0;
   for (const Reading& r : readings) {
-    const double dx = device.x - r.receiver.x, dy = device.y - r.receiver.y;
+    const double dx = device_place.x - r.receiver.x, dy = device_place.y - r.receiver.y;
     const double weight = 4 / (share * share) / std::pow(dx * dx + dy * dy, 2);
     xx += weight * dx * dx;
     xy += weight * dx * dy;
     yy += weight * dy * dy;
   }
   const double determinant = xx * yy - xy * xy;
-  const auto bound = cramer_rao_bound(inverse_square(), readings, device, false);
+  const auto bound = cramer_rao_bound(inverse_square(), readings, device_place, false);
   ASSERT_TRUE(bound.has_value());
   EXPECT_NEAR(bound->xx * determinant / yy, 1, 1e-7);
   EXPECT_NEAR(bound->xy * determinant / -xy, 1, 1e-7);
@@ -121,17 +122,17 @@ TEST(CramerRaoBound, OfIntensityAndBearingIsAlongAndAcross) {
 }
 
 TEST(CramerRaoBound, IsNothingForARing) {
-  const auto readings = readings_of(inverse_square(), device, {receiver_at(0, 0, 0)});
-  EXPECT_FALSE(cramer_rao_bound(inverse_square(), readings, device, false).has_value());
+  const auto readings = readings_of(inverse_square(), device_place, {receiver_at(0, 0, 0)});
+  EXPECT_FALSE(cramer_rao_bound(inverse_square(), readings, device_place, false).has_value());
   const auto twice =
-      readings_of(inverse_square(), device, {receiver_at(0, 0, 0), receiver_at(0, 0, 0)});
-  EXPECT_FALSE(cramer_rao_bound(inverse_square(), twice, device, false).has_value());
+      readings_of(inverse_square(), device_place, {receiver_at(0, 0, 0), receiver_at(0, 0, 0)});
+  EXPECT_FALSE(cramer_rao_bound(inverse_square(), twice, device_place, false).has_value());
 }
 
 TEST(CramerRaoBound, IsLargerWhereTheIntensityIsUnknown) {
-  const auto readings = readings_of(inverse_square(), device, four_corners());
-  EXPECT_GT(cramer_rao_bound(inverse_square(), readings, device, true)->rms(),
-            cramer_rao_bound(inverse_square(), readings, device, false)->rms());
+  const auto readings = readings_of(inverse_square(), device_place, four_corners());
+  EXPECT_GT(cramer_rao_bound(inverse_square(), readings, device_place, true)->rms(),
+            cramer_rao_bound(inverse_square(), readings, device_place, false)->rms());
 }
 
 TEST(ErrorEllipse, OfATurnedCovariance) {  // axes 3 and 1, the major at 30 degrees

@@ -15,7 +15,7 @@ using channel::ModuleData;
 
 const sim::PartRoots shipped{fs::path(COSYS_SOURCE_DIR) / "scenarios"};
 
-ModuleData module_of(const std::string& name) {
+ModuleData shipped_module(const std::string& name) {
   return sim::load_module(name, {shipped, {}, {}}, "").data;
 }
 
@@ -23,7 +23,7 @@ std::vector<ModuleData> shipped_modules() {
   std::vector<ModuleData> modules;
   for (const auto& part : sim::list_parts(shipped)) {
     if (part.kind != "module") continue;
-    const ModuleData module = module_of(part.name);
+    const ModuleData module = shipped_module(part.name);
     if (!channel::is_matched(module)) modules.push_back(module);
   }
   return modules;
@@ -68,7 +68,7 @@ constexpr Window widths[] = {{"TSOP4856", -5, 6},  {"TSOP4456", -5, 6},  {"TSOP3
 
 TEST(PartAcceptance, MeasuredR2_PulseWidthsStayInTheWindow) {
   for (const Window& window : widths) {
-    const ModuleData module = module_of(window.name);
+    const ModuleData module = shipped_module(window.name);
     const auto train = signal_for(module);
     for (const double e : working_range(module)) {
       const auto pulses = channel::pulses_of(output_of({.module = module}, train, e));
@@ -89,7 +89,7 @@ constexpr Window delays[] = {{"TSOP4856", 7, 15},   {"TSOP4456", 7, 15},  {"TSOP
 
 TEST(PartAcceptance, MeasuredR3_OutputDelaysStayInTheWindow) {
   for (const Window& window : delays) {
-    const ModuleData module = module_of(window.name);
+    const ModuleData module = shipped_module(window.name);
     const auto train = signal_for(module);
     for (const double e : working_range(module)) {
       const auto pulses = channel::pulses_of(output_of({.module = module}, train, e));

@@ -21,16 +21,16 @@ namespace {
 
 using Random = std::mt19937_64;
 
-double uniform(Random& random, double from, double to) {
+double uniform_real(Random& random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
 }
 
 TEST(Scale, PlacesAndValuesUndoEachOther) {
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
-    const Scale scale{uniform(random, -9, 0), uniform(random, 1, 9), uniform(random, 0, 99),
-                      uniform(random, 100, 999)};
-    const double value = uniform(random, -20, 20);
+    const Scale scale{uniform_real(random, -9, 0), uniform_real(random, 1, 9),
+                      uniform_real(random, 0, 99), uniform_real(random, 100, 999)};
+    const double value = uniform_real(random, -20, 20);
     EXPECT_NEAR(scale.value_at(scale(value)), value, 1e-9);
     EXPECT_DOUBLE_EQ(scale(scale.from), scale.at_from);
     EXPECT_NEAR(scale(scale.to), scale.at_to, 1e-9);
@@ -40,8 +40,8 @@ TEST(Scale, PlacesAndValuesUndoEachOther) {
 TEST(RoundValues, AreWithinEvenlyApartAndNotTooMany) {
   Random random(2);
   for (int i = 0; i < 10000; ++i) {
-    const double from = uniform(random, -1, 1) * std::pow(10, uniform(random, -9, 9));
-    const double to = from + std::pow(10, uniform(random, -9, 9));
+    const double from = uniform_real(random, -1, 1) * std::pow(10, uniform_real(random, -9, 9));
+    const double to = from + std::pow(10, uniform_real(random, -9, 9));
     if (!(to - from > 1e-6 * std::abs(from))) continue;
     const int most = std::uniform_int_distribution(2, 20)(random);
     const auto values = round_values(from, to, most);

@@ -175,11 +175,11 @@ TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   }
 }
 
-const std::filesystem::path shipped = COSYS_SOURCE_DIR "/scenarios/presence.toml";
+const std::filesystem::path shipped_scenario = COSYS_SOURCE_DIR "/scenarios/presence.toml";
 
 TEST(PresenceScenario, TheShippedOneCountsWhatTheClosedFormSays) {
   const LoadedScenario scenario =
-      load_scenario(shipped, {"presence.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
+      load_scenario(shipped_scenario, {"presence.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
   int between = 0;
   const auto at_level = [](const PresenceSettings& settings, const Workers& workers) {
     PresenceSettings strict = settings;

@@ -24,7 +24,7 @@ sim::Axis modules(std::vector<std::string> labels) {
   return axis;
 }
 
-sim::PointResult point(std::vector<double> coordinates, std::uint64_t lost) {
+sim::PointResult ranked_point(std::vector<double> coordinates, std::uint64_t lost) {
   sim::PointResult p;
   p.coordinates = std::move(coordinates);
   p.tally.n_frames = 1000;
@@ -38,7 +38,7 @@ sim::ExperimentResult grid(const sim::Axis& rows, const sim::Axis& columns, cons
   result.axes = {rows, columns};
   for (std::size_t i = 0; i < lost.size(); ++i)
     for (std::size_t j = 0; j < lost[i].size(); ++j)
-      result.points.push_back(point({rows.values[i], columns.values[j]}, lost[i][j]));
+      result.points.push_back(ranked_point({rows.values[i], columns.values[j]}, lost[i][j]));
   return result;
 }
 
@@ -82,7 +82,7 @@ TEST(Ranking, EachRowIsTheCrossingOfItsOwnSweep) {
     sim::ExperimentResult alone;
     alone.axes = {range};
     for (std::size_t j = 0; j < 4; ++j)
-      alone.points.push_back(point({range.values[j]}, losses[index_of(row)][j]));
+      alone.points.push_back(ranked_point({range.values[j]}, losses[index_of(row)][j]));
     const sim::Crossing expected = sim::frame_loss_crossing(alone);
     EXPECT_EQ(row.crossing.kind, expected.kind) << name_of(row);
     EXPECT_EQ(row.crossing.at, expected.at) << name_of(row);
@@ -198,7 +198,7 @@ TEST(Ranking, EachCombinationOfTheOtherAxesIsARow) {
     for (const double metres : range.values)
       for (const double module : {0.0, 1.0})
         result.points.push_back(
-            point({b, metres, module}, metres > 1 + module + (b < 500 ? 1 : 0) ? 1000 : 0));
+            ranked_point({b, metres, module}, metres > 1 + module + (b < 500 ? 1 : 0) ? 1000 : 0));
   EXPECT_EQ(lines(result),
             "receiver.range_m at which frame loss passes 1 %, best first:\n"
             "      device.baud [Bd]  receiver.module\n"
@@ -227,7 +227,7 @@ TEST(Ranking, GivesWhatIsNotCountedFarEnoughNoPlace) {
 TEST(Ranking, OfOneAxisIsOneSentence) {
   sim::ExperimentResult result;
   result.axes = {range};
-  for (const double x : range.values) result.points.push_back(point({x}, x < 3 ? 0 : 1000));
+  for (const double x : range.values) result.points.push_back(ranked_point({x}, x < 3 ? 0 : 1000));
   EXPECT_EQ(
       lines(result),
       "frame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two neighbours in the sweep\n");
@@ -235,10 +235,10 @@ TEST(Ranking, OfOneAxisIsOneSentence) {
 
 TEST(Ranking, IsEmptyForOtherSweeps) {
   sim::ExperimentResult result;
-  result.points = {point({}, 0)};
+  result.points = {ranked_point({}, 0)};
   EXPECT_EQ(lines(result), "");
   result.axes = {modules({"a"})};
-  result.points = {point({0}, 0)};
+  result.points = {ranked_point({0}, 0)};
   EXPECT_EQ(lines(result), "");
   EXPECT_EQ(lines(grid(modules({"a", "b"}), modules({"c"}), {{0}, {0}})), "");
 }

@@ -16,7 +16,7 @@ using sim::measured_point;
 using sim::text_axes;
 
 const std::vector<sim::Axis> one_axis{{"receiver.range_m", "m", "distance", {7.5}}};
-const std::vector<sim::Axis> two_axes{
+const std::vector<sim::Axis> range_and_ambient{
     {"receiver.range_m", "m", "distance", {7.5}},
     {"ambient.irradiance_w_per_m2", "W/m2", "ambient irradiance", {0.6}}};
 
@@ -76,8 +76,9 @@ TEST(TableRow, KeepsItsColumnsFromNanosToMegas) {
 TEST(TableRow, FitsAScreenWithTwoAxes) {
   sim::PointResult p = measured_point();
   p.coordinates = {7.5, 0.6};
-  EXPECT_LE(sim::table_row(two_axes, p, 0.95).size(), 160U);
-  for (const auto& line : lines_of(sim::table_header(two_axes))) EXPECT_LE(line.size(), 152U);
+  EXPECT_LE(sim::table_row(range_and_ambient, p, 0.95).size(), 160U);
+  for (const auto& line : lines_of(sim::table_header(range_and_ambient)))
+    EXPECT_LE(line.size(), 152U);
 }
 
 TEST(TableRow, ShowsTextsToTheLeftInAColumnAsWideAsTheLongest) {

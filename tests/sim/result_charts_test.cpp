@@ -11,7 +11,8 @@
 namespace sim {
 namespace {
 
-PointResult point_of(std::vector<double> coordinates, std::uint64_t frames, std::uint64_t lost) {
+PointResult charted_point(std::vector<double> coordinates, std::uint64_t frames,
+                          std::uint64_t lost) {
   PointResult point{.coordinates = std::move(coordinates)};
   point.tally.n_frames = frames;
   point.tally.n_frames_lost = point.tally.n_bit_errors = lost;
@@ -51,7 +52,8 @@ TEST(ChartAxis, IsLogarithmicWhereValuesGrowByFactors) {
 TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   ExperimentResult result;
   result.axes = {{"receiver.ebn0_db", "dB", "energy", {0, 10, 20}}};
-  result.points = {point_of({0}, 10, 5), point_of({10}, 10, 0), point_of({20}, 0, 0)};
+  result.points = {charted_point({0}, 10, 5), charted_point({10}, 10, 0),
+                   charted_point({20}, 0, 0)};
   result.points[0].operating.ber_theory = 0.04;
   const std::vector<Chart> charts = result_charts(result);
   ASSERT_EQ(charts.size(), 2U);
@@ -80,7 +82,8 @@ TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
   result.axes = {{"receiver.range_m", "m", "", {0.1, 100, 1000}},
                  {"receiver.module", "", "", {0, 1}, {"A", "B"}}};
   for (const double range : {0.1, 100.0, 1000.0})
-    for (const double module : {0, 1}) result.points.push_back(point_of({range, module}, 10, 1));
+    for (const double module : {0, 1})
+      result.points.push_back(charted_point({range, module}, 10, 1));
   const Chart chart = result_charts(result)[1];
   EXPECT_TRUE(chart.x.logarithmic) << "over two decades";
   ASSERT_EQ(chart.curves.size(), 2U);
@@ -95,7 +98,7 @@ TEST(ResultCharts, AreOverTheNumberOfWhichTheAnswerSpeaks) {
                  {"disturbance.lamp.irradiance_w_per_m2", "W m-2", "", {0.001, 0.05}}};
   for (const double ballast : result.axes[0].values)
     for (const double irradiance : result.axes[1].values)
-      result.points.push_back(point_of({ballast, irradiance}, 10, 1));
+      result.points.push_back(charted_point({ballast, irradiance}, 10, 1));
   const Chart chart = result_charts(result)[1];
   EXPECT_EQ(chart.x.label, "disturbance.lamp.irradiance_w_per_m2 [W m-2]");
   EXPECT_EQ(chart.curves.size(), 3U);
@@ -104,7 +107,7 @@ TEST(ResultCharts, AreOverTheNumberOfWhichTheAnswerSpeaks) {
 TEST(ResultCharts, AreOverTheWidestWhereTheAnswersNumberStandsStill) {
   ExperimentResult result;
   result.axes = {{"receiver.range_m", "m", "", {5}}, {"led.current_ma", "mA", "", {10, 20}}};
-  for (const double current : {10, 20}) result.points.push_back(point_of({5, current}, 10, 1));
+  for (const double current : {10, 20}) result.points.push_back(charted_point({5, current}, 10, 1));
   EXPECT_EQ(result_charts(result)[1].x.label, "led.current_ma [mA]");
 }
 
@@ -115,7 +118,7 @@ TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
                  {"receiver.ebn0_db", "dB", "", {0, 10}}};
   for (const double ebn0 : {0, 10})
     for (const double interval : {100, 200}) {
-      result.points.push_back(point_of({interval, ebn0}, 10, 5));
+      result.points.push_back(charted_point({interval, ebn0}, 10, 5));
       if (interval == 200 || ebn0 == 10) result.points.back().operating.ber_theory = 0.04;
     }
   const Chart chart = result_charts(result)[0];
@@ -129,7 +132,7 @@ TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
 
 TEST(ResultCharts, OfASinglePointAreNone) {
   ExperimentResult result;
-  result.points = {point_of({}, 10, 5)};
+  result.points = {charted_point({}, 10, 5)};
   EXPECT_TRUE(result_charts(result).empty());
   EXPECT_TRUE(result_maps(result).empty());
 }
@@ -142,8 +145,8 @@ TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
   for (const double module : {0, 1})
     for (const double range : {1, 2, 3})
       for (const double lux : {0, 100}) {
-        result.points.push_back(
-            point_of({module, range, lux}, 10, module == 1 && range == 3 && lux == 100 ? 4 : 0));
+        result.points.push_back(charted_point({module, range, lux}, 10,
+                                              module == 1 && range == 3 && lux == 100 ? 4 : 0));
       }
   result.points[1].tally = {};
   const std::vector<HeatMap> maps = result_maps(result);
@@ -164,7 +167,7 @@ TEST(ResultMaps, AreInTheOrderOfTheSweepAndNotTooMany) {
                  {"receiver.range_m", "m", "", {1, 2, 3}},
                  {"ambient.daylight_lux", "lx", "", {0, 1, 2}},
                  {"led.current_ma", "mA", "", {20, 100}}};
-  for (std::size_t i = 0; i < 2 * 3 * 3 * 2; ++i) result.points.push_back(point_of({}, 10, 0));
+  for (std::size_t i = 0; i < 2 * 3 * 3 * 2; ++i) result.points.push_back(charted_point({}, 10, 0));
   const std::vector<HeatMap> four = result_maps(result);
   ASSERT_EQ(four.size(), 4U);
   EXPECT_EQ(four[0].title, "Map of frame loss, device.baud = 600, led.current_ma = 20");
@@ -172,7 +175,7 @@ TEST(ResultMaps, AreInTheOrderOfTheSweepAndNotTooMany) {
   result.axes[0].values = {1, 2};
   result.axes.push_back({"receiver.yaw_deg", "deg", "", {0, 10}});
   result.axes.push_back({"receiver.supply_v", "V", "", {3, 5}});
-  for (std::size_t i = 0; i < 36 * 3; ++i) result.points.push_back(point_of({}, 10, 0));
+  for (std::size_t i = 0; i < 36 * 3; ++i) result.points.push_back(charted_point({}, 10, 0));
   const std::vector<HeatMap> first = result_maps(result);
   ASSERT_EQ(first.size(), 12U) << "of 16";
   EXPECT_TRUE(first[11].description.ends_with("; the last of 12 maps that are shown, of 16"))

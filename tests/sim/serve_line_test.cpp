@@ -32,7 +32,7 @@ std::vector<LineByte> traced_bytes(const std::vector<std::string>& set, std::uin
   return bytes;
 }
 
-std::vector<std::string> with(std::vector<std::string> set, const std::string& more) {
+std::vector<std::string> with_key(std::vector<std::string> set, const std::string& more) {
   set.push_back(more);
   return set;
 }
@@ -42,8 +42,8 @@ TEST(LineMessage, HasTheBytesThatTheTraceOfItsTrialShows) {
                                          "simulation.sample_rate_hz=250000"};
   const std::vector<std::vector<std::string>> lines{
       damaged,
-      with(damaged, "simulation.fidelity=envelope"),
-      with(damaged, "receiver.population=true"),
+      with_key(damaged, "simulation.fidelity=envelope"),
+      with_key(damaged, "receiver.population=true"),
       {"simulation.warmup_messages=1", "receiver.module=ideal-coherent", "receiver.ebn0_db=7",
        "simulation.fidelity=decision"}};
   for (const auto& set : lines) {

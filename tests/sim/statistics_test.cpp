@@ -51,16 +51,16 @@ Tally experiment(const Bursts& bursts, std::mt19937_64& random) {
   return tally;
 }
 
-struct Coverage {
+struct MeanCoverage {
   double clustered = 0, plain = 0;
 };
 
 bool covers(sim::Interval ci, double truth) { return ci.low <= truth && truth <= ci.high; }
 
-Coverage coverage(const Bursts& bursts) {
+MeanCoverage mean_coverage(const Bursts& bursts) {
   constexpr int experiments = 8000;
   std::mt19937_64 random(20240517);
-  Coverage c;
+  MeanCoverage c;
   for (int i = 0; i < experiments; ++i) {
     const Tally t = experiment(bursts, random);
     const auto plain = sim::clopper_pearson(static_cast<double>(t.n_bit_errors),
@@ -164,7 +164,7 @@ TEST(ClopperPearson, KnowsNothingWithoutTrials) {
 }
 
 TEST(BitErrorInterval, MeasuredCoversTheTruthWhenBitsFailTogether) {
-  const Coverage c = coverage({.p_bad_frame = 0.1, .p_bit_in_bad_frame = 0.2});
+  const MeanCoverage c = mean_coverage({.p_bad_frame = 0.1, .p_bit_in_bad_frame = 0.2});
   EXPECT_GE(c.clustered, 0.935);
   EXPECT_LE(c.clustered, 0.98);
   EXPECT_LT(c.plain, 0.70);
@@ -172,7 +172,7 @@ TEST(BitErrorInterval, MeasuredCoversTheTruthWhenBitsFailTogether) {
 
 // Six in the mean: exact intervals of so few are wide, and how long bursts are is not well known.
 TEST(BitErrorInterval, MeasuredCoversTheTruthWhenBadFramesAreRare) {
-  const Coverage c = coverage({.p_bad_frame = 0.02, .p_bit_in_bad_frame = 0.2});
+  const MeanCoverage c = mean_coverage({.p_bad_frame = 0.02, .p_bit_in_bad_frame = 0.2});
   EXPECT_GE(c.clustered, 0.945);
   EXPECT_LE(c.clustered, 0.985);
   EXPECT_LT(c.plain, 0.70);

@@ -42,7 +42,7 @@ class Store : public testing::Test {
   fs::path folder_;
 };
 
-std::string content(const fs::path& path) {
+std::string bytes_in(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream all;
   all << in.rdbuf();
@@ -121,7 +121,7 @@ void expect_all_readers_agree(const fs::path& path, const sim::ExperimentResult&
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
-std::string failure_of(const fs::path& path) {
+std::string write_failure(const fs::path& path) {
   testing::internal::CaptureStderr();
   std::string message = "no failure";
   try {
@@ -140,7 +140,7 @@ std::string cannot_write(const fs::path& path, const std::string& rest) {
 }
 
 void expect_refused(const fs::path& path, const std::string& rest) {
-  EXPECT_EQ(failure_of(path), cannot_write(path, rest));
+  EXPECT_EQ(write_failure(path), cannot_write(path, rest));
   EXPECT_THROW(sim::check_writable(path), sim::Failure);
 }
 
@@ -180,19 +180,19 @@ TEST_F(Store, KeepsEmptyTexts) {
 
 TEST_F(Store, ReplacesTheLastFileAndLeavesNothingElse) {
   sim::write_result(path(), single(), program);
-  const std::string before = content(path());
+  const std::string before = bytes_in(path());
   sim::write_result(path(), grid(), program);
-  EXPECT_NE(content(path()), before);
+  EXPECT_NE(bytes_in(path()), before);
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(Store, WritesThroughALink) {
   sim::write_result(path("target.h5"), single(), program);
   fs::create_symlink("target.h5", path("link.h5"));
-  const std::string before = content(path("target.h5"));
+  const std::string before = bytes_in(path("target.h5"));
   sim::write_result(path("link.h5"), grid(), program);
   EXPECT_TRUE(fs::is_symlink(path("link.h5")));
-  EXPECT_NE(content(path("target.h5")), before);
+  EXPECT_NE(bytes_in(path("target.h5")), before);
 }
 
 TEST_F(Store, RefusesAFolder) {
@@ -223,24 +223,24 @@ TEST_F(Store, RefusesAReadOnlyFolder) {
 // A limit on the size of files stops the writing in the middle, as a full disk does.
 TEST_F(Store, KeepsTheLastFileWhenTheDiskRefuses) {
   sim::write_result(path(), grid(), program);
-  const std::string before = content(path());
+  const std::string before = bytes_in(path());
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit limit{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
   const rlimit small{8192, limit.rlim_max};
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = failure_of(path());
+  const std::string message = write_failure(path());
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
   EXPECT_EQ(message, cannot_write(path(), "(File too large) choose another place"));
-  EXPECT_EQ(content(path()), before);
+  EXPECT_EQ(bytes_in(path()), before);
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(Store, RefusesToReplaceWhatIsNoResult) {
   std::ofstream(path()) << "title = \"a scenario, named as the output by mistake\"\n";
-  const std::string before = content(path());
+  const std::string before = bytes_in(path());
   EXPECT_THROW(sim::check_writable(path()), sim::Failure);
-  EXPECT_EQ(content(path()), before);
+  EXPECT_EQ(bytes_in(path()), before);
   std::ofstream(path(), std::ios::trunc).close();  // an empty file holds nothing to lose
   EXPECT_NO_THROW(sim::check_writable(path()));
 }
@@ -277,9 +277,9 @@ TEST_F(Store, ChecksAPlaceWithoutTouchingIt) {
   sim::check_writable(path());
   EXPECT_EQ(files(), 0U);
   sim::write_result(path(), single(), program);
-  const std::string before = content(path());
+  const std::string before = bytes_in(path());
   sim::check_writable(path());
-  EXPECT_EQ(content(path()), before);
+  EXPECT_EQ(bytes_in(path()), before);
   EXPECT_EQ(files(), 1U);
 }
 

@@ -22,7 +22,7 @@ constexpr const char* scenario_text =
     "\"dc-difference\"]\nreceiver.range_m = [1, 2, 3]\n";
 constexpr std::int64_t rare_number = 0x1122334455667788;
 
-LoadedScenario scenario_of(const std::string& text) {
+LoadedScenario scenario_from(const std::string& text) {
   return parse_scenario(text, "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
 }
 
@@ -32,7 +32,7 @@ class StoredDatasetTest : public testing::Test {
   ~StoredDatasetTest() override { fs::remove_all(folder_); }
 
   static Dataset dataset() {
-    Dataset data = dataset_of(scenario_of(scenario_text), "cosys-sim run x");
+    Dataset data = dataset_of(scenario_from(scenario_text), "cosys-sim run x");
     data.dimensions = {{{"false_alarm", "1", "as set"}, std::vector<double>{0.1, 0.5}},
                        {{"device", "", "devices"}, std::vector<std::string>{"a b", "c"}}};
     using Reals = std::vector<double>;
@@ -103,7 +103,7 @@ TEST_F(StoredDatasetTest, IsReadAsItWasWritten) {
 }
 
 TEST_F(StoredDatasetTest, OfASinglePoint) {
-  Dataset data = dataset_of(scenario_of("experiment = \"presence\"\n"), "c");
+  Dataset data = dataset_of(scenario_from("experiment = \"presence\"\n"), "c");
   data.variables = {{{"n_trials", "1", "trials"}, true, {}, std::vector<std::int64_t>{9}}};
   write_dataset(file_, data, {"cosys-sim", "1", "c"});
   const StoredDataset stored = read_dataset(file_);
@@ -137,7 +137,7 @@ class ForeignFile : public StoredDatasetTest {
     file.add_dimension({"heard", "", ""}, std::span<const double>(heard));
     file.add_variable({counted, "1", ""}, dimensions, std::span<const std::int64_t>(counts));
     for (const char* name : {"title", "command"}) file.set_user_text("/", name, "t");
-    file.set_user_text("/", "scenario_toml", scenario_of(scenario_text).text);
+    file.set_user_text("/", "scenario_toml", scenario_from(scenario_text).text);
     file.set_text("/", "experiment", experiment);
     const std::uint64_t seed = 1;
     file.set_numbers("/", "seed", std::span<const std::uint64_t>(&seed, 1));

@@ -29,7 +29,7 @@ std::vector<std::string> keys_of(const std::string& module, double db,
 
 constexpr std::uint32_t frames = 80;  // 94 400 bits
 
-Tally tally_of(const Link& link) {
+Tally waveform_tally(const Link& link) {
   Tally tally;
   for (std::uint32_t first = 0; first < frames; first += 8)
     tally += run_group(link, first, 8).tally;
@@ -37,8 +37,8 @@ Tally tally_of(const Link& link) {
 }
 
 /// Whether a 99.9 % interval around what was measured holds the theory: errors are independent.
-void expect_ber(const Link& link, double theory, const std::string& what) {
-  const Tally tally = tally_of(link);
+void expect_waveform_ber(const Link& link, double theory, const std::string& what) {
+  const Tally tally = waveform_tally(link);
   const auto [low, high] = clopper_pearson(static_cast<double>(tally.n_bit_errors),
                                            static_cast<double>(tally.n_bits), 0.999);
   EXPECT_LE(low, theory) << what << ": " << tally.n_bit_errors << " of " << tally.n_bits;
@@ -50,15 +50,16 @@ TEST(TheoryWaveform, MeasuredCoherent) {
   for (int db = 0; db <= 14; ++db) {
     const Link link = link_of(keys_of("ideal-coherent", db));
     EXPECT_NEAR(link.operating.ebn0_db, db, 1e-9);
-    expect_ber(link, coherent_ook_ber(ratio_of(db)), std::to_string(db) + " dB");
+    expect_waveform_ber(link, coherent_ook_ber(ratio_of(db)), std::to_string(db) + " dB");
   }
 }
 
 // Told by the energy of a lit bit, the same points are 3.01 dB to the right.
 TEST(TheoryWaveform, MeasuredCoherentByPeakEnergy) {
   for (const double peak_db : {3.0, 7.0, 10.0})
-    expect_ber(link_of(keys_of("ideal-coherent", peak_db - 10 * std::log10(2.0))),
-               coherent_ook_ber_peak(ratio_of(peak_db)), std::to_string(peak_db) + " dB peak");
+    expect_waveform_ber(link_of(keys_of("ideal-coherent", peak_db - 10 * std::log10(2.0))),
+                        coherent_ook_ber_peak(ratio_of(peak_db)),
+                        std::to_string(peak_db) + " dB peak");
 }
 
 TEST(TheoryWaveform, MeasuredNoncoherentAtTheOptimum) {
@@ -67,7 +68,7 @@ TEST(TheoryWaveform, MeasuredNoncoherentAtTheOptimum) {
     const double ebn0 = ratio_of(db);
     const double theory =
         noncoherent_ook_ber(ebn0, {optimum_envelope_threshold(ebn0), lit_share(link.bytes)});
-    expect_ber(link, theory, std::to_string(db) + " dB");
+    expect_waveform_ber(link, theory, std::to_string(db) + " dB");
   }
 }
 
@@ -77,8 +78,9 @@ TEST(TheoryWaveform, MeasuredNoncoherentAtAFixedThreshold) {
       const Link link = link_of(
           keys_of("ideal-noncoherent", db, {"module.detector_threshold=" + std::to_string(share)}));
       const double a = lit_amplitude(ratio_of(db));
-      expect_ber(link, noncoherent_ook_ber(ratio_of(db), {share * a, lit_share(link.bytes)}),
-                 std::to_string(db) + " dB at " + std::to_string(share));
+      expect_waveform_ber(link,
+                          noncoherent_ook_ber(ratio_of(db), {share * a, lit_share(link.bytes)}),
+                          std::to_string(db) + " dB at " + std::to_string(share));
     }
 }
 
@@ -87,7 +89,8 @@ TEST(TheoryWaveform, MeasuredNeitherSampleRateNorCarrierNorDutyMatters) {
        {"simulation.sample_rate_hz=250000", "simulation.sample_rate_hz=700000",
         "device.carrier_hz=58800", "device.carrier_error_ppm=12345", "device.carrier_duty=0.3",
         "device.clock_error_ppm=20000", "device.start_jitter_us=500"})
-    expect_ber(link_of(keys_of("ideal-coherent", 6, {key})), coherent_ook_ber(ratio_of(6)), key);
+    expect_waveform_ber(link_of(keys_of("ideal-coherent", 6, {key})), coherent_ook_ber(ratio_of(6)),
+                        key);
 }
 
 // U3: 106 of the 170 line bits of `IND 011111 OK 46\n` are light.

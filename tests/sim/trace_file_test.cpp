@@ -72,7 +72,7 @@ nlohmann::json attributes_of(const TracedTrial& traced) {
 constexpr const char* all_names[] = {"t.vcd", "t.sr", "t.ook", "t.bin",
                                      "t.csv", "t.h5", "t.wav", "t.sigmf-meta"};
 
-std::string failure_of(const fs::path& path) {
+std::string path_failure(const fs::path& path) {
   try {
     check_trace_path(path);
   } catch (const Failure& failure) {
@@ -117,24 +117,24 @@ TEST_F(TraceFile, ReplacesOnlyItsOwn) {
   const TracedTrial traced = short_trial();
   for (const std::string name : all_names) {
     write_trace(path(name), traced);
-    EXPECT_EQ(failure_of(path(name)), name == "t.bin" ? not_replaced(name) : "no failure");
+    EXPECT_EQ(path_failure(path(name)), name == "t.bin" ? not_replaced(name) : "no failure");
     std::ofstream(path(name)) << "time_s,voltage\n";
     // A foreign SigMF recording is two foreign files, of which the data is looked at first.
     const std::string lost = name == "t.sigmf-meta" ? "t.sigmf-data" : name;
-    EXPECT_EQ(failure_of(path(name)), not_replaced(lost));
+    EXPECT_EQ(path_failure(path(name)), not_replaced(lost));
     std::ofstream(path(name)).close();
     std::ofstream(path(lost)).close();
-    EXPECT_EQ(failure_of(path(name)), "no failure");
+    EXPECT_EQ(path_failure(path(name)), "no failure");
   }
 }
 
 TEST_F(TraceFile, ReplacesNoFileOfAnotherBesideARecording) {
   for (const char* name : {"t.sigmf-data", "t-baseband.sigmf-meta", "t-baseband.sigmf-data"}) {
     std::ofstream(path(name)) << "of another";
-    EXPECT_EQ(failure_of(path("t.sigmf-meta")), not_replaced(name));
+    EXPECT_EQ(path_failure(path("t.sigmf-meta")), not_replaced(name));
     fs::remove(path(name));
   }
-  EXPECT_EQ(failure_of(path("t.sigmf-meta")), "no failure");
+  EXPECT_EQ(path_failure(path("t.sigmf-meta")), "no failure");
 }
 
 /// What became of the names in a folder, in order.
@@ -183,13 +183,13 @@ TEST_F(TraceFile, MetadataComesBehindItsDataAndGoesBefore) {
 }
 
 TEST_F(TraceFile, NamesTheFormatsThatItKnows) {
-  EXPECT_EQ(failure_of("x.txt"),
+  EXPECT_EQ(path_failure("x.txt"),
             "cannot trace into x.txt (its ending names no format) end the name in .vcd or .sr or "
             ".ook or .bin or .svg or .csv or .h5 or .wav or .sigmf-meta");
-  EXPECT_EQ(failure_of(path("missing") / "t.h5"),
+  EXPECT_EQ(path_failure(path("missing") / "t.h5"),
             "cannot write " + (path("missing") / "t.h5").string() +
                 " (its folder does not exist) create the folder or choose another");
-  EXPECT_EQ(failure_of(path("t.h5")), "no failure");
+  EXPECT_EQ(path_failure(path("t.h5")), "no failure");
   EXPECT_EQ(files(), 0u);
 }
 

@@ -26,8 +26,8 @@ dsp::LogicTrace wire_with(const std::vector<std::string>& messages, double delay
   return wire;
 }
 
-sim::TracedTrial trial_of(const std::vector<std::string>& sent,
-                          const std::vector<std::string>& read) {
+sim::TracedTrial pictured_trial(const std::vector<std::string>& sent,
+                                const std::vector<std::string>& read) {
   sim::TracedTrial trial;
   trial.tx = wire_with(sent);
   trial.rx = wire_with(read, 200e-6);
@@ -39,7 +39,7 @@ sim::TracedTrial trial_of(const std::vector<std::string>& sent,
 
 TEST(TracePicture, ShowsTheLastMessageAsSentAndAsRead) {
   const std::string text =
-      sim::trace_as_picture(trial_of({"AB C\n", "IND 0\n"}, {"AB C\n", "IND 0\n"}));
+      sim::trace_as_picture(pictured_trial({"AB C\n", "IND 0\n"}, {"AB C\n", "IND 0\n"}));
   EXPECT_NE(text.find("Sent: IND\u24230\\n ; read at the receiver's pin: IND\u24230\\n"),
             std::string::npos)
       << text.substr(0, 400);
@@ -51,7 +51,7 @@ TEST(TracePicture, ShowsTheLastMessageAsSentAndAsRead) {
 }
 
 TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
-  const std::string text = sim::trace_as_picture(trial_of({"IND 0\n"}, {"INE 0\n"}));
+  const std::string text = sim::trace_as_picture(pictured_trial({"IND 0\n"}, {"INE 0\n"}));
   EXPECT_NE(text.find("Its character 3, &quot;D&quot;"), std::string::npos);
   EXPECT_EQ(sim::occurrences(text, "class=\"wrong\""), 2U)
       << "the character, and the bit of it that is not as sent";
@@ -61,7 +61,7 @@ TEST(TracePicture, PointsAtTheFirstCharacterThatWasReadOtherwise) {
 }
 
 TEST(TracePicture, TakesTheLightThatWasSampledOrElseThatWasKeyed) {
-  sim::TracedTrial trial = trial_of({"IND 0\n"}, {"IND 0\n"});
+  sim::TracedTrial trial = pictured_trial({"IND 0\n"}, {"IND 0\n"});
   EXPECT_NE(sim::trace_as_picture(trial).find("as keyed"), std::string::npos);
   trial.taps.irradiance.assign(
       static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value), 0.25F);
@@ -90,11 +90,11 @@ std::string last_of(const std::string& text, const std::string& begin) {
 
 TEST(TracePicture, LeavesOutCharactersThatHaveNoRoom) {
   constexpr const char* above_light = "y=\"82.00\"";
-  const std::string little = sim::trace_as_picture(trial_of({"IND 0\n"}, {"IND 0\n"}));
+  const std::string little = sim::trace_as_picture(pictured_trial({"IND 0\n"}, {"IND 0\n"}));
   EXPECT_EQ(places_of(little, above_light).size(), 6U);
   EXPECT_EQ(little.find("left out"), std::string::npos);
   const std::string much(200, 'A');
-  const std::string text = sim::trace_as_picture(trial_of({much}, {much + "\n"}));
+  const std::string text = sim::trace_as_picture(pictured_trial({much}, {much + "\n"}));
   const std::vector<double> places = places_of(text, above_light);
   ASSERT_GT(places.size(), 50U);
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GE(places[i] - places[i - 1], 10) << i;
@@ -104,13 +104,13 @@ TEST(TracePicture, LeavesOutCharactersThatHaveNoRoom) {
 TEST(TracePicture, LeavesOutNoCharacterThatWasMisreadAmongOthersThatWereNot) {
   std::string read(200, 'A');
   for (const std::size_t i : {3U, 50U, 121U}) read[i] = 'Q';
-  const std::string text = sim::trace_as_picture(trial_of({std::string(200, 'A')}, {read}));
+  const std::string text = sim::trace_as_picture(pictured_trial({std::string(200, 'A')}, {read}));
   EXPECT_EQ(sim::occurrences(text, ">Q</text>"), 3U);
 }
 
 TEST(TracePicture, CutsWhatIsTooLongForItsTop) {
   const std::string text =
-      sim::trace_as_picture(trial_of({std::string(200, 'A')}, {std::string(200, 'B')}));
+      sim::trace_as_picture(pictured_trial({std::string(200, 'A')}, {std::string(200, 'B')}));
   const std::string sent = last_of(text, ">Point 0"), read = last_of(text, ">read at the");
   EXPECT_TRUE(sent.ends_with("AAA...")) << sent;
   EXPECT_TRUE(read.ends_with("BBB...")) << read;
@@ -120,14 +120,14 @@ TEST(TracePicture, CutsWhatIsTooLongForItsTop) {
 }
 
 TEST(TracePicture, StandsWhereNothingWasSentOrRead) {
-  const std::string silent = sim::trace_as_picture(trial_of({}, {}));
+  const std::string silent = sim::trace_as_picture(pictured_trial({}, {}));
   EXPECT_NE(silent.find("read at the receiver's pin: nothing"), std::string::npos);
-  const std::string unheard = sim::trace_as_picture(trial_of({"IND 0\n"}, {}));
+  const std::string unheard = sim::trace_as_picture(pictured_trial({"IND 0\n"}, {}));
   EXPECT_NE(unheard.find("Its character 1, "), std::string::npos);
 }
 
 sim::TracedTrial trial_with_taps() {
-  sim::TracedTrial trial = trial_of({"IND 0\n"}, {"IND 0\n"});
+  sim::TracedTrial trial = pictured_trial({"IND 0\n"}, {"IND 0\n"});
   const auto samples = static_cast<std::size_t>(trial.tx.end().value * trial.sample_rate.value) + 1;
   trial.taps = {.irradiance = std::vector<float>(samples, 0.0125F),
                 .band_pass = std::vector<float>(samples, -0.25F),

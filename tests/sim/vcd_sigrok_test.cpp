@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 
+#include "capture_lines.hpp"
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/trace/vcd.hpp"
@@ -22,11 +23,8 @@ using dsp::Hertz;
 using dsp::LogicTrace;
 using dsp::Seconds;
 using protocol::Bytes;
-using Random = std::mt19937_64;
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
-}
+using test::Random;
+using test::uniform;
 
 /// A VCD file of its own for each process, gone at the end.
 class TemporaryVcd {
