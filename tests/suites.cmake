@@ -2,10 +2,11 @@
 # for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
 # `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
 # (-LE measured). Those of suites that the pattern GATE finds are `gate` too: tests/run leaves them to the gate. Suites
-# of the pattern OUTSIDE have the label `outside`; those of which THREADS finds a part of a name, `threads`. Those of
-# the pattern LONG are begun before others.
-# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D OUTSIDE=... -D OUTPUT=...
-#   -P suites.cmake
+# of the pattern OUTSIDE have the label `outside`; those of which THREADS finds a part of a name, `threads`;
+# those of AGAIN, `again`. Measurements of the pattern WEEKLY have the label `weekly` in place of `gate`. Those of the
+# pattern LONG are begun before others.
+# Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D WEEKLY=... -D OUTSIDE=...
+#   -D AGAIN=... -D OUTPUT=... -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
@@ -40,13 +41,17 @@ function(add_suite suite cases)
   endforeach()
   if(suite MATCHES "${OUTSIDE}")
     list(APPEND labels "outside")
+  elseif(suite MATCHES "${AGAIN}")
+    list(APPEND labels "again")
   endif()
   if(plain)
     add_entry("${suite}" "${suite}" "${suite}.*-${suite}.Measured*" "${labels}")
   endif()
   if(measured)
     set(labels "measured")
-    if(suite MATCHES "${GATE}")
+    if(suite MATCHES "${WEEKLY}")
+      list(APPEND labels "weekly")
+    elseif(suite MATCHES "${GATE}")
       list(APPEND labels "gate")
     endif()
     add_entry("${suite}" "${suite}.measured" "${suite}.Measured*" "${labels}")

@@ -11,6 +11,7 @@
 
 #include "damage.hpp"
 #include "program.hpp"
+#include "sanitized.hpp"
 #include "sim/failure.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/stored_result.hpp"
@@ -19,13 +20,8 @@
 namespace sim {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool is_sanitized = true;
-#elif defined(__has_feature)
-constexpr bool is_sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool is_sanitized = false;
-#endif
+using test::is_sanitized;
+
 constexpr double longest_s = 10;
 constexpr bool counts_memory = !is_sanitized;  // what was freed is kept, and has a shadow
 constexpr long most_kb = 1'000'000;

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "program.hpp"
+#include "sanitized.hpp"
 #include "scenarios.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/result/stored_dataset.hpp"
@@ -103,8 +104,9 @@ class StrangeDataset : public CommandLine,
   }
   /// With each of its variables, one at a time, changed.
   template <class Change>
-  void expect_answers(const std::string& what, const Change& change) const {
+  void expect_answers(const std::string& what, const Change& change) {
     for (std::size_t i = 0; i < stored_.data.variables.size(); ++i) {
+      if (tried_++ % test::one_of(4) != 0) continue;
       SCOPED_TRACE(stored_.data.variables[i].facts.name + " " + what);
       StoredDataset strange = stored_;
       change(strange.data.variables, strange.data.variables.begin() + static_cast<long>(i));
@@ -113,6 +115,9 @@ class StrangeDataset : public CommandLine,
   }
 
   StoredDataset stored_;
+
+ private:
+  std::size_t tried_ = 0;
 };
 
 TEST_P(StrangeDataset, WithAStrangeVariable) {
