@@ -20,12 +20,14 @@ using dsp::Seconds;
 constexpr std::size_t batch = most_surveyed_flips;
 
 /// The next flips of a line; fewer than a batch at its end alone.
-std::vector<Seconds> next_flips(FlipSource& line) {
+std::vector<Seconds> next_flips(FlipSource& line, const DecodeListener& listener) {
+  constexpr std::size_t told = 1024;  // of so many flips the last: they may be far apart
   std::vector<Seconds> flips;
   while (flips.size() < batch) {
     const auto flip = line.next();
     if (!flip) break;
     flips.push_back(*flip);
+    if (flips.size() % told == 0) listener.reached(*flip);
   }
   return flips;
 }
@@ -45,7 +47,6 @@ class CapturedLineDecoder {
     const auto bytes = uart_.take(flips, known_until);
     statistics_.add(flips, bytes);
     for (const protocol::UartByte& byte : bytes) tell(frames_->push(byte));
-    listener_.reached(known_until);
   }
 
   void end() {
@@ -80,13 +81,13 @@ std::optional<Hertz> hertz(const std::optional<double>& rate) {
 
 void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeListener& listener,
                  DecodedCapture& decoded) {
-  std::vector<Seconds> flips = next_flips(line);
+  std::vector<Seconds> flips = next_flips(line, listener);
   decoded.line = survey_line({line.initial(), flips, line.known_until()}, told_inverted(request),
                              hertz(request.baud));
   listener.chosen(decoded);
   CapturedLineDecoder decoder(request, listener, line.initial() != decoded.line.inverted, decoded);
   std::optional<Seconds> last;
-  for (; flips.size() == batch; flips = next_flips(line)) {
+  for (; flips.size() == batch; flips = next_flips(line, listener)) {
     last = flips.back();
     decoder.take(flips, *last);
   }

@@ -71,14 +71,16 @@ def misread(trial):
 
 
 # Rows of ink in the curve's colour, #d55e00, in each column of the plot: [[least, greatest] or null].
-INK = """const canvas = arguments[0], over = arguments[1], {data, width} =
-    canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-  return Array.from({length: over.clientWidth}, (_, x) => {
-    const rows = Array.from({length: over.clientHeight}, (_, y) => y).filter((y) => {
-      const i = 4 * ((y + over.offsetTop) * width + x + over.offsetLeft);
-      return data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 40 && data[i + 2] < 80;
-    });
-    return rows.length > 0 ? [rows[0], rows.at(-1)] : null;
+INK = """const {clientWidth, clientHeight, offsetLeft, offsetTop} = arguments[1];
+  const {data} = arguments[0].getContext('2d').getImageData(offsetLeft, offsetTop, clientWidth, clientHeight);
+  return Array.from({length: clientWidth}, (_, x) => {
+    let ends = null;
+    for (let y = 0; y < clientHeight; ++y) {
+      const i = 4 * (y * clientWidth + x);
+      const isInk = data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 40 && data[i + 2] < 80;
+      if (isInk) ends = ends ? [ends[0], y] : [y, y];
+    }
+    return ends;
   });"""
 
 

@@ -26,8 +26,8 @@ def coloured_pixels(driver, canvas):
            const {data} = arguments[0].getContext('2d').getImageData(0, 0, width, height);
            let count = 0;
            for (let i = 0; i < data.length; i += 4) {
-             const rgb = [data[i], data[i + 1], data[i + 2]];
-             if (data[i + 3] > 100 && Math.max(...rgb) - Math.min(...rgb) > 60) ++count;
+             const red = data[i], green = data[i + 1], blue = data[i + 2];
+             if (data[i + 3] > 100 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++count;
            }
            return count;""", canvas)
 

@@ -12,7 +12,7 @@ namespace sim {
 namespace {
 
 /// Frames of 170 bits, each with so many wrong.
-PointResult point_with(std::uint64_t frames, std::uint64_t wrong_bits_each) {
+PointResult point_of_errors(std::uint64_t frames, std::uint64_t wrong_bits_each) {
   PointResult p;
   p.tally.n_frames = frames;
   p.tally.n_bits = frames * 170;
@@ -28,14 +28,14 @@ PointResult point_with(std::uint64_t frames, std::uint64_t wrong_bits_each) {
 std::string names_of(const PointResult& point) { return raised_names(alarms(), own_alarms(point)); }
 
 TEST(Alarms, AreRaisedByAPointItself) {
-  EXPECT_EQ(names_of(point_with(100, 17)), "");
-  EXPECT_EQ(names_of(point_with(100, 85)), "");
-  EXPECT_EQ(names_of(point_with(100, 106)), "half");
+  EXPECT_EQ(names_of(point_of_errors(100, 17)), "");
+  EXPECT_EQ(names_of(point_of_errors(100, 85)), "");
+  EXPECT_EQ(names_of(point_of_errors(100, 106)), "half");
   EXPECT_EQ(names_of({}), "");  // nothing counted
 }
 
 TEST(Alarms, TheoryIsThatOfTheReceiver) {
-  PointResult p = point_with(100, 17);
+  PointResult p = point_of_errors(100, 17);
   p.operating.ber_theory = 0.1;
   EXPECT_EQ(names_of(p), "");
   p.operating.ber_theory = 0.12;
@@ -44,15 +44,15 @@ TEST(Alarms, TheoryIsThatOfTheReceiver) {
 
 // Q(sqrt(2)) = 0.079 at 0 dB with 3 dB to spare: of 200 frames without an error there are too many.
 TEST(Alarms, NoErrorsWhereTheoryExpectsMany) {
-  PointResult p = point_with(200, 0);
+  PointResult p = point_of_errors(200, 0);
   p.operating.ebn0_db = 0;
   EXPECT_EQ(names_of(p), "impossible");
   p.tally.n_frames = 20;  // which may be luck
   EXPECT_EQ(names_of(p), "");
-  p = point_with(200, 0);
+  p = point_of_errors(200, 0);
   p.operating.ebn0_db = 12;  // 9e-9
   EXPECT_EQ(names_of(p), "");
-  p = point_with(200, 60);  // a pin that stands still, of a message with few zeros
+  p = point_of_errors(200, 60);  // a pin that stands still, of a message with few zeros
   p.operating.ebn0_db = -30;
   EXPECT_EQ(names_of(p), "");
 }

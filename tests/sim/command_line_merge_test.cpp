@@ -30,7 +30,6 @@ class Merge : public CommandLine {
   }
 };
 
-/// Without "NAME: digest ..." and what was said of the time it took.
 TEST_F(Merge, ShardsAddUpToTheWholeRun) {
   run({"-o", "whole.h5"});
   for (const char* shard : {"1/2", "3/4", "7/8", "8/8"}) run_shard(shard);

@@ -9,7 +9,7 @@ namespace {
 const std::string on_the_wire = "IND 011111 OK 46\n";
 const std::string far_and_near = "receiver.range_m = [900, 0.5]";
 
-/// The second point of the far_and_near, where everything arrives.
+/// The second point of the sweep, where everything arrives.
 Words trace_to(const std::string& file) { return {"trace", "s.toml", "--point", "1", "-o", file}; }
 
 /// The time at which a VCD of 1 us ends: its last line.

@@ -86,7 +86,7 @@ KindOfFile kind(const std::string& name) {
 /// Of a kind the gate's builds share 200, of which the slower one has fewer; else some are enough.
 std::pair<std::uint64_t, std::uint64_t> usual_mutants() {
   if (is_sanitized) return {0, 30};
-  return {30, std::getenv("COSYS_GATE") != nullptr ? 200 : 60};
+  return {30, test::is_set("COSYS_GATE") ? 200 : 60};
 }
 
 /// The numbers of mutants to be tried: first and behind the last.

@@ -26,11 +26,11 @@ struct Point {
 };
 
 Tally tally_at(const Point& point, const char* fidelity, std::uint64_t frames) {
-  const Link link =
-      link_of(with({std::string("receiver.module=") + point.module,
-                    std::string("receiver.range_m=") + point.range_m,
-                    std::string("simulation.fidelity=") + fidelity, "simulation.warmup_messages=1"},
-                   point.more));
+  const Link link = link_of(
+      with_keys({std::string("receiver.module=") + point.module,
+                 std::string("receiver.range_m=") + point.range_m,
+                 std::string("simulation.fidelity=") + fidelity, "simulation.warmup_messages=1"},
+                point.more));
   return run_point(link, {.max_frames = frames}, {.threads = 2}).tally;
 }
 
@@ -91,16 +91,16 @@ TEST(EnvelopeAgrees, MeasuredWhereCharactersJitter) {
 
 // With more samples a cycle, as near 60 kHz the waveform has whole cycles in its samples.
 TEST(EnvelopeAgrees, MeasuredOffTheCentreAndAtAnotherDuty) {
-  const Keys fine = with(short_pauses, {"simulation.sample_rate_hz=1010000"});
-  expect_agreement({"TSSP4056", "11.3", 4e-3, with(fine, {"device.carrier_hz=60200"})}, 320);
-  expect_agreement({"TSSP4056", "12.4", 2.6e-3, with(fine, {"device.carrier_hz=53000"})}, 400);
-  expect_agreement({"TSSP4056", "11.5", 1e-2, with(fine, {"device.carrier_duty=0.3"})}, 320);
+  const Keys fine = with_keys(short_pauses, {"simulation.sample_rate_hz=1010000"});
+  expect_agreement({"TSSP4056", "11.3", 4e-3, with_keys(fine, {"device.carrier_hz=60200"})}, 320);
+  expect_agreement({"TSSP4056", "12.4", 2.6e-3, with_keys(fine, {"device.carrier_hz=53000"})}, 400);
+  expect_agreement({"TSSP4056", "11.5", 1e-2, with_keys(fine, {"device.carrier_duty=0.3"})}, 320);
 }
 
 // What is accepted of a module ends here, or where its keys do.
 TEST(EnvelopeAgrees, MeasuredAtTheCornersOfWhatIsAccepted) {
   const auto module = [](const char* set) {
-    return with(short_pauses, {std::string("module.") + set});
+    return with_keys(short_pauses, {std::string("module.") + set});
   };
   expect_agreement({"TSSP4056", "12.3", 3.5e-3, module("front_end_hz=4e4")}, 400);
   expect_agreement({"TSSP4056", "12.5", 1.8e-2, module("front_end_hz=2e5")}, 160);
@@ -113,7 +113,7 @@ TEST(EnvelopeAgrees, MeasuredAtTheCornersOfWhatIsAccepted) {
 }
 
 Keys keys(const Keys& more = {}) {
-  return with(
+  return with_keys(
       {"simulation.fidelity=envelope", "receiver.range_m=2.3", "simulation.warmup_messages=1"},
       more);
 }
@@ -244,7 +244,7 @@ TEST(Envelope, IsRefusedWhereItsStepsCannotBeCounted) {
   const auto refused = [](const Keys& more) { return refusal("", keys(more)); };
   const Keys hours{"device.interval_max_ms=1000000", "simulation.warmup_messages=100"};
   EXPECT_EQ(refused(hours), "accepted");
-  EXPECT_EQ(refused(with(hours, {"device.interval_min_ms=1"})),
+  EXPECT_EQ(refused(with_keys(hours, {"device.interval_min_ms=1"})),
             "simulation.fidelity = \"envelope\" in --set with messages and pauses of 5.902e+09 "
             "carrier cycles in one go (up to 2e+09 are counted) use a longer "
             "device.interval_min_ms, so that pauses are left out, or a shorter "
@@ -254,25 +254,27 @@ TEST(Envelope, IsRefusedWhereItsStepsCannotBeCounted) {
   const Keys fast{"device.carrier_hz=455000",      "module.centre_hz=455000",
                   "simulation.sample_rate_hz=2e6", "device.interval_min_ms=0",
                   "device.interval_max_ms=1e6",    "noise.scale=0.1"};
-  EXPECT_NE(refused(with(fast, {"simulation.warmup_messages=20"})).find("in one go"),
+  EXPECT_NE(refused(with_keys(fast, {"simulation.warmup_messages=20"})).find("in one go"),
             std::string::npos);
-  EXPECT_EQ(refused(with(fast, {"simulation.warmup_messages=4"})), "accepted");
+  EXPECT_EQ(refused(with_keys(fast, {"simulation.warmup_messages=4"})), "accepted");
   const Keys slow{"device.baud=1", "device.interval_min_ms=0",
                   "device.message=" + std::string(64, 'A')};
-  EXPECT_EQ(refused(with(slow, {"simulation.warmup_messages=4"})), "accepted");
-  EXPECT_NE(refused(with(slow, {"simulation.warmup_messages=100", "device.interval_max_ms=2e5"}))
-                .find("in one go"),
-            std::string::npos);
+  EXPECT_EQ(refused(with_keys(slow, {"simulation.warmup_messages=4"})), "accepted");
+  EXPECT_NE(
+      refused(with_keys(slow, {"simulation.warmup_messages=100", "device.interval_max_ms=2e5"}))
+          .find("in one go"),
+      std::string::npos);
   // Jitter may be longer than the pause; one message alone may be too long.
-  EXPECT_NE(refused(with(hours, {"device.interval_min_ms=20", "device.start_jitter_us=5000"}))
+  EXPECT_NE(refused(with_keys(hours, {"device.interval_min_ms=20", "device.start_jitter_us=5000"}))
                 .find("in one go"),
             std::string::npos);
-  const Keys faster =
-      with(fast, {"device.carrier_hz=1e6", "module.centre_hz=1e6", "simulation.sample_rate_hz=4e6",
-                  "device.baud=1", "device.interval_min_ms=1e6", "simulation.warmup_messages=0"});
+  const Keys faster = with_keys(
+      fast, {"device.carrier_hz=1e6", "module.centre_hz=1e6", "simulation.sample_rate_hz=4e6",
+             "device.baud=1", "device.interval_min_ms=1e6", "simulation.warmup_messages=0"});
   EXPECT_EQ(refused(faster), "accepted");
-  EXPECT_NE(refused(with(faster, {"device.message=" + std::string(220, 'A')})).find("in one go"),
-            std::string::npos);
+  EXPECT_NE(
+      refused(with_keys(faster, {"device.message=" + std::string(220, 'A')})).find("in one go"),
+      std::string::npos);
 }
 
 }  // namespace

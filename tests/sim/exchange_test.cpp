@@ -42,7 +42,8 @@ const std::vector<std::string> patient{"exchange.interval_min_ms=2000",
 
 TEST(Exchange, InGoodLightEverythingArrives) {
   const DirectionTally all = together(
-      only_point(with(patient, {"exchange.query_every_s=5", "exchange.query_timeout_s=10"})).tally);
+      only_point(with_keys(patient, {"exchange.query_every_s=5", "exchange.query_timeout_s=10"}))
+          .tally);
   EXPECT_GT(all.n_sent, 40U);
   EXPECT_GE(all.n_accepted + 2, all.n_sent);
   EXPECT_LT(static_cast<double>(all.n_bit_errors), 0.01 * static_cast<double>(all.n_bits));
@@ -88,10 +89,10 @@ TEST(Exchange, MeasuredEachHearsItselfOffTheFloor) {
   const DirectionTally real = together(only_point(patient).tally);
   EXPECT_GE(real.n_own + 2, real.n_sent) << "the floor gives back what the LED says";
   const DirectionTally shielded =
-      together(only_point(with(patient, {"exchange.own_reflection=false"})).tally);
+      together(only_point(with_keys(patient, {"exchange.own_reflection=false"})).tally);
   EXPECT_EQ(shielded.n_own, 0U);
   const DirectionTally black =
-      together(only_point(with(patient, {"floor.diffuse_reflectance=0"})).tally);
+      together(only_point(with_keys(patient, {"floor.diffuse_reflectance=0"})).tally);
   EXPECT_EQ(black.n_own, 0U) << "a floor that scatters nothing gives nothing back";
 }
 
@@ -145,8 +146,10 @@ TEST(Exchange, ThreadsAndTheNumberOfRunsChangeNothing) {
 
 TEST(Exchange, CompressionSendsLessAndKnowsOlderValues) {
   const std::vector<std::string> still{"exchange.change_every_s=1e6", "exchange.query_every_s=0"};
-  const DirectionTally all = together(only_point(with(still, {"exchange.compressed=false"})).tally);
-  const DirectionTally few = together(only_point(with(still, {"exchange.compressed=true"})).tally);
+  const DirectionTally all =
+      together(only_point(with_keys(still, {"exchange.compressed=false"})).tally);
+  const DirectionTally few =
+      together(only_point(with_keys(still, {"exchange.compressed=true"})).tally);
   EXPECT_LT(few.n_bits, all.n_bits / 2);
   EXPECT_GT(few.age().mean_s(), all.age().mean_s());
   // A full set every 5 s at the earliest, then at the node's next turn: 2.5 to 3.5 s old on

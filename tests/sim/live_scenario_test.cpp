@@ -11,7 +11,7 @@ LiveScenario live(const std::string& toml, const std::vector<std::string>& set =
   return LiveScenario({toml, "x.toml", set, {COSYS_SOURCE_DIR "/scenarios"}});
 }
 
-std::string set_refused(const std::string& toml, const std::vector<std::string>& set = {}) {
+std::string live_refusal(const std::string& toml, const std::vector<std::string>& set = {}) {
   try {
     live(toml, set);
   } catch (const Failure& failure) {
@@ -61,17 +61,17 @@ TEST(LiveScenario, IsAsItWasBehindAChangeThatIsRefused) {
 }
 
 TEST(LiveScenario, RefusesWhatIsNoLine) {
-  EXPECT_EQ(set_refused("[sweep]\nreceiver.range_m = [1, 2]\n"),
+  EXPECT_EQ(live_refusal("[sweep]\nreceiver.range_m = [1, 2]\n"),
             "receiver.range_m has several values in x.toml:2 (a line is at one point) give one, "
             "such as receiver.range_m=1");
-  EXPECT_EQ(set_refused("", {"receiver.module=TSOP4456,TSOP4856"}),
+  EXPECT_EQ(live_refusal("", {"receiver.module=TSOP4456,TSOP4856"}),
             "receiver.module has several values in --set (a line is at one point) give one, such "
             "as receiver.module=TSOP4456");
-  EXPECT_EQ(set_refused("[simulation]\nwarmup_messages = 0\n"),
+  EXPECT_EQ(live_refusal("[simulation]\nwarmup_messages = 0\n"),
             "simulation.warmup_messages = 0 in x.toml:2 (a trial of one message has no pause that "
             "could be played) use at least 1");
-  EXPECT_NE(set_refused("", {"simulation.method=importance"}), "accepted");
-  EXPECT_EQ(set_refused("[sweep]\nreceiver.range_m = [1]\n"), "accepted");
+  EXPECT_NE(live_refusal("", {"simulation.method=importance"}), "accepted");
+  EXPECT_EQ(live_refusal("[sweep]\nreceiver.range_m = [1]\n"), "accepted");
 }
 
 }  // namespace

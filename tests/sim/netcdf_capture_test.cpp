@@ -18,6 +18,10 @@ class NetcdfCapture : public CommandLine {
     return sim::open_capture(path("t.h5"), {wire, {}, ""});
   }
 
+  static std::string behind_first_line(const std::string& out) {
+    return out.substr(out.find('\n'));
+  }
+
   /// Wires on a grid of whole samples, and every tap.
   static sim::TracedTrial random_trial(Random& random, bool initial, std::size_t rows) {
     sim::TracedTrial trial;
@@ -69,7 +73,6 @@ TEST_F(NetcdfCapture, TracesAreDecoded) {
   write_scenario("s.toml", "receiver.range_m = [0.5]");
   ASSERT_EQ(program({"trace", "s.toml", "-o", "t.h5"}).code, 0);
   ASSERT_EQ(program({"trace", "s.toml", "-o", "t.csv"}).code, 0);
-  const auto behind_first_line = [](const std::string& out) { return out.substr(out.find('\n')); };
   const std::string of_rows = behind_first_line(program({"decode", "t.csv"}).out);
   EXPECT_NE(of_rows.find(" s  ok              IND 011111 OK\n"), std::string::npos);
   EXPECT_EQ(behind_first_line(program({"decode", "t.h5"}).out), of_rows);
@@ -82,6 +85,24 @@ TEST_F(NetcdfCapture, TracesAreDecoded) {
   expect_refused({"decode", "unnamed", "--channel", "irradiance"}, 2,
                  "--channel irradiance is not in unnamed (the trace has no such wire or tap) use "
                  "irradiance_mw_per_m2");
+}
+
+// Users cut a trace with either of xarray's engines: what xarray finds on the pin is what is
+// decoded.
+TEST_F(NetcdfCapture, IsReadAsXarrayReadsAndWritesIt) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.h5"}).code, 0);
+  const std::string script = COSYS_SOURCE_DIR "/tests/sim/cut_trace_with_xarray.py";
+  for (const char* engine : {"netcdf4", "h5netcdf"}) {
+    const std::string rate = tool(script, {"t.h5", engine, "cut.h5", "cut.bin"});
+    const Outcome cut = program({"decode", "cut.h5"});
+    EXPECT_EQ(cut.code, 0) << engine << ": " << cut.err;
+    EXPECT_NE(cut.out.find("\n   0.015104 s  ok              IND 011111 OK\n"), std::string::npos)
+        << "without the fiftieth that was cut off:\n"
+        << cut.out;
+    const Outcome raw = program({"decode", "cut.bin", "--sample-rate", rate});
+    EXPECT_EQ(behind_first_line(cut.out), behind_first_line(raw.out)) << engine;
+  }
 }
 
 TEST_F(NetcdfCapture, CutShortIsRefused) {

@@ -28,51 +28,52 @@ std::string answer(const std::vector<double>& p_detection) {
                 "receiver.range_m = [1, 2, 3, 4]\n");
 }
 
-void expect_part_has(const std::string& answer, const std::string& text) {
+void expect_answer_has(const std::string& answer, const std::string& text) {
   EXPECT_NE(answer.find(text), std::string::npos) << answer;
 }
 
 TEST(PresencePart, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
-  expect_part_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}),
-                  "at receiver.range_m from 2 to 3 m, in both cases.\n");
+  expect_answer_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}),
+                    "at receiver.range_m from 2 to 3 m, in both cases.\n");
 }
 
 TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
-  expect_part_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
-                  "from 3 to 4 m, where the sweep ends (goertzel), but at "
-                  "receiver.range_m from 1, where the sweep begins, to 2 m ("
-                  "synchronous).\n");
-  expect_part_has(answer(std::vector<double>(8, 1)),
-                  "from 1, where the sweep begins, to 4 m, where the sweep ends, in both cases.\n");
+  expect_answer_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
+                    "from 3 to 4 m, where the sweep ends (goertzel), but at "
+                    "receiver.range_m from 1, where the sweep begins, to 2 m ("
+                    "synchronous).\n");
+  expect_answer_has(
+      answer(std::vector<double>(8, 1)),
+      "from 1, where the sweep begins, to 4 m, where the sweep ends, in both cases.\n");
 }
 
 TEST(PresencePart, NamesTheOneOfThreeThatNoticesItElsewhere) {
-  expect_part_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
-                         "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
-                  ", but at receiver.range_m from 3 to 4 m, where the sweep ends (");
+  expect_answer_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
+                           "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
+                    ", but at receiver.range_m from 3 to 4 m, where the sweep ends (");
 }
 
 TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
   const std::string detectors = "presence.detector = [\"goertzel\", \"synchronous\"]\n";
-  expect_part_has(answer({0.75, 0.75}, detectors),
-                  "the device is noticed in 0.75 of the windows at each of 2 points.\n");
-  expect_part_has(
+  expect_answer_has(answer({0.75, 0.75}, detectors),
+                    "the device is noticed in 0.75 of the windows at each of 2 points.\n");
+  expect_answer_has(
       answer({0.75, 0.5}, detectors),
       "noticed least at presence.detector = synchronous: in 0.5 of the windows, and most ");
 }
 
 TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
-  expect_part_has(answer({1, 1, 1, 0, 1, 0, 0, 0}),
-                  "from 1, where the sweep begins, to 3 m (goertzel), but only at "
-                  "receiver.range_m = 1 m, where the sweep begins (synchronous).\n");
+  expect_answer_has(answer({1, 1, 1, 0, 1, 0, 0, 0}),
+                    "from 1, where the sweep begins, to 3 m (goertzel), but only at "
+                    "receiver.range_m = 1 m, where the sweep begins (synchronous).\n");
 }
 
 TEST(PresencePart, SaysHowManyNoticeItNowhere) {
-  expect_part_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
-                  "from 1, where the sweep begins, to 3 m (goertzel), but nowhere in 1 "
-                  "of 2 cases.\n");
-  expect_part_has(answer(std::vector<double>(8, 0.5)),
-                  "at no point that was simulated is the device");
+  expect_answer_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
+                    "from 1, where the sweep begins, to 3 m (goertzel), but nowhere in 1 "
+                    "of 2 cases.\n");
+  expect_answer_has(answer(std::vector<double>(8, 0.5)),
+                    "at no point that was simulated is the device");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 
 using Words = std::vector<std::string>;
 
-constexpr int bad_input = 2, environment = 3;  // codes of the exit
+constexpr int bad_input = 2, environment = 3;  // exit codes
 
 struct Outcome {
   int code = 0;  // of the exit; minus the signal's number if one killed it

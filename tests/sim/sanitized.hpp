@@ -3,6 +3,7 @@
 // as long.
 #include <cstddef>
 #include <cstdlib>
+#include <string_view>
 
 namespace sim::test {
 
@@ -14,10 +15,14 @@ inline constexpr bool is_sanitized = __has_feature(address_sanitizer);
 inline constexpr bool is_sanitized = false;
 #endif
 
-/// Of how many tries one is made: all in the release build and once a week (COSYS_WEEKLY), else one
-/// of `n`.
-inline std::size_t one_of(std::size_t n) {
-  return is_sanitized && std::getenv("COSYS_WEEKLY") == nullptr ? n : 1;
+/// Whether a variable of the gate's, as COSYS_WEEKLY, is set to 1.
+inline bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && std::string_view(value) == "1";
 }
+
+/// One try of how many is made: of each, but of `n` under the sanitizer where the run is not the
+/// weekly one.
+inline std::size_t one_of(std::size_t n) { return is_sanitized && !is_set("COSYS_WEEKLY") ? n : 1; }
 
 }  // namespace sim::test

@@ -32,8 +32,8 @@ inline std::string refusal(const std::string& text, const std::vector<std::strin
 }
 
 /// Keys as of --set, and more of them.
-inline std::vector<std::string> with(std::vector<std::string> keys,
-                                     const std::vector<std::string>& more) {
+inline std::vector<std::string> with_keys(std::vector<std::string> keys,
+                                          const std::vector<std::string>& more) {
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

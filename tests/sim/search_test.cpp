@@ -16,7 +16,7 @@ namespace {
 constexpr double wanted_level = 0.01;
 
 /// A link whose loss rises with the logarithm of x, 1 % at `at`; stopped as a run is.
-struct FallingLink {
+struct RisingLoss {
   double at, slope;
   std::mt19937_64 random{1};
   std::vector<double> looked_at{};
@@ -50,13 +50,13 @@ struct FallingLink {
   }
 };
 
-CountAt counting(FallingLink& link) {
+CountAt counting(RisingLoss& link) {
   return [&](double x) { return link(x); };
 }
 
 TEST(Search, BracketsAJumpAsNarrowlyAsAsked) {
   for (const double at : {1.37, 8.21, 39.0}) {
-    FallingLink link{.at = at, .slope = 2000};
+    RisingLoss link{.at = at, .slope = 2000};
     search({.low = 1, .high = 40, .tolerance = 0.005}, wanted_level, counting(link));
     EXPECT_LT(link.nearest_above() / link.nearest_below(), 1.0051) << at;
     EXPECT_LE(link.looked_at.size(), 12u) << at;
@@ -64,7 +64,7 @@ TEST(Search, BracketsAJumpAsNarrowlyAsAsked) {
 }
 
 TEST(Search, LooksBesideAPointAtTheLevel) {
-  FallingLink link{.at = std::sqrt(40.0), .slope = 2};
+  RisingLoss link{.at = std::sqrt(40.0), .slope = 2};
   search({.low = 1, .high = 40}, wanted_level, counting(link));
   ASSERT_EQ(link.looked_at.size(), 5u);  // the ends, the middle, and between
   EXPECT_NEAR(link.looked_at[2], link.at, 0.01);
@@ -95,7 +95,7 @@ TEST(Search, WholeNumbersStayWhole) {
 }
 
 TEST(Search, EndsWhereThereIsNothingToFind) {
-  for (const std::uint64_t lost : {0u, 20u, 2000u}) {  // below, about at the wanted_level, above
+  for (const std::uint64_t lost : {0u, 20u, 2000u}) {  // below, about at the level, above
     int looks = 0;
     search({.low = 1, .high = 40}, wanted_level, [&](double) {
       ++looks;
@@ -134,11 +134,11 @@ TEST(Search, AnEndOfWhichTooLittleIsKnownDoesNotEndIt) {
   EXPECT_LT(*below / *(below - 1), 1.011);
 }
 
-// A grid as fine as the bracket takes 5000 frames at each point that is near the wanted_level.
+// A grid as fine as the bracket takes 5000 frames at each point that is near the level.
 TEST(Search, TakesFarFewerFramesThanAGrid) {
-  FallingLink link{.at = 8, .slope = 100};
+  RisingLoss link{.at = 8, .slope = 100};
   search({.low = 1, .high = 40}, wanted_level, counting(link));
-  FallingLink grid{.at = 8, .slope = 100};
+  RisingLoss grid{.at = 8, .slope = 100};
   for (double x = 1; x < 40; x *= 1.01) grid(x);
   EXPECT_LT(10 * link.frames, grid.frames);
 }

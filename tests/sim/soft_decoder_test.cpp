@@ -13,6 +13,7 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t frames = 1024;
+
 std::vector<JudgedPoint> points_of_decoders() {
   return judged_points(load_scenario(COSYS_SOURCE_DIR "/scenarios/decoders.toml", {},
                                      {COSYS_SOURCE_DIR "/scenarios"}));

@@ -1,11 +1,12 @@
 #pragma once
-// A text by its lines, without their ends.
+// A text by its lines.
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace sim {
 
+/// Without their ends.
 inline std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);

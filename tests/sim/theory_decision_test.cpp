@@ -21,7 +21,7 @@ Link decision_link(const std::string& module, double db, std::vector<std::string
   return link_of(more);
 }
 
-Tally decision_tally(const Link& link, std::uint64_t frames) {
+Tally tally_by_engine(const Link& link, std::uint64_t frames) {
   return run_point(link, {.max_frames = frames}, {.threads = 2}).tally;
 }
 
@@ -31,7 +31,7 @@ std::uint64_t frames_at(double db) { return db < 9 ? 3000 : 300000; }
 /// Whether a 99.9 % interval around what was measured holds the theory: errors are independent.
 void expect_ber(const Link& link, std::uint64_t frames, double theory) {
   const double db = link.operating.ebn0_db;
-  const Tally tally = decision_tally(link, frames);
+  const Tally tally = tally_by_engine(link, frames);
   const auto [low, high] = clopper_pearson(static_cast<double>(tally.n_bit_errors),
                                            static_cast<double>(tally.n_bits), 0.999);
   EXPECT_LE(low, theory) << db << " dB: " << tally.n_bit_errors << " of " << tally.n_bits;
@@ -84,7 +84,7 @@ void expect_agreement(const std::string& module, double db, int warmups) {
                                       "simulation.seed=5"};
   std::vector<std::string> decided = keys;
   decided.emplace_back("simulation.fidelity=decision");
-  const Tally a = decision_tally(link_of(keys), 800), b = decision_tally(link_of(decided), 16000);
+  const Tally a = tally_by_engine(link_of(keys), 800), b = tally_by_engine(link_of(decided), 16000);
   const std::string what = module + " at " + std::to_string(db) + " dB: ";
   expect_same(a.n_bit_errors, a.n_bits, b.n_bit_errors, b.n_bits, what + "bits");
   expect_same(a.n_frames_lost, a.n_frames, b.n_frames_lost, b.n_frames, what + "frames");
@@ -103,7 +103,7 @@ TEST(TheoryDecision, MeasuredAgreesWithTheWaveform) {
 TEST(TheoryDecision, MeasuredMessagesBeforeTheCountedOneMatter) {
   expect_agreement("ideal-coherent", 9.8, 1);
   const auto lost = [](const char* warmups) {
-    const Tally tally = decision_tally(decision_link("ideal-coherent", 9.8, {warmups}), 20000);
+    const Tally tally = tally_by_engine(decision_link("ideal-coherent", 9.8, {warmups}), 20000);
     return static_cast<double>(tally.n_frames_lost);
   };
   EXPECT_NEAR(lost("simulation.warmup_messages=1") / lost("simulation.warmup_messages=0"), 1.12,

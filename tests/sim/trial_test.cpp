@@ -33,7 +33,7 @@ dsp::LogicTrace pin_saying(const Link& link, const Transmission& sent,
   return pin;
 }
 
-Tally counted_tally(const Link& link, const Transmission& sent, dsp::LogicTrace pin) {
+Tally tally_of_pin(const Link& link, const Transmission& sent, dsp::LogicTrace pin) {
   return count(link, sent, receive(link, 0, std::move(pin)));
 }
 
@@ -42,7 +42,7 @@ TEST(Trial, IdentityHasNoErrors) {
     const Link link = link_of({std::string("uart.receiver=") + uart, "device.start_jitter_us=300"});
     for (std::uint32_t trial = 0; trial < 50; ++trial) {
       const Transmission sent = transmit(link, trial);
-      const Tally tally = counted_tally(link, sent, delayed(sent.line, link.delay));
+      const Tally tally = tally_of_pin(link, sent, delayed(sent.line, link.delay));
       EXPECT_EQ(tally.n_bits, 170u);
       EXPECT_EQ(tally.n_bit_errors, 0u);
       EXPECT_EQ(tally.n_byte_errors + tally.n_framing_errors, 0u);
@@ -57,7 +57,7 @@ TEST(Trial, DeadPinGetsEveryLightBitWrong) {
   const Link link = link_of({});
   const Transmission sent = transmit(link, 0);
   dsp::LogicTrace pin(true, sent.line.end());
-  const Tally tally = counted_tally(link, sent, pin);
+  const Tally tally = tally_of_pin(link, sent, pin);
   EXPECT_EQ(tally.n_bit_errors, 106u);
   EXPECT_EQ(tally.sum_bit_errors_squared, 106u * 106u);
   EXPECT_EQ(tally.n_byte_errors, 17u);
@@ -73,7 +73,7 @@ Tally tally_of_wrong_bits(std::uint32_t trial, std::initializer_list<std::size_t
   const Transmission sent = transmit(link, trial);
   protocol::Bytes bytes = link.bytes;
   for (const std::size_t i : at) bytes[i] ^= 1;
-  return counted_tally(link, sent, pin_saying(link, sent, bytes));
+  return tally_of_pin(link, sent, pin_saying(link, sent, bytes));
 }
 
 TEST(Trial, WrongBitIsRejectedByTheChecksum) {
@@ -100,7 +100,7 @@ TEST(Trial, EveryReasonIsCounted) {
   const auto with = [&](std::size_t at, std::uint8_t value) {
     protocol::Bytes bytes = link.bytes;
     bytes[at] = value;
-    return counted_tally(link, sent, pin_saying(link, sent, bytes));
+    return tally_of_pin(link, sent, pin_saying(link, sent, bytes));
   };
   EXPECT_EQ(with(4, 0x07).n_rejected_unprintable, 1u);
   EXPECT_EQ(with(14, 'x').n_rejected_not_hex, 1u);
@@ -113,9 +113,9 @@ TEST(Trial, LongestMessageWithoutItsNewlineIsRejectedAsOverlong) {
   const Link link = link_of({"device.message=" + std::string(protocol::longest_message, 'x')});
   const Transmission sent = transmit(link, 3);
   protocol::Bytes bytes = link.bytes;
-  EXPECT_EQ(counted_tally(link, sent, pin_saying(link, sent, bytes)).n_frames_ok, 1u);
+  EXPECT_EQ(tally_of_pin(link, sent, pin_saying(link, sent, bytes)).n_frames_ok, 1u);
   bytes.back() ^= 1;
-  const Tally tally = counted_tally(link, sent, pin_saying(link, sent, bytes));
+  const Tally tally = tally_of_pin(link, sent, pin_saying(link, sent, bytes));
   EXPECT_EQ(tally.n_rejected_overlong, 1u);
   EXPECT_EQ(tally.n_frames_lost, 1u);
   EXPECT_EQ(tally.n_frames_unended, 0u);
@@ -127,7 +127,7 @@ TEST(Trial, MessageWhoseNewlineIsDamagedIsCountedAsUnended) {
   const Transmission sent = transmit(link, 3);
   protocol::Bytes bytes = link.bytes;
   bytes.back() ^= 1;
-  const Tally tally = counted_tally(link, sent, pin_saying(link, sent, bytes));
+  const Tally tally = tally_of_pin(link, sent, pin_saying(link, sent, bytes));
   EXPECT_EQ(tally.n_frames_lost, 1u);
   EXPECT_EQ(tally.n_frames_unended, 1u);
   EXPECT_EQ(tally.n_frames_unheard, 0u);
@@ -160,7 +160,7 @@ TEST(Trial, BytesAreMatchedByTime) {
                         link.device_baud);
   }
   pin.observe_until(sent.line.end());
-  EXPECT_EQ(counted_tally(link, sent, pin).n_byte_errors, 1u);
+  EXPECT_EQ(tally_of_pin(link, sent, pin).n_byte_errors, 1u);
 }
 
 // A frame in the dark between messages was not sent by anybody; warm-up messages were.
@@ -176,7 +176,7 @@ TEST(Trial, FramesThatNobodySentAreFalse) {
     for (const auto byte : link.bytes) t = protocol::send_byte(pin, byte, t, link.device_baud);
   }
   pin.observe_until(sent.line.end());
-  const Tally tally = counted_tally(link, sent, pin);
+  const Tally tally = tally_of_pin(link, sent, pin);
   EXPECT_EQ(tally.n_frames_false, 1u);
   EXPECT_EQ(tally.n_frames_ok, 1u);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Workers for tests of what must not hang on their number.
+// Workers for tests that take long: two threads, which nothing interrupts.
 #include "sim/threads/run_sharing.hpp"
 
 namespace sim {

@@ -39,7 +39,7 @@ std::string one_wire(const std::string& body, const std::string& timescale = "1 
   return "$timescale " + timescale + " $end $var wire 1 ! rx $end $enddefinitions $end\n" + body;
 }
 
-std::vector<double> exact_flips_us(const LogicTrace& trace) {
+std::vector<double> flips_to_ns(const LogicTrace& trace) {
   std::vector<double> times;
   for (const Seconds flip : trace.flips()) times.push_back(std::round(flip.value * 1e9) / 1e3);
   return times;
@@ -88,7 +88,7 @@ TEST(Vcd, RoundsToTheMicrosecondAndDropsWhatIsShorter) {
 TEST(Vcd, NothingIsWrittenFromTheEndOn) {
   const LogicTrace line = at_us(true, {5, 9, 12}, 12);
   const auto back = read(written({{"rx", &line}}, Seconds(9e-6)));
-  EXPECT_EQ(exact_flips_us(back.at(0).trace), (std::vector<double>{5}));
+  EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector<double>{5}));
   EXPECT_DOUBLE_EQ(back.at(0).trace.end().value, 9e-6);
 }
 
@@ -109,7 +109,7 @@ TEST(Vcd, ReadingUndoesWritingForAnyNumberOfWires) {
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(back[i].name, wires[i].name);
       EXPECT_EQ(back[i].trace.initial(), traces[i].initial());
-      EXPECT_EQ(exact_flips_us(back[i].trace), flips[i]);
+      EXPECT_EQ(flips_to_ns(back[i].trace), flips[i]);
       EXPECT_DOUBLE_EQ(back[i].trace.end().value, 0.05);
     }
   }
@@ -121,7 +121,7 @@ TEST(Vcd, ReadsAnyTimescale) {
   for (const auto& [timescale, tick_us] : std::map<std::string, double>{
            {"1us", 1}, {"1 us", 1}, {"10 ns", 0.01}, {"100\nns", 0.1}, {"2us", 2}, {"1 ms", 1e3}}) {
     const auto back = read(one_wire("#0 1! #300 0! #700 1! #900", timescale));
-    EXPECT_EQ(exact_flips_us(back.at(0).trace), (std::vector{300 * tick_us, 700 * tick_us}))
+    EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector{300 * tick_us, 700 * tick_us}))
         << timescale;
     EXPECT_NEAR(back.at(0).trace.end().value, 900e-6 * tick_us, 1e-12);
   }
@@ -143,14 +143,14 @@ TEST(Vcd, SkipsWhatIsNoOneBitWire) {
   EXPECT_EQ(back[1].name, "inner");
   EXPECT_TRUE(back[1].trace == back[0].trace);
   EXPECT_FALSE(back[0].trace.initial());
-  EXPECT_EQ(exact_flips_us(back[0].trace), (std::vector<double>{10, 20, 40}));
+  EXPECT_EQ(flips_to_ns(back[0].trace), (std::vector<double>{10, 20, 40}));
 }
 
 TEST(Vcd, UnknownLevelsKeepTheLastAndAnUnknownStartIsIdle) {
   const auto flips = [](const std::string& body) {
     const auto trace = read(one_wire(body)).at(0).trace;
     EXPECT_EQ(trace.initial(), body.find("#0 0!") != 0) << body;
-    return exact_flips_us(trace);
+    return flips_to_ns(trace);
   };
   using Times = std::vector<double>;
   EXPECT_EQ(flips("#0 x! #5 0! #9 1!"), (Times{5, 9}));
@@ -170,15 +170,15 @@ TEST(Vcd, TheNineValuesOfVhdlAreLevelsOrSayNothing) {
                                  "! #7 b" + nothing + " ! #9 b" + high + " !";
         const auto trace = read(one_wire(body)).at(0).trace;
         EXPECT_TRUE(trace.initial()) << body;
-        EXPECT_EQ(exact_flips_us(trace), (std::vector<double>{5, 9})) << body;
+        EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{5, 9})) << body;
       }
 }
 
 TEST(Vcd, ADumpThatIsSwitchedOffSaysNothing) {
-  EXPECT_EQ(exact_flips_us(read(one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
-                                         "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
-                               .at(0)
-                               .trace),
+  EXPECT_EQ(flips_to_ns(read(one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
+                                      "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
+                            .at(0)
+                            .trace),
             (std::vector<double>{5, 9}));
 }
 
@@ -187,22 +187,21 @@ TEST(Vcd, ABlankMayPartAValueFromItsCode) {
   const auto both = read(
       "$timescale 1 us $end $var wire 1 $ a $end $var wire 1 # b $end $enddefinitions $end\n"
       "#0 1 $ 0 # #5 0 $\n#7\n1\n#\n#9 1\t$ #12");
-  EXPECT_EQ(exact_flips_us(both.at(0).trace), (std::vector<double>{5, 9}));
-  EXPECT_EQ(exact_flips_us(both.at(1).trace), (std::vector<double>{7}));
+  EXPECT_EQ(flips_to_ns(both.at(0).trace), (std::vector<double>{5, 9}));
+  EXPECT_EQ(flips_to_ns(both.at(1).trace), (std::vector<double>{7}));
 }
 
 TEST(Vcd, TimesMayHaveAFraction) {
   const auto trace = read(one_wire("#0.000 1! #12.5 0! #31666.667 1! #40000.")).at(0).trace;
-  EXPECT_EQ(exact_flips_us(trace), (std::vector<double>{12.5, 31666.667}));
+  EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{12.5, 31666.667}));
   EXPECT_DOUBLE_EQ(trace.end().value, 0.04);
 }
 
 TEST(Vcd, AMissingTimescaleMayBeTold) {
   const std::string bare = "$var wire 1 ! rx $end $enddefinitions $end\n#0 1! #5 0! #7";
-  EXPECT_EQ(exact_flips_us(read(bare, told(Seconds(1e-6))).at(0).trace), (std::vector<double>{5}));
-  EXPECT_EQ(exact_flips_us(read(bare, told(Seconds(1e-3))).at(0).trace),
-            (std::vector<double>{5e3}));
-  EXPECT_EQ(exact_flips_us(read(one_wire("#0 1! #5 0!"), told(Seconds(1))).at(0).trace),
+  EXPECT_EQ(flips_to_ns(read(bare, told(Seconds(1e-6))).at(0).trace), (std::vector<double>{5}));
+  EXPECT_EQ(flips_to_ns(read(bare, told(Seconds(1e-3))).at(0).trace), (std::vector<double>{5e3}));
+  EXPECT_EQ(flips_to_ns(read(one_wire("#0 1! #5 0!"), told(Seconds(1))).at(0).trace),
             (std::vector<double>{5e6}))
       << "what is told holds, as --sample-rate does";
 }
@@ -220,7 +219,7 @@ TEST(Vcd, AnExtendedDumpIsRefusedByName) {
 std::string names_and_flips(const std::string& text, const std::string& asked = "") {
   std::string line;
   for (const NamedTrace& wire : read(text, asked_for(asked)))
-    line += wire.name + "@" + std::to_string(std::lround(exact_flips_us(wire.trace).at(0))) + " ";
+    line += wire.name + "@" + std::to_string(std::lround(flips_to_ns(wire.trace).at(0))) + " ";
   return line;
 }
 
@@ -284,7 +283,7 @@ TEST(Vcd, NamesLeadToTheirCodesInAnyDesign) {
     const auto flip_of = [&](const std::string& wire) {
       const auto wires = read(text, asked_for(wire));
       const auto found = std::ranges::find(wires, wire, &NamedTrace::name);
-      return found == wires.end() ? -1.0 : exact_flips_us(found->trace).at(0);
+      return found == wires.end() ? -1.0 : flips_to_ns(found->trace).at(0);
     };
     for (const auto& [place_of, code] : code_of) first_of[place_of] = code;
     for (const auto& [wire, code] : first_of)
@@ -295,7 +294,7 @@ TEST(Vcd, NamesLeadToTheirCodesInAnyDesign) {
 TEST(Vcd, ALateFirstTimeGivesTheInitialLevel) {
   const auto trace = read(one_wire("#1000 0! #1500 1!")).at(0).trace;
   EXPECT_FALSE(trace.initial());
-  EXPECT_EQ(exact_flips_us(trace), (std::vector<double>{1500}));
+  EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{1500}));
 }
 
 TEST(Vcd, ErrorsNameFileLineAndReason) {
