@@ -9,7 +9,6 @@
 #include "sim/check/point_check.hpp"
 #include "sim/check/unpaired_losses.hpp"
 #include "sim/failure.hpp"
-#include "two_threads.hpp"
 
 namespace sim {
 namespace {

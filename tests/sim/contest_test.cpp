@@ -9,7 +9,6 @@
 #include "program.hpp"
 #include "scenarios.hpp"
 #include "scripted_decoder.hpp"
-#include "two_threads.hpp"
 
 namespace sim {
 namespace {

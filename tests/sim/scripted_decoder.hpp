@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "sim/check/decoder.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
+
+/// Those that judge decoders.
+inline constexpr Workers two_threads{.threads = 2, .interrupt = nullptr};
 
 class ScriptedDecoder : public Decoder {
  public:

@@ -7,12 +7,12 @@
 #include "sim/check/decoded_frames.hpp"
 #include "sim/check/judged_point.hpp"
 #include "sim/check/paired_losses.hpp"
-#include "two_threads.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::uint32_t frames = 1024;
+constexpr Workers workers{.threads = 2, .interrupt = nullptr};
 
 std::vector<JudgedPoint> points_of_decoders() {
   return judged_points(load_scenario(COSYS_SOURCE_DIR "/scenarios/decoders.toml", {},
@@ -25,7 +25,7 @@ std::vector<DecodedFrames> decoded_by_all(const JudgedPoint& point) {
   std::vector<const Decoder*> decoders;
   for (const std::string& name : built_in_decoders())
     decoders.push_back(owned.emplace_back(make_built_in_decoder(name)).get());
-  return decode_frames(judged_link(point), decoders, 0, frames, two_threads);
+  return decode_frames(judged_link(point), decoders, 0, frames, workers);
 }
 
 std::ptrdiff_t deceived(const DecodedFrames& decoded) {

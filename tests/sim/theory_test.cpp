@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "decibels.hpp"
+#include "theory_case.hpp"
 
 namespace sim {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "decibels.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
@@ -13,6 +12,7 @@
 #include "sim/report/report_table.hpp"
 #include "sim/trace/trace.hpp"
 #include "sim/trial/trial.hpp"
+#include "theory_case.hpp"
 
 namespace sim {
 namespace {
@@ -36,14 +36,8 @@ Tally waveform_tally(const Link& link) {
   return tally;
 }
 
-/// Whether a 99.9 % interval around what was measured holds the theory: errors are independent.
 void expect_waveform_ber(const Link& link, double theory, const std::string& what) {
-  const Tally tally = waveform_tally(link);
-  const auto [low, high] = clopper_pearson(static_cast<double>(tally.n_bit_errors),
-                                           static_cast<double>(tally.n_bits), 0.999);
-  EXPECT_LE(low, theory) << what << ": " << tally.n_bit_errors << " of " << tally.n_bits;
-  EXPECT_GE(high, theory) << what << ": " << tally.n_bit_errors << " of " << tally.n_bits;
-  EXPECT_NEAR(link.operating.ber_theory / theory, 1, 1e-4) << what;
+  expect_ber(link, waveform_tally(link), theory, what);
 }
 
 TEST(TheoryWaveform, MeasuredCoherent) {
