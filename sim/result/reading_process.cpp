@@ -31,15 +31,15 @@ constexpr std::size_t longest_name_asked = 4096;
 constexpr std::size_t short_answer = 65536;  // goes in one piece
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool has_shadow = true;  // takes all addresses at once
+constexpr bool is_sanitized = true;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool has_shadow = true;
+constexpr bool is_sanitized = true;
 #else
-constexpr bool has_shadow = false;
+constexpr bool is_sanitized = false;
 #endif
 #else
-constexpr bool has_shadow = false;
+constexpr bool is_sanitized = false;
 #endif
 
 // ---- what goes over the socket; both ends are of one program ----
@@ -110,20 +110,26 @@ void allow(double seconds) {
 
 void limit_memory() {
   rlim_t pages = 0;
-  if (has_shadow || !(std::ifstream("/proc/self/statm") >> pages)) return;
+  if (is_sanitized) return;  // its shadow takes all addresses at once
+  if (!(std::ifstream("/proc/self/statm") >> pages)) return;
   const rlim_t most = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + room_bytes;
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
-/// Nothing of ours is touched, and a fall leaves no trace: no word on the terminal, no core. Who
-/// stops the program with the keyboard stops us by going away.
+/// A fall leaves no trace: no word on the terminal, no core. What a sanitizer finds it tells.
+void fall_in_silence(int nowhere) {
+  if (is_sanitized) return;
+  ::dup2(nowhere, STDERR_FILENO);
+  for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(fatal, SIG_DFL);
+}
+
+/// Nothing of ours is touched. Who stops the program with the keyboard stops us by going away.
 void keep_apart() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
-  ::dup2(nowhere, STDERR_FILENO);
-  for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF})
-    std::signal(fatal, SIG_DFL);
+  fall_in_silence(nowhere);
+  std::signal(SIGPROF, SIG_DFL);
   for (const int wish : {SIGINT, SIGTERM, SIGHUP}) std::signal(wish, SIG_IGN);
   sigset_t none;
   ::sigemptyset(&none);
