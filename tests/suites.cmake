@@ -1,10 +1,12 @@
 # Writes OUTPUT, which CTest reads: an entry for each suite of a test program, so that a process is started once
 # for a suite and not once for a case. Cases called Measured... have an entry of their own with the label
 # `measured`: they hold figures against the model and take long, so the builds for sanitizers leave them out
-# (-LE measured). Those of suites that the pattern GATE finds are `gate` too: tests/run leaves them to the gate. Suites
-# of the pattern OUTSIDE have the label `outside`; those of which THREADS finds a part of a name, `threads`;
-# those of AGAIN, `again`. Measurements of the pattern WEEKLY have the label `weekly` in place of `gate`. Those of the
-# pattern LONG are begun before others.
+# (-LE measured). Lists of names, "A|B", say what else a suite is; that of a parameterised suite is what follows its "/".
+#   GATE: its measurements have the label `gate` too, and tests/run leaves them to the gate
+#   WEEKLY: theirs is `weekly` instead
+#   OUTSIDE, AGAIN: the suite has the label `outside` or `again`
+#   THREADS: it has the label `threads` where a part of its name, or of one of its cases, is in the list
+#   LONG: it is begun before others
 # Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D WEEKLY=... -D OUTSIDE=...
 #   -D AGAIN=... -D OUTPUT=... -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
@@ -18,7 +20,7 @@ function(add_entry suite name filter labels)
          "set_tests_properties([=[${PREFIX}.${name}]=] PROPERTIES LABELS [=[${labels}]=]")
   if(labels MATCHES "measured")
     string(APPEND entries " COST 100")  # begun first, so that nothing long is left for the end
-  elseif(suite MATCHES "${LONG}")
+  elseif(suite MATCHES "^(.*/)?(${LONG})$")
     string(APPEND entries " COST 50")
   endif()
   string(APPEND entries ")\n")
@@ -39,9 +41,9 @@ function(add_suite suite cases)
       set(labels "threads")
     endif()
   endforeach()
-  if(suite MATCHES "${OUTSIDE}")
+  if(suite MATCHES "^(.*/)?(${OUTSIDE})$")
     list(APPEND labels "outside")
-  elseif(suite MATCHES "${AGAIN}")
+  elseif(suite MATCHES "^(.*/)?(${AGAIN})$")
     list(APPEND labels "again")
   endif()
   if(plain)
@@ -49,9 +51,9 @@ function(add_suite suite cases)
   endif()
   if(measured)
     set(labels "measured")
-    if(suite MATCHES "${WEEKLY}")
+    if(suite MATCHES "^(.*/)?(${WEEKLY})$")
       list(APPEND labels "weekly")
-    elseif(suite MATCHES "${GATE}")
+    elseif(suite MATCHES "^(.*/)?(${GATE})$")
       list(APPEND labels "gate")
     endif()
     add_entry("${suite}" "${suite}.measured" "${suite}.Measured*" "${labels}")

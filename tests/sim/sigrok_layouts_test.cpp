@@ -51,7 +51,7 @@ class SigrokLayouts : public CommandLine {
     for (int i = 0; i < 6; ++i) sampled.message += random_() % 2 == 0 ? '0' : '1';
     sampled.message += " OK";
     sampled.rate = random_() % 2 == 0 ? usual[random_() % std::size(usual)]
-                                      : 12'000 + static_cast<int>(random_() % 500'000);
+                                      : 12'000 + static_cast<int>(random_() % 100'000);
     sampled.wires = 1 + static_cast<int>(random_() % 8);
     sampled.wire = static_cast<int>(random_() % static_cast<std::uint64_t>(sampled.wires));
     sampled.inverted = random_() % 4 == 0;

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "program.hpp"
@@ -76,10 +77,10 @@ class StrangeDataset : public CommandLine,
                        public testing::WithParamInterface<std::tuple<Experiment, bool>> {
  protected:
   StrangeDataset() {
-    write("x.toml", scenario_of(std::get<0>(GetParam()), std::get<1>(GetParam())));
-    const Outcome o = program({"run", "x.toml", "-q", "-o", "x.h5"});
-    if (o.code != 0) throw std::runtime_error(o.err);
-    stored_ = read_dataset(path("x.h5"));
+    static std::map<std::string, StoredDataset> of_scenarios;
+    const std::string scenario = scenario_of(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    if (!of_scenarios.contains(scenario)) of_scenarios[scenario] = result_of(scenario);
+    stored_ = of_scenarios[scenario];
   }
 
   static void expect_page(const StoredDataset& stored) {
@@ -118,6 +119,13 @@ class StrangeDataset : public CommandLine,
   StoredDataset stored_;
 
  private:
+  StoredDataset result_of(const std::string& scenario) const {
+    write("x.toml", scenario);
+    const Outcome o = program({"run", "x.toml", "-q", "-o", "x.h5"});
+    if (o.code != 0) throw std::runtime_error(o.err);
+    return read_dataset(path("x.h5"));
+  }
+
   std::size_t changes_ = 0;
 };
 
