@@ -69,6 +69,10 @@ apt_install() { # the lists are fetched only where those at hand do not do
   apt_get "${install[@]}" || { apt_get update && apt_get "${install[@]}"; }
 }
 
+building_takes() { # building_takes GROUP...: CPU seconds, of the program alone or of the tests too
+  if [[ " $* " == *" test "* ]]; then echo 900; else echo 300; fi
+}
+
 install_missing() { # install_missing GROUP...
   local missing
   mapfile -t missing < <(missing_packages "$@")
@@ -76,7 +80,7 @@ install_missing() { # install_missing GROUP...
   local by_hand="apt-get install --no-install-recommends ${missing[*]}"
   [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
     fail "packages are missing (not root, and there is no sudo) As root: $by_hand"
-  say "installing ${missing[*]}"
+  say "$(minutes_for "$(building_takes "$@")") to build, after what it takes to install ${missing[*]}"
   quietly install.log apt_install "${missing[@]}" ||
     fail "packages are missing (apt-get failed, see above) Install them by hand: $by_hand"
 }
@@ -209,7 +213,7 @@ build_program() {
   local settings=()
   # The program alone needs no test packages; a tree where the tests are on keeps them.
   is_set_up "$root/build/release" || settings=(COSYS_TESTS:BOOL=OFF)
-  say "building$([[ -x $program ]] || echo ": the first time takes $(minutes_for 300)")"
+  say "building$([[ -x $program ]] || echo ": the first time takes $(minutes_for "$(building_takes build)")")"
   touch "$root/build/.began"
   build release cosys-sim "${settings[@]}"
   mv "$root/build/.began" "$root/build/release/.program"

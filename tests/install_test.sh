@@ -2,6 +2,7 @@
 # An installed program, run in a folder of its own: it has its parts, its quickstart, and the user's scenario.
 # usage: install_test.sh BUILD_FOLDER
 set -euo pipefail
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cmake --install "$1" --prefix "$folder/installed" >"$folder/log"
@@ -40,5 +41,5 @@ press_tab='
   zpty -r -m shell seen "*ready*"
   zpty -w -n shell "cosys-sim decode --uart mid'$'\t''"
   zpty -r -m shell seen "*mid-bit*"'
-command -v zsh >/dev/null || exec "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/skip.sh" install "no zsh here"
+command -v zsh >/dev/null || "$here/skip.sh" install "needs zsh (Debian: zsh)" || exit $?
 timeout 30 zsh -f -c "$press_tab" zsh "$share/zsh/site-functions" || fail 'zsh does not complete decode --uart mid'

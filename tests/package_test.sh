@@ -9,10 +9,12 @@ trap 'rm -rf "$folder"' EXIT
 root=$folder/root
 
 fail() { printf '%s\n' "$@" >&2; exit 1; }
-skip() { exec "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/skip.sh" package "$*"; }
-for tool in cpack dpkg-shlibdeps file; do
-  command -v "$tool" >/dev/null || skip "no $tool here"
-done
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+skip() { "$here/skip.sh" package "$*" || exit $?; }
+need() { command -v "$1" >/dev/null || skip "needs $1 (Debian: $2)"; }
+need cpack cmake
+need dpkg-shlibdeps dpkg-dev
+need file file
 
 # --- the package ------------------------------------------------------------------------------
 
@@ -114,7 +116,7 @@ copy_packages() { # copy_packages PACKAGE...: files and what dpkg knows of them
 }
 
 closure=$(closure_of "$(dpkg-deb --field "$package" Depends)") || fail 'its Depends cannot be met here'
-chroot / true 2>/dev/null || skip 'the package is as it should be, but only root may run it in a root of its own'
+chroot / true 2>/dev/null || skip 'needs root, to run in a root of its own: the package itself is as it should be'
 mkdir -p "$root"/{dev,proc/self,tmp}
 mapfile -t packages <<<"$closure"
 copy_packages "${packages[@]}"

@@ -119,7 +119,7 @@ def main(report, screenshot):
     with_spike(report, spiked)
     driver = opened(spiked)
     if not has_live_pictures(driver):
-        skip_part("browser.long_trial", "built without uPlot (npm), so charts stand still")
+        skip_part("browser.long_trial", "built without uPlot, which npm fetches (Debian: npm), so charts stand still")
         driver.quit()
         return
     follow_spike(driver)

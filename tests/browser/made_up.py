@@ -227,7 +227,7 @@ def main(report, screenshot):
         look_at_made_up(driver, report)
         driver.save_screenshot(screenshot)
     else:
-        skip_part("browser.made_up", "built without uPlot (npm), so charts stand still")
+        skip_part("browser.made_up", "built without uPlot, which npm fetches (Debian: npm), so charts stand still")
     expect_no_complaints(driver)
     driver.quit()
 

@@ -149,7 +149,7 @@ def use_pictures(driver):
     charts = driver.find_elements(By.CLASS_NAME, "chart")
     expect(charts, "there is no chart")
     if not has_live_pictures(driver):
-        skip_part("browser.charts", "built without uPlot (npm), so charts stand still")
+        skip_part("browser.charts", "built without uPlot, which npm fetches (Debian: npm), so charts stand still")
         expect(all(chart.find_element(By.TAG_NAME, "svg").is_displayed() for chart in charts),
                "a still picture is not shown")
         return

@@ -45,7 +45,7 @@ TEST(Page, ShowsTextsAsTexts) {
 }
 
 TEST(Page, HasTheLicenceOfWhatItEmbeds) {
-  if (uplot_script.empty()) GTEST_SKIP() << "built without uPlot (npm)";
+  if (uplot_script.empty()) GTEST_SKIP() << "built without uPlot, which npm fetches (Debian: npm)";
   const std::string page = page_as_html({.title = "a", .verdict = {}, .sections = {}});
   EXPECT_EQ(occurrences(page, "Leon Sorokin"), 1U);
   EXPECT_EQ(occurrences(page, "Permission is hereby granted"), 1U);
