@@ -181,6 +181,11 @@ std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& fa
   const ChannelChoice choice = choice_of_channel(surveys);
   for (const ChannelSurvey& survey : surveys) facts.channels.push_back({survey.name, survey.edges});
   facts.rival = choice.rival;
+  const auto passed_over = std::ranges::count_if(
+      surveys, [](const ChannelSurvey& survey) { return survey.edges > 0 && !survey.is_surveyed; });
+  if (passed_over > 0)
+    facts.assumed.push_back(fmt::format(
+        "no line on {} channels of fewer edges, which were not looked at", passed_over));
   return choice.channel;
 }
 

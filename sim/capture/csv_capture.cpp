@@ -243,7 +243,7 @@ ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std
     KeyedWire line(flips, hints.carrier);
     return survey_of(name, line, hints);
   }
-  if (!moves || !rate) return {name, 0, {}, {}};
+  if (!moves || !rate) return {.name = name};
   SamplesAhead samples(table, *rate, column);
   return survey_of_samples(name, samples, hints);
 }

@@ -23,9 +23,18 @@ constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, mo
 constexpr std::uint64_t fewest_to_rival = 4;  // characters
 constexpr double reads_as_well = 0.9;         // of the other's worth
 
+/// "rx" of "rx[0:0]": a vector of one bit, as simulators declare a wire.
+std::string without_range(const std::string& name) {
+  const auto open = name.rfind('['), colon = name.rfind(':');
+  if (!name.ends_with(']') || open == std::string::npos || colon == std::string::npos) return name;
+  const std::string range = name.substr(open + 1, name.size() - open - 2);
+  const std::string bit = range.substr(0, range.find(':'));
+  return range == bit + ":" + bit ? name.substr(0, open) : name;
+}
+
 /// "rxd" of "top.uart.RXD".
 std::string last_word(const std::string& name) {
-  const std::string text = in_lower_case(name);
+  const std::string text = in_lower_case(without_range(name));
   const auto first = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz");
   return first == std::string::npos ? text : text.substr(first + 1);
 }
@@ -107,7 +116,7 @@ std::string names_to_use(const std::vector<std::string>& names, const std::strin
 }  // namespace
 
 ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hints) {
-  ChannelSurvey survey{std::move(name), 0, {}, {}};
+  ChannelSurvey survey{.name = std::move(name), .is_surveyed = true};
   while (survey.flips.size() < most_surveyed_flips) {
     const auto flip = line.next();
     if (!flip) break;
@@ -134,7 +143,8 @@ std::size_t named_channel(const std::vector<std::string>& channels, const std::s
   const auto exact = std::ranges::find(channels, wanted);
   if (exact != channels.end()) return static_cast<std::size_t>(exact - channels.begin());
   const auto alike = all_with(channels, [&](const std::string& name) {
-    return in_lower_case(name) == in_lower_case(wanted);
+    const std::string asked = in_lower_case(wanted);
+    return in_lower_case(name) == asked || in_lower_case(without_range(name)) == asked;
   });
   if (alike.size() == 1) return alike.front();
   const auto is_number = [](const std::string& name) { return parse_number(name).has_value(); };
@@ -166,7 +176,7 @@ std::vector<ChannelSurvey> SurveyedCapture::surveys(const LineHints& hints) cons
   const std::vector<std::uint64_t> count = edges();
   std::vector<ChannelSurvey> surveys;
   for (std::size_t i = 0; i < wires().size(); ++i)
-    surveys.push_back({wires()[i], count[i], {}, {}});
+    surveys.push_back({.name = wires()[i], .edges = count[i]});
   std::vector<std::vector<WireLevel>> levels(wires().size());
   for (WireLevel level : ahead_) levels[std::exchange(level.wire, 0)].push_back(level);
   for (const std::size_t wire : wires_to_survey(wires(), count)) {

@@ -26,8 +26,9 @@ struct LineHints {
 struct ChannelSurvey {
   std::string name;
   std::uint64_t edges = 0;
-  LineFacts facts;
-  std::vector<dsp::Seconds> flips;  // by which channels that are one and the same are known
+  LineFacts facts{};
+  std::vector<dsp::Seconds> flips{};  // by which channels that are one and the same are known
+  bool is_surveyed = false;           // else edges alone are known
 };
 
 /// Of a channel's line, up to its first 32768 flips.
@@ -41,8 +42,9 @@ struct ChannelChoice {
 /// By what is on them; there is at least one.
 ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels);
 
-/// The channel of this name, in any case where no other is so called, or of this number, the first
-/// being 1, where no name is a number. Throws bad_input, naming all, or the nearest of many.
+/// The channel of this name, in any case and without the range of one bit ("rx" for "rx[0:0]")
+/// where no other is so called, or of this number, the first being 1, where no name is a number.
+/// Throws bad_input, naming all, or the nearest of many.
 std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
                           const std::string& file);
 

@@ -22,6 +22,8 @@ void WireNames::add(std::string name, std::size_t code) {
   variables_.push_back({std::move(name), open_.back(), code});
   const Variable& added = variables_.back();
   if (!asked_code_ && is_asked(added)) asked_code_ = code;
+  if (ends_as_asked(added)) ending_is_shared_ |= ending_code_.value_or(code) != code;
+  if (!ending_code_ && ends_as_asked(added)) ending_code_ = code;
   // Of a variable, of its place in an order, and of its name in the list.
   bytes_ += sizeof(Variable) + 3 * sizeof(std::size_t) + sizeof(std::string) + added.name.size();
 }
@@ -34,6 +36,14 @@ bool WireNames::is_asked(const Variable& variable) const {
   const std::string& scope = scopes_[variable.scope];
   return asked_.size() == scope.size() + variable.name.size() && asked_.starts_with(scope) &&
          asked_.ends_with(variable.name);
+}
+
+/// At a dot: "dut.rx" of top.dut.rx, but not "ut.rx".
+bool WireNames::ends_as_asked(const Variable& variable) const {
+  if (!asked_.ends_with("." + variable.name)) return false;
+  const std::string& scope = scopes_[variable.scope];
+  const std::string end = asked_.substr(0, asked_.size() - variable.name.size());
+  return ("." + scope).ends_with("." + end);
 }
 
 /// The order of variables, of which those outside any scope go first.
@@ -89,6 +99,7 @@ void WireNames::finish() {
     list_as(by_place ? path_of(variable) : variable.name, variable.code);
   }
   variables_ = {};
+  if (!asked_code_ && !ending_is_shared_) asked_code_ = ending_code_;
   if (asked_code_ && std::ranges::find(list_, asked_) == list_.end()) list_as(asked_, *asked_code_);
 }
 

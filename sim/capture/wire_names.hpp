@@ -2,7 +2,8 @@
 // WireNames: what the wires of a design are called. A name stands in a scope, one code may have
 // several, and one name may be that of several codes. Each wire is listed by its name alone where
 // no other code has it, else by its place, such as top.dut.rx. A name that several have is listed
-// too, last, and means the first of them; so is the place that was asked for.
+// too, last, and means the first of them; so is the place that was asked for, or the end of a
+// place, such as dut.rx, that only one code has.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -46,6 +47,7 @@ class WireNames {
   }
   std::string path_of(const Variable& variable) const;
   bool is_asked(const Variable& variable) const;
+  bool ends_as_asked(const Variable& variable) const;
   bool is_before(std::size_t a, std::size_t b) const;
   std::vector<std::size_t> by_name_and_code() const;
   std::vector<Listed> chosen() const;
@@ -53,6 +55,8 @@ class WireNames {
 
   std::string asked_;
   std::optional<std::size_t> asked_code_;   // of the variable whose place was asked for
+  std::optional<std::size_t> ending_code_;  // of the first whose place ends so
+  bool ending_is_shared_ = false;           // with another code
   std::vector<std::string> scopes_ = {""};  // their places, each with a dot behind
   std::vector<std::size_t> open_ = {0};     // the scopes that are open
   std::vector<Variable> variables_;         // as declared

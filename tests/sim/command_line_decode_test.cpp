@@ -1,6 +1,9 @@
 // encode and decode from outside: formats, and how long a capture may be.
+#include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -160,6 +163,60 @@ TEST_F(CommandLine, DecodeReadsMoreChannelsThanAByteHas) {
       {"decode", "t.vcd", "--sample-bytes", "2"}, 2,
       "--sample-bytes is not for t.vcd (its format says that itself, or has none) leave it "
       "out");
+}
+
+/// A VCD of microseconds: a message on each of these wires, later by a millisecond than on the one
+/// before, and `others` that flip twice.
+std::string dump(const std::vector<std::string>& wires, int others) {
+  std::string text = "$timescale 1 us $end\n";
+  std::multimap<long, std::string> changes;
+  const dsp::LogicTrace line = message_line(600);
+  const auto add = [&](const std::string& name) {
+    const std::string code = fmt::format("n{}", changes.size());
+    text += fmt::format("$var wire 1 {} {} $end\n", code, name);
+    changes.emplace(0, "1" + code);
+    return code;
+  };
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    const std::string code = add(wires[i]);
+    bool level = true;
+    for (const dsp::Seconds flip : line.flips()) {
+      level = !level;
+      changes.emplace(std::lround(flip.value * 1e6) + 1000 * static_cast<long>(i),
+                      (level ? "1" : "0") + code);
+    }
+  }
+  for (int i = 0; i < others; ++i) {
+    const std::string code = add(fmt::format("w{}", i));
+    changes.emplace(50 + i, "0" + code);
+    changes.emplace(900 + i, "1" + code);
+  }
+  text += "$enddefinitions $end\n";
+  for (const auto& [at, change] : changes) text += fmt::format("#{}\n{}\n", at, change);
+  return text + "#400000\n";
+}
+
+TEST_F(CommandLine, DecodeKnowsAVectorOfOneBit) {
+  write("t.vcd", dump({"a", "RX [0:0]"}, 0));
+  const Outcome o = program({"decode", "t.vcd"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find(fmt::format("channel RX[0:0] ({0} edges), not a ({0});",
+                                   message_line(600).flips().size())),
+            std::string::npos)
+      << o.out;
+  EXPECT_EQ(program({"decode", "t.vcd", "--wire", "rx"}).out, o.out);
+  write("t.vcd", dump({"a", "RX [1:0]"}, 0));
+  EXPECT_EQ(program({"decode", "t.vcd", "--wire", "rx"}).code, 2);
+}
+
+TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
+  write("t.vcd", dump({"line"}, 130));
+  const Outcome o = program({"decode", "t.vcd", "--json"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(line_facts(o.out).at("capture").at("channel"), "line");
+  EXPECT_EQ(
+      line_facts(o.out).at("capture").at("assumed"),
+      nlohmann::json::array({"no line on 31 channels of fewer edges, which were not looked at"}));
 }
 
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "protocol/uart.hpp"
@@ -236,7 +237,9 @@ TEST(Vcd, AWireHasEachOfItsNames) {
   EXPECT_EQ(names_and_flips(text, "rx"), names_and_flips(text));
   EXPECT_EQ(names_and_flips(text, "top.dut.rx"), names_and_flips(text) + "top.dut.rx@1 ");
   EXPECT_EQ(names_and_flips(text, "top.tx_n"), names_and_flips(text) + "top.tx_n@3 ");
+  EXPECT_EQ(names_and_flips(text, "dut.rx"), names_and_flips(text) + "dut.rx@1 ");
   EXPECT_EQ(names_and_flips(text, "dut.tx_n"), names_and_flips(text));  // no such wire
+  EXPECT_EQ(names_and_flips(text, "ut.rx"), names_and_flips(text));
 }
 
 TEST(Vcd, WiresOfOneNameAreToldApartByTheirPlaces) {
@@ -288,6 +291,17 @@ TEST(Vcd, NamesLeadToTheirCodesInAnyDesign) {
     for (const auto& [place_of, code] : code_of) first_of[place_of] = code;
     for (const auto& [wire, code] : first_of)
       EXPECT_EQ(flip_of(wire), static_cast<double>(code) + 1) << wire << " of\n" << text;
+    std::map<std::string, std::set<std::size_t>> codes_of;  // by the end of the place
+    for (const auto& [place_of, code] : code_of)
+      for (auto dot = place_of.find('.'); dot != std::string::npos;
+           dot = place_of.find('.', dot + 1))
+        codes_of[place_of.substr(dot + 1)].insert(code);
+    for (const auto& [wire, codes] : codes_of) {
+      if (first_of.contains(wire)) continue;
+      EXPECT_EQ(flip_of(wire), codes.size() == 1 ? static_cast<double>(*codes.begin()) + 1 : -1)
+          << wire << " of\n"
+          << text;
+    }
   }
 }
 
