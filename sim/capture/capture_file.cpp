@@ -184,8 +184,13 @@ std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& fa
   const auto passed_over = std::ranges::count_if(
       surveys, [](const ChannelSurvey& survey) { return survey.edges > 0 && !survey.is_surveyed; });
   if (passed_over > 0)
-    facts.assumed.push_back(fmt::format(
-        "no line on {} channels of fewer edges, which were not looked at", passed_over));
+    facts.assumed.push_back(
+        fmt::format("no line on the other {} channels with edges", passed_over));
+  if (const ChannelSurvey* dead = dead_receiver(surveys, choice.channel); dead != nullptr)
+    facts.doubt = fmt::format(
+        "nothing is on {}, so {} was read (nothing was heard, or it is not "
+        "connected) say --channel",
+        dead->name, surveys[choice.channel].name);
   return choice.channel;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/capture/keyed_wire.hpp"
+#include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/letters.hpp"
 #include "sim/text/number_text.hpp"
@@ -22,15 +23,6 @@ using dsp::Seconds;
 constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, most_listed = 24;
 constexpr std::uint64_t fewest_to_rival = 4;  // characters
 constexpr double reads_as_well = 0.9;         // of the other's worth
-
-/// "rx" of "rx[0:0]": a vector of one bit, as simulators declare a wire.
-std::string without_range(const std::string& name) {
-  const auto open = name.rfind('['), colon = name.rfind(':');
-  if (!name.ends_with(']') || open == std::string::npos || colon == std::string::npos) return name;
-  const std::string range = name.substr(open + 1, name.size() - open - 2);
-  const std::string bit = range.substr(0, range.find(':'));
-  return range == bit + ":" + bit ? name.substr(0, open) : name;
-}
 
 /// "rxd" of "top.uart.RXD".
 std::string last_word(const std::string& name) {
@@ -138,15 +130,26 @@ ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels) {
   return choice;
 }
 
+const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std::size_t taken) {
+  if (is_called_rx(channels[taken].name)) return nullptr;
+  const auto dead = std::ranges::find_if(channels, [](const ChannelSurvey& channel) {
+    return channel.edges == 0 && is_called_rx(channel.name);
+  });
+  return dead == channels.end() ? nullptr : &*dead;
+}
+
 std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
                           const std::string& file) {
   const auto exact = std::ranges::find(channels, wanted);
   if (exact != channels.end()) return static_cast<std::size_t>(exact - channels.begin());
-  const auto alike = all_with(channels, [&](const std::string& name) {
-    const std::string asked = in_lower_case(wanted);
-    return in_lower_case(name) == asked || in_lower_case(without_range(name)) == asked;
+  const std::string asked = in_lower_case(wanted);
+  const auto by_case =
+      all_with(channels, [&](const std::string& name) { return in_lower_case(name) == asked; });
+  if (by_case.size() == 1) return by_case.front();
+  const auto by_range = all_with(channels, [&](const std::string& name) {
+    return in_lower_case(without_range(name)) == asked;
   });
-  if (alike.size() == 1) return alike.front();
+  if (by_case.empty() && by_range.size() == 1) return by_range.front();
   const auto is_number = [](const std::string& name) { return parse_number(name).has_value(); };
   const auto number = parse_number(wanted);
   const bool counts = number && std::ranges::none_of(channels, is_number);

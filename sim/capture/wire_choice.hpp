@@ -42,6 +42,10 @@ struct ChannelChoice {
 /// By what is on them; there is at least one.
 ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels);
 
+/// A channel that is called rx and has no edge, where the one that is taken is called otherwise:
+/// of a receiver that hears nothing, what was sent is no answer. Else null.
+const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std::size_t taken);
+
 /// The channel of this name, in any case and without the range of one bit ("rx" for "rx[0:0]")
 /// where no other is so called, or of this number, the first being 1, where no name is a number.
 /// Throws bad_input, naming all, or the nearest of many.

@@ -6,6 +6,14 @@
 
 namespace sim {
 
+std::string without_range(const std::string& name) {
+  const auto open = name.rfind('[');
+  if (!name.ends_with(']') || open == std::string::npos) return name;
+  const std::string range = name.substr(open + 1, name.size() - open - 2);
+  const std::string bit = range.substr(0, range.find(':'));
+  return range == bit + ":" + bit ? name.substr(0, open) : name;
+}
+
 void WireNames::enter(std::string_view scope) {
   std::string path = scopes_[open_.back()];
   path.append(scope).append(".");
@@ -21,29 +29,29 @@ void WireNames::leave() {
 void WireNames::add(std::string name, std::size_t code) {
   variables_.push_back({std::move(name), open_.back(), code});
   const Variable& added = variables_.back();
-  if (!asked_code_ && is_asked(added)) asked_code_ = code;
-  if (ends_as_asked(added)) ending_is_shared_ |= ending_code_.value_or(code) != code;
-  if (!ending_code_ && ends_as_asked(added)) ending_code_ = code;
+  note_if_asked(added);
   // Of a variable, of its place in an order, and of its name in the list.
   bytes_ += sizeof(Variable) + 3 * sizeof(std::size_t) + sizeof(std::string) + added.name.size();
+}
+
+/// The place itself, or an end of it at a dot: "dut.rx" of top.dut.rx, but not "ut.rx".
+void WireNames::note_if_asked(const Variable& variable) {
+  const auto asked = scope_asked_for(variable);
+  const std::string& scope = scopes_[variable.scope];
+  if (!asked || asked->empty() || !("." + scope).ends_with("." + *asked)) return;
+  if (*asked == scope && !asked_code_) asked_code_ = variable.code;
+  ending_is_shared_ |= ending_code_.value_or(variable.code) != variable.code;
+  if (!ending_code_) ending_code_ = variable.code;
 }
 
 std::string WireNames::path_of(const Variable& variable) const {
   return scopes_[variable.scope] + variable.name;
 }
 
-bool WireNames::is_asked(const Variable& variable) const {
-  const std::string& scope = scopes_[variable.scope];
-  return asked_.size() == scope.size() + variable.name.size() && asked_.starts_with(scope) &&
-         asked_.ends_with(variable.name);
-}
-
-/// At a dot: "dut.rx" of top.dut.rx, but not "ut.rx".
-bool WireNames::ends_as_asked(const Variable& variable) const {
-  if (!asked_.ends_with("." + variable.name)) return false;
-  const std::string& scope = scopes_[variable.scope];
-  const std::string end = asked_.substr(0, asked_.size() - variable.name.size());
-  return ("." + scope).ends_with("." + end);
+std::optional<std::string> WireNames::scope_asked_for(const Variable& variable) const {
+  for (const std::string& name : {variable.name, without_range(variable.name)})
+    if (asked_.ends_with(name)) return asked_.substr(0, asked_.size() - name.size());
+  return std::nullopt;
 }
 
 /// The order of variables, of which those outside any scope go first.

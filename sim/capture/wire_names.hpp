@@ -13,6 +13,9 @@
 
 namespace sim {
 
+/// "rx" of "rx[0:0]": a vector of one bit, as simulators declare a wire. Other names as they are.
+std::string without_range(const std::string& name);
+
 class WireNames {
  public:
   explicit WireNames(std::string asked) : asked_(std::move(asked)) {}
@@ -45,9 +48,10 @@ class WireNames {
   static std::optional<std::size_t> to_place(std::size_t place) {
     return place == none ? std::nullopt : std::optional(place);
   }
+  void note_if_asked(const Variable& variable);
   std::string path_of(const Variable& variable) const;
-  bool is_asked(const Variable& variable) const;
-  bool ends_as_asked(const Variable& variable) const;
+  /// What `asked_` has before the variable's name; nothing where that is not at its end.
+  std::optional<std::string> scope_asked_for(const Variable& variable) const;
   bool is_before(std::size_t a, std::size_t b) const;
   std::vector<std::size_t> by_name_and_code() const;
   std::vector<Listed> chosen() const;

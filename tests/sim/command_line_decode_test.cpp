@@ -205,8 +205,25 @@ TEST_F(CommandLine, DecodeKnowsAVectorOfOneBit) {
             std::string::npos)
       << o.out;
   EXPECT_EQ(program({"decode", "t.vcd", "--wire", "rx"}).out, o.out);
+  write("t.vcd", dump({"rx [0:0]", "RX"}, 0));
+  EXPECT_NE(program({"decode", "t.vcd", "--wire", "rx"}).out.find("channel RX ("),
+            std::string::npos);
   write("t.vcd", dump({"a", "RX [1:0]"}, 0));
   EXPECT_EQ(program({"decode", "t.vcd", "--wire", "rx"}).code, 2);
+}
+
+// What was sent would be read as if it had been heard.
+TEST_F(CommandLine, DecodeDoubtsTheOthersWhereNothingIsOnRx) {
+  write_scenario("s.toml", "receiver.range_m = [60]");
+  for (const char* file : {"t.vcd", "t.csv", "t.sr", "t.h5"}) {
+    ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0);
+    const Outcome o = program({"decode", file});
+    EXPECT_EQ(o.code, 4) << file << o.out;
+    EXPECT_EQ(o.err,
+              "cosys-sim: nothing is on rx, so tx was read (nothing was heard, or it is not "
+              "connected) say --channel\n");
+    EXPECT_EQ(program({"decode", file, "--channel", "tx"}).code, 0) << file;
+  }
 }
 
 TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
@@ -214,9 +231,8 @@ TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
   const Outcome o = program({"decode", "t.vcd", "--json"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(line_facts(o.out).at("capture").at("channel"), "line");
-  EXPECT_EQ(
-      line_facts(o.out).at("capture").at("assumed"),
-      nlohmann::json::array({"no line on 31 channels of fewer edges, which were not looked at"}));
+  EXPECT_EQ(line_facts(o.out).at("capture").at("assumed"),
+            nlohmann::json::array({"no line on the other 31 channels with edges"}));
 }
 
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {

@@ -251,6 +251,15 @@ TEST(Vcd, WiresOfOneNameAreToldApartByTheirPlaces) {
   EXPECT_EQ(names_and_flips(text, "top.dut.pad.rx"), names_and_flips(text) + "top.dut.pad.rx@2 ");
 }
 
+TEST(Vcd, APlaceIsThatOfAVectorOfOneBitToo) {
+  const std::string text = scoped(
+      "$scope module dut $end $var wire 1 ! rx [0:0] $end $upscope $end $var wire 1 # tx[1:0] "
+      "$end $var wire 1 \" en $end\n");
+  for (const std::string place : {"top.dut.rx", "dut.rx", "dut.rx[0:0]"})
+    EXPECT_EQ(names_and_flips(text, place), "rx[0:0]@1 tx[1:0]@3 en@2 " + place + "@1 ");
+  EXPECT_EQ(names_and_flips(text, "top.tx"), "rx[0:0]@1 tx[1:0]@3 en@2 ");
+}
+
 TEST(Vcd, WiresOfOneNameAndPlaceAreListedAsDeclared) {
   EXPECT_EQ(names_and_flips("$timescale 1 us $end $var wire 1 ! rx $end $var wire 1 \" rx $end "
                             "$upscope $end $enddefinitions $end #0 1! 1\" #1 0! #2 0\""),
