@@ -80,7 +80,7 @@ install_missing() { # install_missing GROUP...
   local by_hand="apt-get install --no-install-recommends ${missing[*]}"
   [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
     fail "packages are missing (not root, and there is no sudo) As root: $by_hand"
-  say "$(minutes_for "$(building_takes "$@")") to build, after what it takes to install ${missing[*]}"
+  say "installing ${missing[*]}$([[ -d $root/build/release ]] || echo "; to build then takes $(minutes_for "$(building_takes "$@")")")"
   quietly install.log apt_install "${missing[@]}" ||
     fail "packages are missing (apt-get failed, see above) Install them by hand: $by_hand"
 }
@@ -186,7 +186,7 @@ run_ninja() { # run_ninja PRESET TARGET
 }
 
 run_ctest() { # run_ctest PRESET JOBS [ctest argument]...
-  ctest --test-dir "$root/build/$1" --output-on-failure --no-tests=error -j "$2" "${@:3}"
+  (cd "$root" && ctest --preset "$1" --no-tests=error -j "$2" "${@:3}")
 }
 
 minutes_for() { # minutes_for CPU_SECONDS: in words, on this machine

@@ -16,7 +16,7 @@ done
 for ((i = 4; i < $#; i += 2)); do
   label=${!i} next=$((i + 1))
   has="LABELS \[=\[([a-z;]*;)?$label\]=\]"
-  [[ $label != long ]] || has='LABELS .* COST'
+  [[ $label != long ]] || has='LABELS .* COST 50'
   IFS='|' read -ra suites <<<"${!next}"
   for suite in "${suites[@]}"; do
     grep -qE "\[=\[[a-z]+\.([^]]*/)?$suite(\.measured)?\]=\] PROPERTIES $has" <<<"$entries" ||

@@ -117,19 +117,21 @@ void limit_memory() {
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
-/// A fall leaves no trace: no word on the terminal, no core. What a sanitizer finds it tells.
+/// A fall of the library says no word on the terminal. What a sanitizer finds in code of ours it
+/// tells: its traps are SIGILL.
 void fall_in_silence(int nowhere) {
+  for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGPROF}) std::signal(fatal, SIG_DFL);
   if (is_sanitized) return;
+  std::signal(SIGILL, SIG_DFL);
   ::dup2(nowhere, STDERR_FILENO);
-  for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(fatal, SIG_DFL);
 }
 
-/// Nothing of ours is touched. Who stops the program with the keyboard stops us by going away.
+/// What is open here stays as it is, and a fall leaves no core. Who stops the program with the
+/// keyboard stops us by going away.
 void keep_apart() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
   fall_in_silence(nowhere);
-  std::signal(SIGPROF, SIG_DFL);
   for (const int wish : {SIGINT, SIGTERM, SIGHUP}) std::signal(wish, SIG_IGN);
   sigset_t none;
   ::sigemptyset(&none);

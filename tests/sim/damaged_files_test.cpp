@@ -108,9 +108,11 @@ bool is_allowed(const std::string& command, int code) {
 /// What no command may do; empty if it did well.
 std::string fault_in(const Outcome& o, const std::string& command, double seconds) {
   if (!is_allowed(command, o.code)) return "exit code " + std::to_string(o.code) + ": " + o.err;
-  const bool is_line = o.err.starts_with("cosys-sim: ") && o.err.ends_with('\n') &&
-                       std::ranges::count(o.err, '\n') == 1;
-  if (o.code == 2 && !is_line) return "no clear line: " + o.err;
+  const std::string err = test::without_refused_sizes(o.err);
+  if (err.find("Sanitizer") != std::string::npos) return "the sanitizer's: " + err;
+  const bool is_line =
+      err.starts_with("cosys-sim: ") && err.ends_with('\n') && std::ranges::count(err, '\n') == 1;
+  if (o.code == 2 && !is_line) return "no clear line: " + err;
   if (o.code == 2 && !o.out.empty() && command != "decode") return "an answer, and refused";
   if (seconds > longest_s) return std::to_string(seconds) + " s";
   if (counts_memory && o.peak_kb > most_kb) return std::to_string(o.peak_kb) + " kB of memory";
