@@ -149,6 +149,11 @@ need_uplot() {
     --fetch-timeout=20000 uplot@1.6.32 || say "npm brought no uPlot (see above): charts in reports will stand still"
 }
 
+may_take_ccache() { # may_take_ccache DIR: found later, it would have all compiled again
+  command -v ccache >/dev/null &&
+    { ! is_set_up "$1" || grep -q '^CMAKE_CXX_COMPILER_LAUNCHER:.*=ccache$' "$1/CMakeCache.txt"; }
+}
+
 configure() { # configure PRESET [NAME:TYPE=VALUE]...
   local dir=$root/build/$1 settings=("${@:2}") fresh=() found=()
   need_uplot
@@ -163,8 +168,9 @@ configure() { # configure PRESET [NAME:TYPE=VALUE]...
   elif has_settings "$dir" "${settings[@]}" "${found[@]}"; then
     return
   fi
-  if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
-  (cd "$root" && quietly "$1.log" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}") &&
+  local with=()
+  if may_take_ccache "$dir"; then with=(env CMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  (cd "$root" && quietly "$1.log" "${with[@]}" cmake "${fresh[@]}" --preset "$1" "${settings[@]/#/-D}") &&
     state_of_packages >"$dir/.packages"
 }
 

@@ -17,7 +17,7 @@ cmake_minimum_required(VERSION 3.25)
 project(tiny NONE)
 option(COSYS_TESTS "" ON)
 find_program(TOOL cosys-tool)
-file(APPEND ${CMAKE_SOURCE_DIR}/seen "${COSYS_TESTS} ${TOOL}\n")
+file(APPEND ${CMAKE_SOURCE_DIR}/seen "${COSYS_TESTS} ${TOOL}$ENV{CMAKE_CXX_COMPILER_LAUNCHER}\n")
 END
 tell() { printf '#!/bin/sh\n%s\n' "$2" >"$root/bin/$1" && chmod +x "$root/bin/$1"; }
 # shellcheck source=.ci/setup.sh
@@ -26,11 +26,12 @@ expect() { [[ $(cat "$root/seen") == "$1" ]] || { printf 'seen:\n%s\nexpected:\n
 
 tell dpkg-query 'exit 1'
 configure release COSYS_TESTS:BOOL=OFF
-first="OFF TOOL-NOTFOUND"
+first="OFF TOOL-NOTFOUND$(! command -v ccache >/dev/null || echo ccache)"
 expect "$first"
 configure release COSYS_TESTS:BOOL=OFF
 expect "$first" # nothing new, so nothing was done
 tell cosys-tool 'exit 0'
+tell ccache 'exit 0' # found later it is left alone
 tell dpkg-query 'echo cosys-tool 1.0 installed'
 configure release
 expect "$first
