@@ -24,6 +24,27 @@ def opened(report):
     return driver
 
 
+# In the colour of the first curve, #d55e00.
+INK = """const [canvas, over] = arguments;
+  const left = over ? over.offsetLeft : 0, top = over ? over.offsetTop : 0;
+  const width = over ? over.clientWidth : canvas.width, height = over ? over.clientHeight : canvas.height;
+  const {data} = canvas.getContext('2d').getImageData(left, top, width, height);
+  return Array.from({length: width}, (_, x) => {
+    let ends = null;
+    for (let y = 0; y < height; ++y) {
+      const i = 4 * (y * width + x);
+      const isInk = data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 30 && data[i + 2] < 60;
+      if (isInk) ends = ends ? [ends[0], y] : [y, y];
+    }
+    return ends;
+  });"""
+
+
+def curve_ink(driver, canvas, over=None):
+    """Of the first curve, the rows of ink in each column of a canvas, or of a plot on it: [least, greatest] or None."""
+    return driver.execute_script(INK, canvas, over)
+
+
 def has_live_pictures(driver):
     return driver.execute_script("return typeof uPlot !== 'undefined'")
 

@@ -12,7 +12,7 @@ import sys
 
 from selenium.webdriver.common.by import By
 
-from browser import actions, enter, expect, expect_no_complaints, has_live_pictures, opened, press, skip_part
+from browser import actions, curve_ink, enter, expect, expect_no_complaints, has_live_pictures, opened, press, skip_part
 
 FEWEST_SAMPLES = 10_000_000
 BEGIN, END = '<script type="application/json" id="trials">', "</script>"
@@ -50,24 +50,6 @@ def with_spike(report, spiked):
     spiked.write_text(html[:begin] + json.dumps(trials) + html[end:])
 
 
-# Rows of ink of the first curve's colour in a canvas, for each of its columns: [[least, greatest] or null].
-INK = """const canvas = arguments[0], {width, height} = canvas;
-  const {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
-  return Array.from({length: width}, (_, x) => {
-    let ends = null;
-    for (let y = 0; y < height; ++y) {
-      const i = 4 * (y * width + x);
-      const isInk = data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 30 && data[i + 2] < 60;
-      if (isInk) ends = ends ? [ends[0], y] : [y, y];
-    }
-    return ends;
-  });"""
-
-
-def ink(driver, canvas):
-    return driver.execute_script(INK, canvas)
-
-
 def drag_about(driver, plot, column, half):
     """Zooms to the pixels about one of a plot."""
     left = column - plot.size["width"] // 2
@@ -90,13 +72,13 @@ def follow_spike(driver):
     enter(driver, trial)
     offset = plot.location["x"] - canvas.location["x"]
     for step in range(STEPS):
-        columns = ink(driver, canvas)
+        columns = curve_ink(driver, canvas)
         spike = expect_spike(columns, f"after {step} steps")
         expect(len(spike) <= 3 or step >= STEPS - 3, f"after {step} steps the spike is {len(spike)} pixels wide")
         expect(sum(map(bool, columns)) > 0.95 * plot.size["width"] or step >= STEPS - 3,
                f"after {step} steps the curve has gaps")
         drag_about(driver, plot, spike[len(spike) // 2] - offset, HALF)
-    expect_spike(ink(driver, canvas), "in the narrowest view")
+    expect_spike(curve_ink(driver, canvas), "in the narrowest view")
 
 
 def crossings(columns):
@@ -110,7 +92,7 @@ def crossings(columns):
 def count_cycles(driver):
     trial = driver.find_element(By.CLASS_NAME, "trial")
     press(driver, driver.find_elements(By.CSS_SELECTOR, ".views button")[2])
-    count = crossings(ink(driver, trial.find_element(By.TAG_NAME, "canvas")))
+    count = crossings(curve_ink(driver, trial.find_element(By.TAG_NAME, "canvas")))
     expect(abs(count - 2 * CYCLES) <= 2, f"{CYCLES} cycles of light pass their middle {count} times")
 
 

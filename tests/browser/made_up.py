@@ -9,7 +9,7 @@ import sys
 
 from selenium.webdriver.common.by import By
 
-from browser import actions, enter, expect, expect_no_complaints, has_live_pictures, opened, send, skip_part
+from browser import actions, curve_ink, enter, expect, expect_no_complaints, has_live_pictures, opened, send, skip_part
 from layouts import expect_heads_apart, open_tables, set_width
 from texts import lower_labels, marks, texts, touching
 
@@ -70,24 +70,10 @@ def misread(trial):
     return trial
 
 
-# Rows of ink in the curve's colour, #d55e00, in each column of the plot: [[least, greatest] or null].
-INK = """const {clientWidth, clientHeight, offsetLeft, offsetTop} = arguments[1];
-  const {data} = arguments[0].getContext('2d').getImageData(offsetLeft, offsetTop, clientWidth, clientHeight);
-  return Array.from({length: clientWidth}, (_, x) => {
-    let ends = null;
-    for (let y = 0; y < clientHeight; ++y) {
-      const i = 4 * (y * clientWidth + x);
-      const isInk = data[i + 3] > 100 && data[i] > 170 && Math.abs(data[i + 1] - 94) < 40 && data[i + 2] < 80;
-      if (isInk) ends = ends ? [ends[0], y] : [y, y];
-    }
-    return ends;
-  });"""
-
-
 def look_at_line(driver, chart):
     """It goes on where it has no point, and breaks at the limit, whose arrow is seen whole."""
     over = chart.find_element(By.CLASS_NAME, "u-over")
-    ink = driver.execute_script(INK, chart.find_element(By.TAG_NAME, "canvas"), over)
+    ink = curve_ink(driver, chart.find_element(By.TAG_NAME, "canvas"), over)
     at = lambda x: round((x + 0.16) / 8.32 * len(ink))  # 2 % are beyond the first and the last
     for x in (0.5, 1.5, 6.5, 7.5):
         expect(ink[at(x)], f"at {x} a line has a gap where other curves alone have points")
@@ -157,7 +143,7 @@ def look_at_long_heads(driver):
 def look_at_logarithmic_marks(driver, report):
     chart = open_changed(driver, report, LOGARITHMIC)
     canvas = chart.find_element(By.TAG_NAME, "canvas")
-    ink = driver.execute_script(INK, canvas, chart.find_element(By.CLASS_NAME, "u-over"))
+    ink = curve_ink(driver, canvas, chart.find_element(By.CLASS_NAME, "u-over"))
     expect(any(ink) and not ink[len(ink) // 2], "points of a theory have a line over it")
     written = texts(driver, canvas)
     expect("1 %" in [one["text"] for one in written], "a level below all points is not seen")
@@ -177,7 +163,7 @@ def look_at_single_point(driver, report):
     enter(driver, chart)
     for keys in ("", "+", "0"):
         send(driver, *keys)
-        ink = driver.execute_script(INK, canvas, over)
+        ink = curve_ink(driver, canvas, over)
         middle = ink[len(ink) // 2 - 4:len(ink) // 2 + 5]
         expect(any(middle), f"after the key {keys!r} a single point is not in the middle")
 
