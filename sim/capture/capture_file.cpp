@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/csv_capture.hpp"
 #include "sim/capture/netcdf_capture.hpp"
 #include "sim/capture/pulse_capture.hpp"
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void as_vcd(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
-  capture.logic = open_vcd(*capture.in, path.string(), settings);
+  capture.logic = open_vcd(*capture.in, path.string(), settings, capture.facts);
 }
 
 void as_csv(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
@@ -49,6 +50,7 @@ void as_raw(const fs::path& path, const CaptureSettings& settings, Capture& capt
   capture.logic =
       open_raw(*capture.in, path.string(),
                {settings.sample_rate, static_cast<std::size_t>(settings.sample_bytes.value_or(1))});
+  capture.facts.time = samples_text(*settings.sample_rate);
 }
 
 void as_wav(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
@@ -85,9 +87,11 @@ constexpr Format formats[] = {{"vcd", "$", as_vcd, true, false},
                               {"h5", "\x89HDF", as_netcdf},
                               {"bin", "", as_raw}};
 
-/// An option that says what the format says itself must not be passed over in silence.
+/// An option that says what the format says itself must not be passed over in silence, unless it
+/// is meant for other files.
 void refuse_useless_options(const Format& format, const std::string& file,
                             const CaptureSettings& settings) {
+  if (settings.is_one_of_many) return;
   const bool is_table = format.open == as_csv;
   const std::pair<const char*, bool> useless[] = {
       {"--sample-bytes", settings.sample_bytes && format.open != as_raw},

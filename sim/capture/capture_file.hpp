@@ -19,12 +19,22 @@ namespace sim {
 /// What the user says of a capture.
 struct CaptureSettings {
   std::string wire;                       // or channel, or column; empty: the format's choice
-  std::optional<dsp::Hertz> sample_rate;  // for formats that do not say it; overrides a file's own
+  std::optional<dsp::Hertz> sample_rate;  // for files that do not say it
   std::string format;                     // empty: by the file's ending, else by its first bytes
   std::optional<int> sample_bytes{};      // of raw files, 1 to 8; nothing: 1
-  std::optional<dsp::Seconds> tick{};     // unit of time; overrides a file's own
+  std::optional<dsp::Seconds> tick{};     // unit of time, for files that do not say it
   std::size_t skip_rows = 0;              // lines of a table that are passed over
   LineHints hints{};                      // by which a wire is chosen
+  bool is_one_of_many = false;            // the same is said of other files too
+
+  /// What holds where a file says `own` of itself. What is told of one file holds over that; of
+  /// many files it is meant for those that say nothing.
+  std::optional<dsp::Hertz> rate_over(std::optional<dsp::Hertz> own) const {
+    return own && (is_one_of_many || !sample_rate) ? own : sample_rate;
+  }
+  std::optional<dsp::Seconds> tick_over(std::optional<dsp::Seconds> own) const {
+    return own && (is_one_of_many || !tick) ? own : tick;
+  }
 };
 
 /// What was read, and how: to be said to the user.

@@ -1,5 +1,7 @@
 #include "sim/capture/capture_units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -145,6 +147,12 @@ std::optional<Hertz> parse_sample_rate(std::string_view text) {
 std::optional<Seconds> parse_interval(std::string_view text, Seconds unit) {
   const auto number = parse_with(spelt_times, in_lower_case(text), unit.value);
   return number ? std::optional(Seconds(*number)) : std::nullopt;
+}
+
+std::string samples_text(Hertz rate) { return fmt::format("{:.10g} samples a second", rate.value); }
+
+std::string ticks_text(Seconds tick) {
+  return tick.value == 1 ? "time in s" : fmt::format("time in steps of {:.6g} s", tick.value);
 }
 
 Heading heading_of(std::string_view field) {

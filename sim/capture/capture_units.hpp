@@ -21,6 +21,10 @@ std::optional<dsp::Hertz> parse_sample_rate(std::string_view text);
 /// "3.3e-4", "1.0us", "10 ns": a time, by itself in `unit`; nothing where it is none.
 std::optional<dsp::Seconds> parse_interval(std::string_view text, dsp::Seconds unit);
 
+/// How instants of a capture are told, for the user to read.
+std::string samples_text(dsp::Hertz rate);
+std::string ticks_text(dsp::Seconds tick);
+
 /// What a heading says: "Time (ms)", "CH1 [V]", "time_us", "t/s", "in s", "CH1 in V", "seconds".
 struct Heading {
   std::string name{};  // without its unit

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/csv_columns.hpp"
 
 namespace sim {
@@ -54,10 +55,11 @@ double named_unit(const CsvTable& table, const std::string& named) {
 }  // namespace
 
 RowClock::RowClock(const CsvTable& table, const CaptureSettings& settings, CaptureFacts& facts)
-    : rate_(settings.sample_rate ? settings.sample_rate : table.head().sample_rate()),
-      column_(time_column(table)) {
+    : column_(time_column(table)) {
+  rate_ = column_ && settings.is_one_of_many ? table.head().sample_rate()
+                                             : settings.rate_over(table.head().sample_rate());
   if (!column_) {
-    if (rate_) facts.time = fmt::format("{:g} rows a second", rate_->value);
+    if (rate_) facts.time = samples_text(*rate_);
     return;
   }
   find_unit(table, settings, facts);
@@ -80,7 +82,8 @@ Seconds RowClock::next(const CsvTable& table, const std::vector<double>& row, st
 void RowClock::find_unit(const CsvTable& table, const CaptureSettings& settings,
                          CaptureFacts& facts) {
   const std::string& named = table.columns()[*column_].unit;
-  if (settings.tick) {
+  const bool is_said = !named.empty() || (rate_ && table.head().is_of_sigrok());
+  if (settings.tick && !(is_said && settings.is_one_of_many)) {
     unit_ = settings.tick->value;
   } else if (rate_ && table.head().is_of_sigrok()) {
     const auto tick = tick_of_sigrok(table, *column_, *rate_);
@@ -92,7 +95,7 @@ void RowClock::find_unit(const CsvTable& table, const CaptureSettings& settings,
     facts.assumed.emplace_back("time in seconds");
     return;
   }
-  facts.time = unit_ == 1 ? "time in s" : fmt::format("time in steps of {:.6g} s", unit_);
+  facts.time = ticks_text(Seconds(unit_));
 }
 
 }  // namespace sim

@@ -241,6 +241,12 @@ double LineReading::worth() const {
   return (good + text) / 2 + (messages > 0 ? 1 : 0);
 }
 
+bool LineReading::is_noise() const {
+  constexpr double most = 0.25;  // of all
+  return messages == 0 && characters >= fewest_to_doubt &&
+         static_cast<double>(framing_errors) > most * static_cast<double>(characters);
+}
+
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<Hertz> baud) {
   const std::vector<LineReading> readings = readings_of(line, inverted, baud);

@@ -38,6 +38,9 @@ struct LineReading {
 
   /// From 0 to 1 by its characters; above where there are messages.
   double worth() const;
+  /// Whether so many of its characters have a framing error that they are none: of noise, or of
+  /// another code such as 8E1, about half have.
+  bool is_noise() const;
 };
 
 struct LineFacts {

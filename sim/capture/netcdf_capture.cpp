@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/raw_capture.hpp"
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
@@ -22,11 +23,11 @@ Failure unreadable_trace(const std::filesystem::path& path, const char* why) {
 /// A trace's rows from the first on.
 class Rows {
  public:
-  explicit Rows(const std::filesystem::path& path, std::optional<dsp::Hertz> told_rate)
+  Rows(const std::filesystem::path& path, const CaptureSettings& settings)
       : path_(path), reader_(path) {
     if (filetype_of(path) != trace_type)
       throw unreadable_trace(path, "an HDF5 file, but no trace of cosys-sim");
-    rate_ = told_rate ? *told_rate : dsp::Hertz(reader_.real_number("sample_rate_hz"));
+    rate_ = *settings.rate_over(dsp::Hertz(reader_.real_number("sample_rate_hz")));
     if (!is_sample_rate(rate_)) throw unreadable_trace(path, "its sample rate is none");
     count_ = reader_.size("rx");
     if (reader_.size("tx") != count_) throw unreadable_trace(path, "tx is not as long as rx");
@@ -115,7 +116,8 @@ class TapSamples : public SampleCapture {
 
 void open_netcdf(const std::filesystem::path& path, const CaptureSettings& settings,
                  Capture& capture) {
-  const auto rows = std::make_shared<Rows>(path, settings.sample_rate);
+  const auto rows = std::make_shared<Rows>(path, settings);
+  capture.facts.time = samples_text(rows->rate());
   const std::string& wanted = settings.wire;
   if (wanted.empty() || wanted == "tx" || wanted == "rx") {
     capture.logic = std::make_unique<LogicSamples>(std::vector<std::string>{"tx", "rx"}, 1,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/sampled_line.hpp"
 
 namespace sim {
@@ -53,6 +54,7 @@ void take_samples(const std::string& file, const SampleChannels& channels,
       facts.assumed.emplace_back("the first channel");
   }
   capture.samples = channels.open(*facts.taken);
+  facts.time = samples_text(capture.samples->sample_rate());
 }
 
 }  // namespace sim

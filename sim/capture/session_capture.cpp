@@ -254,13 +254,14 @@ void open_session(const fs::path& path, const CaptureSettings& settings, Capture
   const auto archive = std::make_shared<Archive>(path);
   refuse_other_version(*archive);
   Metadata metadata = parse(*archive, device_of(*archive, read_metadata(*archive)));
-  if (settings.sample_rate) metadata.sample_rate = settings.sample_rate;
+  metadata.sample_rate = settings.rate_over(metadata.sample_rate);
   if (!metadata.sample_rate)
     archive->fail("its metadata have no samplerate of 1 Hz to 1 THz", "say --sample-rate");
   if (!metadata.analogue.empty() && wants_analogue(archive, metadata, settings.wire))
     take_analogue(path, metadata, settings, capture);
   else
     capture.logic = open_logic(archive, metadata);
+  capture.facts.time = samples_text(*metadata.sample_rate);
 }
 
 }  // namespace sim

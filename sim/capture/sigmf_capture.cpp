@@ -102,7 +102,7 @@ class SigmfCapture : public SampleCapture {
 }  // namespace
 
 void open_sigmf(const fs::path& meta, const CaptureSettings& settings, Capture& capture) {
-  const SigmfLayout layout = read_sigmf_meta(meta, settings.sample_rate);
+  const SigmfLayout layout = read_sigmf_meta(meta, settings);
   SampleChannels channels;
   for (std::size_t i = 1; i <= layout.channels; ++i) channels.names.push_back(std::to_string(i));
   channels.opens_again = fs::is_regular_file(layout.data);

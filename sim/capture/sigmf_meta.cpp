@@ -104,13 +104,13 @@ class SigmfMeta {
     if (!captures().is_array()) fail("its captures are no list");
   }
 
-  SigmfLayout layout(const std::optional<dsp::Hertz>& told_rate) const {
+  SigmfLayout layout(const CaptureSettings& settings) const {
     refuse_other_fields(global(), global_fields);
     refuse_other_version();
     refuse_extensions();
     SigmfLayout layout;
     set_type(layout);
-    layout.sample_rate = told_rate ? *told_rate : own_rate();
+    layout.sample_rate = sample_rate(settings);
     layout.channels = count(global(), "core:num_channels").value_or(1);
     layout.trailing_bytes = count(global(), "core:trailing_bytes").value_or(0);
     layout.data = data_file();
@@ -202,11 +202,16 @@ class SigmfMeta {
     layout.swapped = big != (std::endian::native == std::endian::big);
   }
 
-  dsp::Hertz own_rate() const {
-    const auto rate = number(global(), "core:sample_rate");
-    if (!rate) throw unreadable_recording(file_, "it has no core:sample_rate", "say --sample-rate");
-    if (!is_sample_rate(dsp::Hertz(*rate))) fail("core:sample_rate is not from 1 Hz to 1 THz");
-    return dsp::Hertz(*rate);
+  dsp::Hertz sample_rate(const CaptureSettings& settings) const {
+    const auto number_there = number(global(), "core:sample_rate");
+    const bool is_known = number_there && is_sample_rate(dsp::Hertz(*number_there));
+    const auto rate =
+        settings.rate_over(is_known ? std::optional(dsp::Hertz(*number_there)) : std::nullopt);
+    if (rate) return *rate;
+    throw unreadable_recording(
+        file_,
+        number_there ? "core:sample_rate is not from 1 Hz to 1 THz" : "it has no core:sample_rate",
+        "say --sample-rate");
   }
 
   fs::path data_file() const {
@@ -298,8 +303,8 @@ fs::path sigmf_beside(const fs::path& file, std::string ending) {
   return fs::path(file).replace_extension(ending);
 }
 
-SigmfLayout read_sigmf_meta(const fs::path& meta, const std::optional<dsp::Hertz>& told_rate) {
-  return SigmfMeta(meta).layout(told_rate);
+SigmfLayout read_sigmf_meta(const fs::path& meta, const CaptureSettings& settings) {
+  return SigmfMeta(meta).layout(settings);
 }
 
 }  // namespace sim

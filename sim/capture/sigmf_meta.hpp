@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dsp/units.hpp"
+#include "sim/capture/capture_file.hpp"
 #include "sim/failure.hpp"
 
 namespace sim {
@@ -46,8 +47,7 @@ Failure unreadable_recording(const std::filesystem::path& meta, const std::strin
 /// NAME.sigmf-data of NAME.sigmf-meta, or the other way round; in capitals of one in capitals.
 std::filesystem::path sigmf_beside(const std::filesystem::path& file, std::string ending);
 
-/// Throws Failure(bad_input). A rate that was told holds instead of the recording's own.
-SigmfLayout read_sigmf_meta(const std::filesystem::path& meta,
-                            const std::optional<dsp::Hertz>& told_rate);
+/// Throws Failure(bad_input).
+SigmfLayout read_sigmf_meta(const std::filesystem::path& meta, const CaptureSettings& settings);
 
 }  // namespace sim

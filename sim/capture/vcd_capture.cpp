@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/text_lines.hpp"
 #include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
@@ -67,10 +68,15 @@ class Words {
 
 class VcdCapture : public LogicCapture {
  public:
-  VcdCapture(std::istream& in, std::string file, const CaptureSettings& settings)
-      : words_(in, std::move(file)), names_(settings.wire), tick_(settings.tick) {
+  VcdCapture(std::istream& in, std::string file, const CaptureSettings& settings,
+             CaptureFacts& facts)
+      : words_(in, std::move(file)), names_(settings.wire) {
     read_declarations();
     names_.finish();
+    tick_ = settings.tick_over(tick_);
+    if (!tick_)
+      words_.fail("no $timescale", "times have no unit without it", "say --time-unit 1us");
+    facts.time = ticks_text(*tick_);
   }
 
   const std::vector<std::string>& wires() const override { return names_.list(); }
@@ -105,8 +111,6 @@ class VcdCapture : public LogicCapture {
       }
     }
     skip_section();
-    if (!tick_)
-      words_.fail("no $timescale", "times have no unit without it", "say --time-unit 1us");
   }
 
   void skip_section() {
@@ -126,7 +130,7 @@ class VcdCapture : public LogicCapture {
     if (count == 0 || unit == units.end()) {
       words_.fail("timescale '" + shown(text) + "'", "it must be like 1us, 10 ns or 100 ps");
     }
-    if (!tick_) tick_ = Seconds(count * unit->second);  // what was told holds
+    if (!tick_) tick_ = Seconds(count * unit->second);
   }
 
   /// The words up to $end as one: "data [3]" is one bit of a vector, data[3].
@@ -249,8 +253,8 @@ class VcdCapture : public LogicCapture {
 }  // namespace
 
 std::unique_ptr<LogicCapture> open_vcd(std::istream& in, std::string file,
-                                       const CaptureSettings& settings) {
-  return std::make_unique<VcdCapture>(in, std::move(file), settings);
+                                       const CaptureSettings& settings, CaptureFacts& facts) {
+  return std::make_unique<VcdCapture>(in, std::move(file), settings, facts);
 }
 
 }  // namespace sim

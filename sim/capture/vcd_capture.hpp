@@ -16,6 +16,6 @@ namespace sim {
 
 /// `in` must outlive the capture; `file` names it in messages.
 std::unique_ptr<LogicCapture> open_vcd(std::istream& in, std::string file,
-                                       const CaptureSettings& settings = {});
+                                       const CaptureSettings& settings, CaptureFacts& facts);
 
 }  // namespace sim

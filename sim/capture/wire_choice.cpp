@@ -100,6 +100,13 @@ std::vector<std::size_t> all_with(const std::vector<std::string>& names, const I
   return found;
 }
 
+std::vector<std::string> those(const std::vector<std::string>& names,
+                               const std::vector<std::size_t>& places) {
+  std::vector<std::string> chosen;
+  for (const std::size_t place : places) chosen.push_back(names[place]);
+  return chosen;
+}
+
 std::string names_to_use(const std::vector<std::string>& names, const std::string& wanted) {
   if (names.size() <= most_listed) return fmt::format("use {}", fmt::join(names, " or "));
   return fmt::format("use {}, or another of its {}", nearest(wanted, names), names.size());
@@ -155,6 +162,11 @@ std::size_t named_channel(const std::vector<std::string>& channels, const std::s
   const bool counts = number && std::ranges::none_of(channels, is_number);
   for (std::size_t i = 0; counts && i < channels.size(); ++i)
     if (*number == static_cast<double>(i + 1)) return i;
+  const auto by_ending =
+      all_with(channels, [&](const std::string& name) { return name.ends_with("." + wanted); });
+  if (by_ending.size() > 1)
+    throw bad_input(fmt::format("--wire {} is {} wires of {}", wanted, by_ending.size(), file),
+                    "their places end so", names_to_use(those(channels, by_ending), wanted));
   throw bad_input(fmt::format("--wire {} is not in {}", wanted, file),
                   "the capture has no such wire", names_to_use(channels, wanted));
 }

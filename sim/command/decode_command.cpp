@@ -65,7 +65,7 @@ ExitCode decode_one(const DecodeRequest& request) {
 }  // namespace
 
 ExitCode decode_command(const DecodeRequest& request) {
-  return is_table(request) ? decode_table(request) : decode_one(request);
+  return asks_for_many(request) ? decode_table(request) : decode_one(request);
 }
 
 }  // namespace sim

@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_folder(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
-
 /// A capture, or a folder that cannot be read, and why.
 struct Place {
   fs::path path;
@@ -52,7 +47,8 @@ std::vector<Place> all_places(const std::vector<fs::path>& named) {
   std::vector<Place> places;
   for (const fs::path& path : named) {
     const std::size_t before = places.size();
-    if (!is_folder(path))
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored))
       places.push_back({path, ""});
     else
       add_places(path, places);
@@ -130,10 +126,6 @@ ExitCode worse_of(ExitCode a, ExitCode b) {
 }
 
 }  // namespace
-
-bool is_table(const DecodeRequest& request) {
-  return request.captures.size() > 1 || is_folder(request.captures.front());
-}
 
 ExitCode decode_table(const DecodeRequest& request) {
   const std::vector<Place> places = all_places(request.captures);

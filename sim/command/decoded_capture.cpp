@@ -98,12 +98,18 @@ void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeLis
 
 }  // namespace
 
+bool asks_for_many(const DecodeRequest& request) {
+  std::error_code ignored;
+  return request.captures.size() > 1 ||
+         std::filesystem::is_directory(request.captures.front(), ignored);
+}
+
 DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeRequest& request,
                               const DecodeListener& listener) {
   const LineHints hints{told_inverted(request), hertz(request.baud), hertz(request.carrier_hz)};
-  const Capture capture =
-      open_capture(path, {request.wire, hertz(request.sample_rate_hz), request.format,
-                          request.sample_bytes, request.tick, request.skip_rows, hints});
+  const Capture capture = open_capture(
+      path, {request.wire, hertz(request.sample_rate_hz), request.format, request.sample_bytes,
+             request.tick, request.skip_rows, hints, asks_for_many(request)});
   DecodedCapture decoded;
   decoded.file = path.string();
   decoded.read = capture.facts;

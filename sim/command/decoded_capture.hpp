@@ -34,6 +34,9 @@ struct DecodeListener {
   std::function<void(dsp::Seconds)> reached;  // this instant of the capture, now and then
 };
 
+/// Whether several captures are asked for, or a folder.
+bool asks_for_many(const DecodeRequest& request);
+
 /// Throws Failure(bad_input) for what is no capture.
 DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeRequest& request,
                               const DecodeListener& listener);

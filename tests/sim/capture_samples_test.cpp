@@ -111,7 +111,7 @@ TEST_F(Sigmf, SaysWhatIsWrong) {
             name + "core:num_channels is not from 1 to 64" + give);
   for (const char* rate : {"1e-300", "0.9", "1.1e12", "1e300", "-1"})
     EXPECT_EQ(problem(meta("ri8", std::string(R"(,"core:sample_rate":)") + rate)),
-              name + "core:sample_rate is not from 1 Hz to 1 THz" + give);
+              name + "core:sample_rate is not from 1 Hz to 1 THz) say --sample-rate");
   EXPECT_EQ(problem("{}").substr(0, name.size()), name);
   EXPECT_EQ(problem("[1").substr(0, name.size()), name);
   EXPECT_EQ(problem(R"({"global":{"core:datatype":5}})").substr(0, name.size()), name);

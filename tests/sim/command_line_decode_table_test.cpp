@@ -115,6 +115,27 @@ TEST_F(DecodeTable, HasARowForWhatIsNotThere) {
   }
 }
 
+// A .bin among files that say their rates or times: what is told is for it alone.
+TEST_F(DecodeTable, AppliesWhatIsToldWhereAFileSaysNothing) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  for (const char* file :
+       {"all/t.bin", "all/t.sr", "all/t.h5", "all/t.sigmf-meta", "all/t.wav", "all/t.csv"})
+    ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0) << file;
+  const Words told{"--sample-rate", "1MHz", "--time-unit", "ms", "--sample-bytes", "1"};
+  Words command{"decode", "--json", "all"};
+  command.insert(command.end(), told.begin(), told.end());
+  std::map<std::string, std::string> times;
+  for (const Json& row : lines_of(command)) {
+    ASSERT_TRUE(row.contains("messages")) << row;
+    EXPECT_GT(row["messages"]["accepted"], 0) << row;
+    times[row["file"]] = row["line"]["capture"].value("time", "");
+  }
+  EXPECT_EQ(times["all/t.bin"], "1000000 samples a second");
+  EXPECT_EQ(times["all/a.vcd"], "time in steps of 1e-06 s");
+  for (const char* file : {"all/t.h5", "all/t.wav"})
+    EXPECT_NE(times[file], times["all/t.bin"]) << "as the file says: " << file;
+}
+
 TEST_F(DecodeTable, TakesNamesInBrackets) {
   std::filesystem::create_directory(path("[2024,a]"));
   std::filesystem::copy_file(path("all/a.vcd"), path("[2024,a]/a.vcd"));

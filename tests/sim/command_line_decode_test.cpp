@@ -226,6 +226,23 @@ TEST_F(CommandLine, DecodeDoubtsTheOthersWhereNothingIsOnRx) {
   }
 }
 
+TEST_F(CommandLine, DecodeFindsNoLineInNoise) {
+  write_scenario("s.toml", "receiver.range_m = [60]");
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.wav"}).code, 0);
+  const Outcome o = program({"decode", "t.wav"});
+  EXPECT_EQ(o.code, 4) << o.out;
+  EXPECT_NE(o.err.find("cosys-sim: no line is found ("), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("say --baud or --channel\n"), std::string::npos) << o.err;
+  EXPECT_EQ(program({"decode", "t.wav", "--baud", "600"}).code, 0) << "as told";
+}
+
+TEST_F(CommandLine, DecodeNamesThePlacesThatEndAsAsked) {
+  write("t.vcd", dump({"a.dut.rx", "b.dut.rx"}, 0));
+  expect_refused(
+      {"decode", "t.vcd", "--wire", "dut.rx"}, 2,
+      "--wire dut.rx is 2 wires of t.vcd (their places end so) use a.dut.rx or b.dut.rx");
+}
+
 TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
   write("t.vcd", dump({"line"}, 130));
   const Outcome o = program({"decode", "t.vcd", "--json"});

@@ -76,6 +76,32 @@ TEST(LineSurvey, AnyFlipsAtAllGiveARate) {
   }
 }
 
+TEST(LineSurvey, TellsNoiseFromLines) {
+  Random random(35);
+  for (int trial = 0; trial < 50; ++trial) {
+    const LogicTrace noise = test::random_trace(random, trial % 2 == 0, 400);
+    EXPECT_TRUE(facts_of(noise, false).reading.is_noise()) << trial;
+    const LogicTrace line = test::bent_line(random, 3, 600, {0.2 / 600, 0.05 / 600});
+    EXPECT_FALSE(facts_of(line, false).reading.is_noise()) << trial;
+  }
+}
+
+// A character of 8E1 has a bit more, at the place of the stop bit.
+TEST(LineSurvey, CharactersWithAParityBitAreNot8N1) {
+  const Seconds bit(1 / 600.0);
+  LogicTrace line;
+  Seconds at(0.05);
+  for (const char c : std::string("Even parity makes half of these bad")) {
+    protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(600));
+    const bool is_odd = std::popcount(static_cast<unsigned char>(c)) % 2 == 1;
+    line.set_at(at + 9 * bit, is_odd);
+    line.set_at(at + 10 * bit, true);
+    at = at + 11 * bit;
+  }
+  line.observe_until(at + 20 * bit);
+  EXPECT_TRUE(facts_of(line, false).reading.is_noise());
+}
+
 /// Of the line read with a clock of 600 Bd.
 LineStatistics statistics_of(const LogicTrace& line, std::size_t batch) {
   LineStatistics statistics(Hertz(600), line.initial());

@@ -29,7 +29,8 @@ std::string written(const std::vector<VcdWire>& wires, Seconds duration) {
 
 std::vector<NamedTrace> read(const std::string& text, const CaptureSettings& settings = {}) {
   std::istringstream in(text);
-  return read_whole(*open_vcd(in, "a.vcd", settings));
+  CaptureFacts facts;
+  return read_whole(*open_vcd(in, "a.vcd", settings, facts));
 }
 
 CaptureSettings told(Seconds tick) { return {"", {}, "", {}, tick}; }
@@ -355,7 +356,8 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains(one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
   contains(one_wire("#5 $comment 1!"), "$end is missing");
   std::istringstream garbage("garbage");
-  EXPECT_EQ(vcd_failure([&] { open_vcd(garbage, "a\nb.vcd"); }),
+  CaptureFacts facts;
+  EXPECT_EQ(vcd_failure([&] { open_vcd(garbage, "a\nb.vcd", {}, facts); }),
             "'garbage' in a?b.vcd:1 (not a VCD declaration) give a complete text VCD file, as "
             "sigrok-cli -O vcd or PulseView write it");
 }
