@@ -10,15 +10,25 @@ namespace {
 using dsp::Hertz;
 using dsp::Seconds;
 
-constexpr std::size_t edges_ahead = 4096, fewest_periods = 64;
+constexpr std::size_t edges_ahead = 32768, fewest_periods = 64;
 constexpr Hertz lowest_keyed{20e3}, highest_keyed{500e3};
 constexpr double tolerance = 0.3, least_share_of_periods = 0.75;
-constexpr double cycles_a_gap = 3;  // a bit has many more
+constexpr double cycles_a_gap = 3;   // a bit has many more
+constexpr double most_alone = 0.01;  // of all edges
 
 std::vector<double> periods_of(const std::deque<Seconds>& edges) {
   std::vector<double> periods;
   for (std::size_t i = 2; i < edges.size(); ++i) periods.push_back((edges[i] - edges[i - 2]).value);
   return periods;
+}
+
+/// Of edges that are in no burst.
+double share_alone(const std::deque<Seconds>& edges, Hertz carrier) {
+  const Seconds gap = cycles_a_gap * dsp::period(carrier);
+  std::size_t alone = 0;
+  for (std::size_t i = 1; i + 1 < edges.size(); ++i)
+    alone += edges[i] - edges[i - 1] > gap && edges[i + 1] - edges[i] > gap ? 1 : 0;
+  return static_cast<double>(alone) / static_cast<double>(edges.size());
 }
 
 /// The mean of the periods that are near their median, which rounding does not move.
@@ -37,7 +47,9 @@ Hertz carrier_on(const std::deque<Seconds>& edges) {
   if (sum <= 0 || count < least_share_of_periods * static_cast<double>(periods.size()))
     return Hertz(0);
   const Hertz carrier(count / sum);
-  return carrier < lowest_keyed || carrier > highest_keyed ? Hertz(0) : carrier;
+  const bool is_keyed = carrier >= lowest_keyed && carrier <= highest_keyed &&
+                        share_alone(edges, carrier) <= most_alone;
+  return is_keyed ? carrier : Hertz(0);
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 //
 // A carrier is on the wire where of its first edges three in four are, from each to the next but
 // one, within 30 % of the same time (a slow sampler rounds them), which is a period of 20 to
-// 500 kHz. A UART has that only if it sends alternating bits at more than 40 kBd.
+// 500 kHz, and where hardly one is far from both of its neighbours. A UART has that only if it
+// sends alternating bits at more than 40 kBd.
 #include <deque>
 #include <optional>
 
@@ -23,6 +24,7 @@ class KeyedWire : public FlipSource {
   bool initial() const override { return carrier_.value > 0 || wire_.initial(); }
   std::optional<dsp::Seconds> next() override;
   dsp::Seconds known_until() const override;
+  dsp::Seconds resolution() const override { return wire_.resolution(); }
 
  private:
   std::optional<dsp::Seconds> next_edge();

@@ -31,6 +31,12 @@ constexpr std::size_t most_rates = 8;
 constexpr double least_peak = 0.5;  // of the best; a slow sampler rounds times by a third of a bit
 constexpr double nearly = 0.9;      // of the worth of the best reading: about as good
 constexpr std::uint64_t fewest_to_doubt = 4;  // characters
+constexpr double flips_a_character = 10;      // at most
+constexpr double against_pauses = 0.7;        // of the worth
+constexpr double least_worth = 0.5;           // of what is a line
+constexpr std::array standard_rates = {300.0,    600.0,    1200.0,   2400.0,  4800.0,
+                                       9600.0,   19200.0,  31250.0,  38400.0, 57600.0,
+                                       115200.0, 230400.0, 460800.0, 921600.0};
 
 LogicTrace trace_of(const LineStretch& line, bool inverted) {
   LogicTrace trace(line.initial != inverted);
@@ -39,17 +45,30 @@ LogicTrace trace_of(const LineStretch& line, bool inverted) {
   return trace;
 }
 
-/// The longest stretch at a level.
-double longest_at(const LineStretch& line, bool level) {
-  double longest = 0;
+/// The longest stretch at each level.
+struct Longest {
+  double high = 0, low = 0;
+
+  bool tell() const { return high >= 2 * low || low >= 2 * high; }
+  bool tell_low() const { return low > high; }
+};
+
+Longest longest_of(const LineStretch& line, bool with_ends) {
+  Longest longest;
   Seconds since;
-  bool now = line.initial;
+  bool level = line.initial, is_first = true;
+  const auto count = [&](Seconds until) {
+    double& at_level = level ? longest.high : longest.low;
+    at_level = std::max(at_level, (until - since).value);
+  };
   for (const Seconds flip : line.flips) {
-    if (now == level) longest = std::max(longest, (flip - since).value);
+    if (with_ends || !is_first) count(flip);
+    is_first = false;
     since = flip;
-    now = !now;
+    level = !level;
   }
-  return now == level ? std::max(longest, (line.end - since).value) : longest;
+  if (with_ends) count(line.end);
+  return longest;
 }
 
 struct Pulses {
@@ -93,22 +112,26 @@ double score(const Pulses& pulses, double bit) {
 
 using Score = std::pair<double, double>;  // a bit, and what score() says of it
 
+Seconds shortest_bit_of(const LineStretch& line) {
+  return std::max(dsp::period(fastest), 2 * line.resolution);
+}
+
 /// The longest bit first.
-std::vector<Score> scores_of(const Pulses& pulses) {
+std::vector<Score> scores_of(const Pulses& pulses, Seconds shortest_possible) {
   if (pulses.light.size() < fewest_pulses) return {};
   std::vector<double> sorted = pulses.light;
   std::ranges::sort(sorted);
   const double shortest = sorted[sorted.size() / 10];
   std::vector<Score> scores;
-  const double shortest_bit = std::max(shortest / 10, 1 / fastest.value);
+  const double shortest_bit = std::max(shortest / 10, shortest_possible.value);
   for (double bit = shortest / (1 - largest_excess); bit > shortest_bit; bit /= grid_step)
     scores.emplace_back(bit, score(pulses, bit));
   return scores;
 }
 
 /// Peaks of the score, the longest bit first; a slow sampler's own period may be the best of them.
-std::vector<Hertz> rates_of(const Pulses& pulses) {
-  const std::vector<Score> scores = scores_of(pulses);
+std::vector<Hertz> rates_of(const LineStretch& line, bool inverted) {
+  const std::vector<Score> scores = scores_of(pulses_of(line, inverted), shortest_bit_of(line));
   double best = 0;
   for (const Score& s : scores) best = std::max(best, s.second);
   std::vector<Hertz> rates;
@@ -124,9 +147,7 @@ std::vector<Hertz> rates_of(const Pulses& pulses) {
 
 /// A standard rate that is near, else the rate that the characters themselves tell.
 Hertz settled_rate(const LineStretch& line, bool inverted, Hertz found) {
-  constexpr std::array standard = {300.0,  600.0,   1200.0,  2400.0,  4800.0,
-                                   9600.0, 19200.0, 38400.0, 57600.0, 115200.0};
-  for (const double rate : standard)
+  for (const double rate : standard_rates)
     if (std::abs(found.value / rate - 1) < 0.025) return Hertz(rate);
   LineStatistics statistics(found, line.initial != inverted);
   const auto bytes = protocol::receive_mid_bit(trace_of(line, inverted), found);
@@ -137,9 +158,16 @@ Hertz settled_rate(const LineStretch& line, bool inverted, Hertz found) {
 
 std::vector<Hertz> found_rates(const LineStretch& line, bool inverted) {
   std::vector<Hertz> rates;
-  for (const Hertz rate : rates_of(pulses_of(line, inverted)))
+  for (const Hertz rate : rates_of(line, inverted))
     rates.push_back(settled_rate(line, inverted, rate));
   if (rates.empty()) rates.push_back(LineFacts().baud);
+  return rates;
+}
+
+std::vector<Hertz> standard_rates_for(const LineStretch& line) {
+  std::vector<Hertz> rates;
+  for (const double rate : standard_rates)
+    if (dsp::period(Hertz(rate)) >= shortest_bit_of(line)) rates.emplace_back(rate);
   return rates;
 }
 
@@ -150,10 +178,15 @@ bool is_of_text(std::uint8_t byte) {
 LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
   if (!line.flips.empty()) line.end = end_of_line(line.flips.back(), line.end, baud);
   LineReading reading{inverted, baud};
+  reading.flips = line.flips.size();
   protocol::CosysDecoder cosys;
   protocol::SharedLinkDecoder shared_link;
+  std::optional<std::uint8_t> first;
+  reading.is_one_character = true;
   for (const auto& byte : protocol::receive_mid_bit(trace_of(line, inverted), baud)) {
     ++reading.characters;
+    reading.is_one_character = reading.is_one_character && byte.value == first.value_or(byte.value);
+    first = byte.value;
     if (byte.framing_error) {
       ++reading.framing_errors;
     } else if (is_of_text(byte.value)) {
@@ -167,22 +200,71 @@ LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
   return reading;
 }
 
-std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool> inverted,
-                                     std::optional<Hertz> baud) {
+/// Why a reading is none of a line.
+std::optional<std::string> why_none(const LineReading& reading) {
+  constexpr double most_errors = 0.25, many_errors = 0.1;  // of all characters
+  if (reading.messages > 0) return std::nullopt;
+  if (reading.characters == 0)
+    return fmt::format("its {} edges make no character at up to 1 MBd", reading.flips);
+  const auto characters = static_cast<double>(reading.characters);
+  if (static_cast<double>(reading.flips) > 2 * flips_a_character * characters)
+    return fmt::format("of {} edges most are in none of {} characters", reading.flips,
+                       reading.characters);
+  if (reading.characters < fewest_to_doubt)
+    return fmt::format("{} characters tell no rate", reading.characters);
+  if (reading.is_one_character)
+    return fmt::format("all {} characters are the same, as those of a clock", reading.characters);
+  const double errors = static_cast<double>(reading.framing_errors) / characters;
+  if (errors > most_errors || (errors > many_errors && reading.worth() < least_worth))
+    return fmt::format(
+        "{} of {} characters have a framing error at {:.6g} Bd, as noise or a code other than 8N1 "
+        "has",
+        reading.framing_errors, reading.characters, reading.baud.value);
+  return std::nullopt;
+}
+
+/// Of a line, of both idle levels or of the one that was told; `rates` of an idle level.
+template <class Rates>
+std::vector<LineReading> readings_at(const LineStretch& line, std::optional<bool> inverted,
+                                     const Rates& rates) {
+  constexpr double longest_pulse = 12;  // bits
+  const Longest longest = longest_of(line, false);
   std::vector<LineReading> readings;
   for (const bool idle_low : {false, true}) {
-    if (inverted && *inverted != idle_low) continue;
-    const auto rates = baud ? std::vector<Hertz>{*baud} : found_rates(line, idle_low);
-    for (const Hertz rate : rates) readings.push_back(read_as(line, idle_low, rate));
+    if (inverted.value_or(idle_low) != idle_low) continue;
+    const double at_start = idle_low ? longest.high : longest.low,  // the start bit's level
+        at_idle = idle_low ? longest.low : longest.high;
+    for (const Hertz rate : rates(idle_low)) {
+      readings.push_back(read_as(line, idle_low, rate));
+      readings.back().is_against_pauses =
+          at_start >= 2 * at_idle && at_start * rate.value > longest_pulse;
+    }
   }
   return readings;
 }
 
-/// The idle level that the longest stretch tells.
+std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool> inverted,
+                                     std::optional<Hertz> baud) {
+  auto readings = readings_at(line, inverted, [&](bool idle_low) {
+    return baud ? std::vector<Hertz>{*baud} : found_rates(line, idle_low);
+  });
+  const auto has_messages = [](const LineReading& reading) { return reading.messages > 0; };
+  if (baud || line.flips.empty() || std::ranges::any_of(readings, has_messages)) return readings;
+  const bool makes_sense =
+      std::ranges::any_of(readings, [](const LineReading& reading) { return !why_none(reading); });
+  for (const LineReading& reading :
+       readings_at(line, inverted, [&](bool) { return standard_rates_for(line); }))
+    if (has_messages(reading) || !makes_sense) readings.push_back(reading);
+  return readings;
+}
+
+/// The idle level that the longest stretch tells: between two flips, else before and behind them.
 std::optional<bool> inverted_by_pauses(const LineStretch& line) {
-  const double high = longest_at(line, true), low = longest_at(line, false);
-  if (line.flips.empty() || (high < 2 * low && low < 2 * high)) return std::nullopt;
-  return low > high;
+  for (const bool with_ends : {false, true}) {
+    const Longest longest = longest_of(line, with_ends);
+    if (!line.flips.empty() && longest.tell()) return longest.tell_low();
+  }
+  return std::nullopt;
 }
 
 bool is_about_as_good(const LineReading& reading, const LineReading& best) {
@@ -235,16 +317,18 @@ LineFacts::Basis basis_of_polarity(const std::vector<LineReading>& readings,
 
 double LineReading::worth() const {
   if (characters == 0) return 0;
+  const double most_explained = flips_a_character * static_cast<double>(characters),
+               explained = std::min(1.0, most_explained / static_cast<double>(flips));
   const auto all = static_cast<double>(characters + 1);  // one alone proves little
   const double good = static_cast<double>(characters - framing_errors) / all,
                text = static_cast<double>(of_text) / all;
-  return (good + text) / 2 + (messages > 0 ? 1 : 0);
+  const double sense = (good + text) / 2 * explained * (is_against_pauses ? against_pauses : 1);
+  return sense + (messages > 0 ? 1 : 0);
 }
 
-bool LineReading::is_noise() const {
-  constexpr double most = 0.25;  // of all
-  return messages == 0 && characters >= fewest_to_doubt &&
-         static_cast<double>(framing_errors) > most * static_cast<double>(characters);
+std::optional<std::string> why_no_line(const LineFacts& facts) {
+  if (facts.baud_by == LineFacts::Basis::told || facts.reading.flips == 0) return std::nullopt;
+  return why_none(facts.reading);
 }
 
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
@@ -257,7 +341,7 @@ LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
   facts.baud = taken.baud;
   facts.polarity_by =
       inverted ? LineFacts::Basis::told : basis_of_polarity(readings, taken, by_pauses);
-  const bool tells = taken.characters > 0 && !rates_of(pulses_of(line, taken.inverted)).empty();
+  const bool tells = taken.characters > 0 && !rates_of(line, taken.inverted).empty();
   facts.baud_by = baud    ? LineFacts::Basis::told
                   : tells ? LineFacts::Basis::characters
                           : LineFacts::Basis::assumed;

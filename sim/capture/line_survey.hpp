@@ -6,11 +6,14 @@
 // (pulse-width distortion moves rises against falls, never falls against falls). Several times may
 // do, and either level may be idle: each such reading is tried, and what decides is whether the
 // characters make sense. Worth most are whole messages (COSYS, SharedLink) with a right checksum;
-// then characters without a framing error, and those of text more than others. Of readings that are
-// about as good the one is taken whose idle level is that of the longest stretch, where that is at
+// then characters without a framing error, and those of text more than others. A reading is worth
+// less whose idle level is not that of the longest stretch between two flips, where that is at
 // least twice as long as the longest at the other level (8N1 is never at the start bit's level for
-// more than nine bits, but idles longer); then the one of the longest bit. Where there is nothing
-// to go by, idle is high.
+// more than nine bits, but idles longer). Of readings that are about as good the one is taken whose
+// idle level is that of the longest stretch; then the one of the longest bit. Where no reading
+// makes sense or has a message, standard rates are tried too: something else may be on the wire
+// before the line.
+// Where there is nothing to go by, idle is high.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,6 +29,7 @@ struct LineStretch {
   bool initial = true;
   std::span<const dsp::Seconds> flips;
   dsp::Seconds end;
+  dsp::Seconds resolution{};  // between two samples; 0: flips are exact
 };
 
 /// One way to read a line, and what it makes of it.
@@ -33,14 +37,14 @@ struct LineReading {
   bool inverted = false;  // idle is low: light is 1
   dsp::Hertz baud{600};
   std::uint64_t characters = 0, framing_errors = 0;
-  std::uint64_t of_text = 0;   // characters without a framing error that text has
-  std::uint64_t messages = 0;  // whole ones, by their checksums
+  std::uint64_t of_text = 0;      // characters without a framing error that text has
+  std::uint64_t messages = 0;     // whole ones, by their checksums
+  bool is_one_character = false;  // all characters are the same
+  bool is_against_pauses = false;
+  std::uint64_t flips = 0;  // of the line; a character has ten at most
 
   /// From 0 to 1 by its characters; above where there are messages.
   double worth() const;
-  /// Whether so many of its characters have a framing error that they are none: of noise, or of
-  /// another code such as 8E1, about half have.
-  bool is_noise() const;
 };
 
 struct LineFacts {
@@ -58,11 +62,16 @@ struct LineFacts {
   std::optional<LineReading> rival;  // another that is about as good
 };
 
+/// Why what was read is no line, or one of which too little is known; not asked where a rate was
+/// told. Of noise, and of another code such as 8E1, about half of the characters have a framing
+/// error.
+std::optional<std::string> why_no_line(const LineFacts& facts);
+
 /// Flips of a line's beginning that are enough to tell what it is like.
 constexpr std::size_t most_surveyed_flips = 32768;
 
-/// What is told is kept; what is found is at most 1 MBd. A line that tells nothing is idle high, of
-/// 600 Bd. A rate within 2.5 % of a standard one is that.
+/// What is told is kept; what is found is at most 1 MBd, and half of the samples a second. A line
+/// that tells nothing is idle high, of 600 Bd. A rate within 2.5 % of a standard one is that.
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<dsp::Hertz> baud);
 

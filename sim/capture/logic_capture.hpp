@@ -32,6 +32,8 @@ class LogicCapture {
   virtual std::optional<WireLevel> next() = 0;
   /// Until when the wires were observed, as far as it was read.
   virtual dsp::Seconds now() const = 0;
+  /// Between two samples; 0 where changes have an instant of their own.
+  virtual dsp::Seconds resolution() const { return {}; }
 };
 
 /// One wire, flip by flip in the order of time; no two flips are at one instant.
@@ -46,6 +48,8 @@ class FlipSource {
   virtual std::optional<dsp::Seconds> next() = 0;
   /// Every flip before it was given.
   virtual dsp::Seconds known_until() const = 0;
+  /// Between two samples; 0 where flips are exact.
+  virtual dsp::Seconds resolution() const { return {}; }
 };
 
 /// One wire of a capture. Two flips at one instant cancel.
@@ -57,6 +61,7 @@ class WireFlips : public FlipSource {
   bool initial() const override { return initial_; }
   std::optional<dsp::Seconds> next() override;
   dsp::Seconds known_until() const override;
+  dsp::Seconds resolution() const override { return capture_.resolution(); }
 
  private:
   void read_initial();

@@ -32,6 +32,7 @@ class LogicSamples : public LogicCapture {
   std::optional<WireLevel> next() override;
   /// To the end of the last sample. Bytes of a unit that was cut short are none.
   dsp::Seconds now() const override { return at(samples_); }
+  dsp::Seconds resolution() const override { return dsp::period(sample_rate_); }
 
  private:
   dsp::Seconds at(std::uint64_t sample) const;

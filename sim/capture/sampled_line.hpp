@@ -36,6 +36,7 @@ class SampledLine : public FlipSource {
   bool initial() const override { return initial_; }
   std::optional<dsp::Seconds> next() override;
   dsp::Seconds known_until() const override;
+  dsp::Seconds resolution() const override { return dsp::period(rate_); }
 
  private:
   using Samples = std::vector<std::complex<float>>;

@@ -61,7 +61,8 @@ bool is_rival(const ChannelSurvey& other, const ChannelSurvey& taken) {
 /// Levels of one wire in memory, as a capture of it.
 class KeptLevels : public LogicCapture {
  public:
-  KeptLevels(const std::vector<WireLevel>& levels, Seconds end) : levels_(levels), end_(end) {}
+  KeptLevels(const std::vector<WireLevel>& levels, Seconds end, Seconds resolution)
+      : levels_(levels), end_(end), resolution_(resolution) {}
 
   const std::vector<std::string>& wires() const override { return wires_; }
   std::optional<WireLevel> next() override {
@@ -69,11 +70,12 @@ class KeptLevels : public LogicCapture {
     return levels_[next_++];
   }
   Seconds now() const override { return end_; }
+  Seconds resolution() const override { return resolution_; }
 
  private:
   std::vector<std::string> wires_{"wire"};
   const std::vector<WireLevel>& levels_;
-  Seconds end_;
+  Seconds end_, resolution_;
   std::size_t next_ = 0;
 };
 
@@ -122,8 +124,8 @@ ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hin
     survey.flips.push_back(*flip);
   }
   survey.edges = survey.flips.size();
-  survey.facts =
-      survey_line({line.initial(), survey.flips, line.known_until()}, hints.inverted, hints.baud);
+  survey.facts = survey_line({line.initial(), survey.flips, line.known_until(), line.resolution()},
+                             hints.inverted, hints.baud);
   return survey;
 }
 
@@ -195,7 +197,7 @@ std::vector<ChannelSurvey> SurveyedCapture::surveys(const LineHints& hints) cons
   std::vector<std::vector<WireLevel>> levels(wires().size());
   for (WireLevel level : ahead_) levels[std::exchange(level.wire, 0)].push_back(level);
   for (const std::size_t wire : wires_to_survey(wires(), count)) {
-    KeptLevels kept(levels[wire], end_);
+    KeptLevels kept(levels[wire], end_, resolution());
     WireFlips flips(kept, 0);
     KeyedWire line(flips, hints.carrier);
     surveys[wire] = survey_of(wires()[wire], line, hints);

@@ -61,6 +61,7 @@ class SurveyedCapture : public LogicCapture {
   const std::vector<std::string>& wires() const override { return capture_->wires(); }
   std::optional<WireLevel> next() override;
   dsp::Seconds now() const override;
+  dsp::Seconds resolution() const override { return capture_->resolution(); }
 
   /// Of each wire, its changes.
   std::vector<std::uint64_t> edges() const;

@@ -117,11 +117,8 @@ std::optional<std::string> doubt_about(const DecodedCapture& decoded) {
   const CaptureFacts& facts = decoded.read;
   const LineFacts& line = decoded.line;
   if (facts.doubt) return facts.doubt;
-  if (line.baud_by != LineFacts::Basis::told && line.reading.is_noise())
-    return fmt::format(
-        "no line is found ({} of {} characters have a framing error at {:.6g} Bd, as noise or a "
-        "code other than 8N1 has) say --baud or --channel",
-        line.reading.framing_errors, line.reading.characters, line.baud.value);
+  if (const auto why = why_no_line(line))
+    return fmt::format("no line is found ({}) say --baud or --channel", *why);
   if (facts.rival)
     return fmt::format("channel {} reads as well as {} (nothing sets them apart) say --channel",
                        channel_name(facts, *facts.rival), channel_name(facts, *facts.taken));

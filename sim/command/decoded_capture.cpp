@@ -82,8 +82,8 @@ std::optional<Hertz> hertz(const std::optional<double>& rate) {
 void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeListener& listener,
                  DecodedCapture& decoded) {
   std::vector<Seconds> flips = next_flips(line, listener);
-  decoded.line = survey_line({line.initial(), flips, line.known_until()}, told_inverted(request),
-                             hertz(request.baud));
+  decoded.line = survey_line({line.initial(), flips, line.known_until(), line.resolution()},
+                             told_inverted(request), hertz(request.baud));
   listener.chosen(decoded);
   CapturedLineDecoder decoder(request, listener, line.initial() != decoded.line.inverted, decoded);
   std::optional<Seconds> last;

@@ -79,6 +79,18 @@ TEST(KeyedWire, AToldCarrierIsTaken) {
   EXPECT_GT(line_of(without).flips().size(), 50 * sent.flips().size());
 }
 
+// A clock for a moment, as at a start, and then a line: its edges are far from each other.
+TEST(KeyedWire, ABurstBeforeALineIsNoCarrier) {
+  LogicTrace wire;
+  Seconds at(0.01);
+  for (int i = 0; i < 2000; ++i, at = at + Seconds(5e-6)) wire.flip_at(at);
+  at = at + Seconds(0.1);
+  for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
+    at = protocol::send_byte(wire, byte, at, Hertz(600));
+  Recorded recorded(wire);
+  EXPECT_EQ(KeyedWire(recorded, std::nullopt).carrier(), Hertz(0));
+}
+
 TEST(KeyedWire, AnyOtherWireIsPassedOn) {
   Random random(83);
   for (const double baud : {600.0, 9600.0, 115200.0}) {

@@ -80,26 +80,164 @@ TEST(LineSurvey, TellsNoiseFromLines) {
   Random random(35);
   for (int trial = 0; trial < 50; ++trial) {
     const LogicTrace noise = test::random_trace(random, trial % 2 == 0, 400);
-    EXPECT_TRUE(facts_of(noise, false).reading.is_noise()) << trial;
+    EXPECT_TRUE(why_no_line(facts_of(noise, false))) << trial;
     const LogicTrace line = test::bent_line(random, 3, 600, {0.2 / 600, 0.05 / 600});
-    EXPECT_FALSE(facts_of(line, false).reading.is_noise()) << trial;
+    EXPECT_EQ(why_no_line(facts_of(line, false)), std::nullopt) << trial;
   }
 }
 
-// A character of 8E1 has a bit more, at the place of the stop bit.
-TEST(LineSurvey, CharactersWithAParityBitAreNot8N1) {
-  const Seconds bit(1 / 600.0);
+/// Pulses of light, each with as long a gap behind it; then two messages, of which a receiver may
+/// lose the first with what it read of the pulses.
+LogicTrace pulses_before(int pulses, double pulse_s) {
   LogicTrace line;
   Seconds at(0.05);
-  for (const char c : std::string("Even parity makes half of these bad")) {
-    protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(600));
-    const bool is_odd = std::popcount(static_cast<unsigned char>(c)) % 2 == 1;
-    line.set_at(at + 9 * bit, is_odd);
-    line.set_at(at + 10 * bit, true);
-    at = at + 11 * bit;
+  for (int i = 0; i < 2 * pulses; ++i, at = at + Seconds(pulse_s)) line.flip_at(at);
+  at = at + Seconds(0.1);
+  for (int message = 0; message < 2; ++message)
+    for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
+      at = protocol::send_byte(line, byte, at, Hertz(600));
+  line.observe_until(at + Seconds(0.05));
+  return line;
+}
+
+TEST(LineSurvey, FindsALineBehindSomethingElse) {
+  for (const double pulse_s : {5e-6, 250e-6}) {
+    const LineFacts facts = facts_of(pulses_before(500, pulse_s), false);
+    EXPECT_EQ(facts.baud, Hertz(600)) << pulse_s;
+    EXPECT_GE(facts.reading.messages, 1) << pulse_s;
   }
-  line.observe_until(at + 20 * bit);
-  EXPECT_TRUE(facts_of(line, false).reading.is_noise());
+}
+
+// Light for 100 us here and there: edges that are no character's.
+TEST(LineSurvey, FindsALineAmongGlitches) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (int message = 0; message < 4; ++message, at = at + Seconds(0.2)) {
+    for (int glitch = 0; glitch < 8; ++glitch, at = at + Seconds(7e-3)) {
+      line.flip_at(at);
+      line.flip_at(at + Seconds(100e-6));
+    }
+    for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
+      at = protocol::send_byte(line, byte, at, Hertz(600));
+  }
+  line.observe_until(at);
+  const LineFacts facts = facts_of(line, false);
+  EXPECT_FALSE(facts.inverted);
+  EXPECT_EQ(facts.baud, Hertz(600));
+  EXPECT_EQ(facts.reading.messages, 4);
+}
+
+TEST(LineSurvey, FindsMessagesBehindTextAtAnotherRate) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (int i = 0; i < 8; ++i)
+    for (const char c :
+         std::string("Bootloader 1.2 of an unknown device, waiting for an image\r\n"))
+      at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(9600));
+  at = at + Seconds(0.1);
+  for (int message = 0; message < 2; ++message)
+    for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
+      at = protocol::send_byte(line, byte, at, Hertz(600));
+  line.observe_until(at);
+  EXPECT_EQ(facts_of(line, false).baud, Hertz(600));
+}
+
+TEST(LineSurvey, FindsTextBehindABurst) {
+  LogicTrace line;
+  Seconds at(0.01);
+  for (int i = 0; i < 2000; ++i, at = at + Seconds(2.5e-6 + 1e-6 * (i % 3))) line.flip_at(at);
+  at = at + Seconds(0.01);
+  for (int i = 0; i < 5; ++i)
+    for (const char c : std::string("HELLO! BOOT0 is starting, and says much of what it does\r\n"))
+      at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(115200));
+  line.observe_until(at + Seconds(0.01));
+  EXPECT_EQ(facts_of(line, false).baud, Hertz(115200));
+  EXPECT_FALSE(facts_of(line, false).inverted);
+}
+
+/// A bit more, at the place of the stop bit.
+Seconds send_with_parity(LogicTrace& line, char c, Seconds at, Hertz baud) {
+  const Seconds bit = dsp::period(baud);
+  protocol::send_byte(line, static_cast<std::uint8_t>(c), at, baud);
+  line.set_at(at + 9 * bit, std::popcount(static_cast<unsigned char>(c)) % 2 == 1);
+  line.set_at(at + 10 * bit, true);
+  return at + 11 * bit;
+}
+
+// Where characters tell little, the long pauses do: 8E1 here.
+TEST(LineSurvey, PausesTellTheIdleLevel) {
+  Random random(36);
+  for (int trial = 0; trial < 60; ++trial) {
+    LogicTrace line;
+    Seconds at(0.02);
+    for (int text = 0; text < 3; ++text, at = at + Seconds(0.2))
+      for (int letter = 0; letter < 20; ++letter)
+        at = send_with_parity(line, static_cast<char>(' ' + random() % 95), at, Hertz(9600));
+    line.observe_until(at);
+    EXPECT_EQ(facts_of(line, trial % 2 == 0).inverted, trial % 2 == 0) << trial;
+  }
+}
+
+TEST(LineSurvey, CharactersWithAParityBitAreNot8N1) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (const char c : std::string("Even parity makes half of these bad"))
+    at = send_with_parity(line, c, at, Hertz(600));
+  line.observe_until(at + Seconds(0.05));
+  EXPECT_TRUE(why_no_line(facts_of(line, false)));
+}
+
+TEST(LineSurvey, BytesThatAreNoTextAreALine) {
+  Random random(38);
+  LogicTrace line;
+  Seconds at(0.05);
+  for (int i = 0; i < 40; ++i)
+    at = protocol::send_byte(line, static_cast<std::uint8_t>(0x80 | random()), at, Hertz(9600));
+  line.observe_until(at);
+  EXPECT_EQ(why_no_line(facts_of(line, false)), std::nullopt);
+}
+
+TEST(LineSurvey, FindsNoRateThatTheSamplesCannotCarry) {
+  Random random(37);
+  for (int trial = 0; trial < 30; ++trial) {
+    LogicTrace noise;
+    Seconds at(1e-3);
+    for (int i = 0; i < 400; ++i, at = at + Seconds(1e-6 * static_cast<double>(1 + random() % 20)))
+      noise.flip_at(at);
+    noise.observe_until(at);
+    const LineFacts facts = survey_line({true, noise.flips(), noise.end(), Seconds(1e-5)}, {}, {});
+    EXPECT_LE(facts.baud.value, 50e3) << trial;
+  }
+}
+
+TEST(LineSurvey, AClockIsNoLine) {
+  LogicTrace clock;
+  for (int i = 1; i < 400; ++i) clock.flip_at(Seconds(i / 9600.0));
+  EXPECT_TRUE(why_no_line(facts_of(clock, false)));
+}
+
+TEST(LineSurvey, EdgesThatAreInNoCharacterMakeNoLine) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (const char c : std::string("glitches")) {
+    for (int i = 0; i < 200; ++i, at = at + Seconds(1e-3 + 1e-6 * (i % 7))) {
+      line.flip_at(at);
+      line.flip_at(at + Seconds(0.1e-6));
+    }
+    at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(9600));
+  }
+  line.observe_until(at);
+  EXPECT_TRUE(why_no_line(facts_of(line, false)).value_or("").starts_with("of 32"));
+}
+
+TEST(LineSurvey, FewCharactersTellNoRate) {
+  LogicTrace line;
+  Seconds at(0.05);
+  for (const char c : std::string("AB"))
+    at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(9600));
+  line.observe_until(at + Seconds(0.05));
+  EXPECT_TRUE(why_no_line(facts_of(line, false)));
+  EXPECT_FALSE(why_no_line(survey_line({true, line.flips(), line.end()}, {}, Hertz(9600))));
 }
 
 /// Of the line read with a clock of 600 Bd.
