@@ -87,6 +87,9 @@ constexpr Format formats[] = {{"vcd", "$", as_vcd, true, false},
                               {"h5", "\x89HDF", as_netcdf},
                               {"bin", "", as_raw}};
 
+/// Of texts that may be tables.
+constexpr std::string_view table_endings[] = {"txt", "tsv", "dat", "asc", "lvm"};
+
 /// An option that says what the format says itself must not be passed over in silence, unless it
 /// is meant for other files.
 void refuse_useless_options(const Format& format, const std::string& file,
@@ -146,6 +149,7 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
   const std::string_view beginning = capture.in->beginning();
   const std::size_t mark = mark_bytes(beginning, path.string());
   if (const Format* by_content = recognised(beginning.substr(mark))) return *by_content;
+  if (std::ranges::find(table_endings, ending) != std::end(table_endings)) return *named("csv");
   if (beginning.empty())
     throw bad_input("cannot decode " + path.string(), "nothing is in it",
                     "of a pipe, start the writer first");

@@ -49,6 +49,7 @@ struct CaptureFacts {
   std::optional<std::size_t> taken;  // of the channels, the one that is read
   bool is_whole = true;              // edges are those of the whole capture, not of its beginning
   std::string time;                  // how instants are told; empty: as the format says
+  bool is_tick_assumed = false;      // the unit of time is in none of its words
   std::vector<std::string> assumed;
   std::optional<std::size_t> rival;  // another channel that reads as well
   std::optional<std::string> doubt;  // what else the file may be, and how to say so

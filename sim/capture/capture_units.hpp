@@ -2,6 +2,7 @@
 // Units of time and rate as instruments and people write them: "ms", "(usec)", "Seconds", "1
 // MSa/s".
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,5 +33,10 @@ struct Heading {
   std::string text{};  // all of it
 };
 Heading heading_of(std::string_view field);
+
+/// "Time", "t", "Zeit": a heading's name, without its unit.
+bool is_time_name(std::string_view name);
+/// Whether one of these headings is that of a time.
+bool names_time(std::span<const std::string> fields);
 
 }  // namespace sim

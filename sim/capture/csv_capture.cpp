@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -22,6 +23,8 @@ namespace {
 using dsp::Hertz;
 using dsp::Seconds;
 using Row = std::vector<double>;
+
+constexpr double longest_step = 10;  // of rows, in usual ones
 
 std::string name_of(const CsvTable& table, std::size_t column) {
   const Heading& heading = table.columns()[column];
@@ -79,17 +82,33 @@ class CsvLogic : public LogicCapture {
   std::size_t next_ = 0;  // wire of the row that was not looked at
 };
 
-/// The rate of a time column by the rows at hand.
-std::optional<Hertz> measured_rate(const CsvTable& table, RowClock clock) {
-  if (!clock.has_column()) return std::nullopt;
-  const std::size_t last = table.rows_ahead() - 1;
-  const auto at = [&](std::size_t row) {
-    Row cells(table.columns().size());
+/// How rows go on in time.
+struct Pace {
+  Hertz rate;
+  Seconds step;  // the usual one, where times repeat because they are printed with few digits
+};
+
+/// By a time column, of the rows at hand; steps much longer than the usual one are gaps.
+std::optional<Pace> measured_pace(const CsvTable& table, RowClock clock) {
+  if (!clock.has_column() || table.rows_ahead() < 2) return std::nullopt;
+  std::vector<double> steps;
+  std::optional<Seconds> last;
+  Row cells(table.columns().size());
+  for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
     cells[*clock.column()] = table.ahead(row, *clock.column());
-    return clock.next(table, cells, table.line_ahead(row));
-  };
-  const Seconds first = at(0);
-  return Hertz(static_cast<double>(last) / (at(last) - first).value);
+    const Seconds at = clock.next(table, cells, table.line_ahead(row));
+    if (last) steps.push_back((at - *last).value);
+    last = at;
+  }
+  std::vector<double> sorted = steps;
+  std::erase(sorted, 0.0);
+  if (sorted.empty()) return std::nullopt;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double usual = *middle;
+  std::erase_if(steps, [&](double step) { return step > longest_step * usual; });
+  const double time = std::accumulate(steps.begin(), steps.end(), 0.0);
+  return Pace{Hertz(static_cast<double>(steps.size()) / time), Seconds(usual)};
 }
 
 /// What a column says, cell by cell: as before where a cell says nothing, at first what it says
@@ -117,14 +136,14 @@ class Held {
 
 class CsvSamples : public SampleCapture {
  public:
-  CsvSamples(CsvTable table, RowClock clock, Hertz rate, std::size_t column)
+  CsvSamples(CsvTable table, RowClock clock, const Pace& pace, std::size_t column)
       : held_(table, column),
         table_(std::move(table)),
         clock_(clock),
-        rate_(rate),
+        pace_(pace),
         column_(column) {}
 
-  Hertz sample_rate() const override { return rate_; }
+  Hertz sample_rate() const override { return pace_.rate; }
   bool is_complex() const override { return false; }
 
   std::size_t read(std::span<std::complex<float>> to) override {
@@ -141,19 +160,25 @@ class CsvSamples : public SampleCapture {
  private:
   /// Within two samples and a hundredth of the way: columns are rounded, and so is the rate.
   void check_spacing(Seconds at) {
-    if (!first_) first_ = at;
-    const double wanted = static_cast<double>(count_++) / rate_.value, is = (at - *first_).value;
-    if (std::abs(is - wanted) > 2 / rate_.value + 0.01 * wanted)
+    if (!first_) first_ = last_ = at;
+    if (at - last_ > longest_step * pace_.step)
+      table_.fail("a row's time",
+                  "rows of an analogue column are missing before it, or are not evenly spaced");
+    last_ = at;
+    const Seconds sample = dsp::period(pace_.rate);
+    const double wanted = static_cast<double>(count_++) * sample.value, is = (at - *first_).value;
+    if (std::abs(is - wanted) > 2 * std::max(sample, pace_.step).value + 0.01 * wanted)
       table_.fail("a row's time", "the rows of an analogue column must be evenly spaced");
   }
 
   Held held_;
   CsvTable table_;
   RowClock clock_;
-  Hertz rate_;
+  Pace pace_;
   std::size_t column_;
   std::uint64_t count_ = 0;
   std::optional<Seconds> first_;
+  Seconds last_;
 };
 
 /// A column of the rows at hand, as samples.
@@ -219,7 +244,7 @@ struct Channels {
 Channels channels_of(const CsvTable& table, const RowClock& clock) {
   Channels channels;
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
-    if (i == clock.column() || (counts_rows(table.columns()[i]) && rises(table, i))) continue;
+    if (i == clock.column() || is_no_line(table, i)) continue;
     channels.columns.push_back(i);
     channels.names.push_back(name_of(table, i));
   }
@@ -227,24 +252,29 @@ Channels channels_of(const CsvTable& table, const RowClock& clock) {
   return channels;
 }
 
-/// Rows a second, where columns may be read as samples.
-std::optional<Hertz> rate_of_samples(const CsvTable& table, const RowClock& clock) {
-  const auto rate = clock.rate() ? clock.rate() : measured_rate(table, clock);
-  return rate && is_sample_rate(*rate) ? rate : std::nullopt;
+/// Of rows, where columns may be read as samples. The head's rate may be that of the instrument, of
+/// which the file has fewer rows.
+std::optional<Pace> pace_of_samples(const CsvTable& table, const RowClock& clock) {
+  constexpr double rounding = 0.02;
+  auto pace = measured_pace(table, clock);
+  const auto rate = clock.rate();
+  if (rate && !clock.has_column()) pace = Pace{*rate, dsp::period(*rate)};
+  if (rate && pace && std::abs(*rate / pace->rate - 1) < rounding) pace->rate = *rate;
+  return pace && is_sample_rate(pace->rate) ? pace : std::nullopt;
 }
 
 ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std::size_t column,
                                const std::string& name, const LineHints& hints) {
   const bool moves = !is_constant(table, column);
-  const auto rate = rate_of_samples(table, clock);
   if (moves && is_logic(table, column)) {
     LevelsAhead levels(table, clock, column);
     WireFlips flips(levels, 0);
     KeyedWire line(flips, hints.carrier);
     return survey_of(name, line, hints);
   }
-  if (!moves || !rate) return {.name = name};
-  SamplesAhead samples(table, *rate, column);
+  const auto pace = moves ? pace_of_samples(table, clock) : std::nullopt;
+  if (!pace || is_beyond_range(table, column)) return {.name = name};
+  SamplesAhead samples(table, pace->rate, column);
   return survey_of_samples(name, samples, hints);
 }
 
@@ -288,11 +318,12 @@ void open_levels(CsvTable table, const RowClock& clock, const Channels& channels
 
 void open_csv(const std::string& file, const CaptureSettings& settings, Capture& capture) {
   CsvTable table(*capture.in, file, settings.skip_rows);
-  if (const auto& unknown = table.head().unknown(); unknown && !settings.sample_rate)
-    table.fail_at(unknown->line, unknown->of + " '" + shown(unknown->word) + "'",
-                  "it is in no unit that is known here");
   CaptureFacts& facts = capture.facts;
   const RowClock clock(table, settings, facts);
+  if (const auto& unknown = table.head().unknown();
+      unknown && !settings.sample_rate && !clock.has_column())
+    table.fail_at(unknown->line, unknown->of + " '" + shown(unknown->word) + "'", unknown->why,
+                  "say --sample-rate");
   if (!clock.has_column() && !clock.rate())
     throw bad_input(file + " has no sample rate", "it has no column time either",
                     "say --sample-rate");
@@ -302,9 +333,13 @@ void open_csv(const std::string& file, const CaptureSettings& settings, Capture&
   const std::size_t column = channels.columns[*facts.taken];
   if (is_logic(table, column))
     return open_levels(std::move(table), clock, channels, column, capture);
-  const auto rate = rate_of_samples(table, clock);
-  if (!rate) table.fail("the rows' times", "an analogue column has 1 to 1e12 rows a second");
-  capture.samples = std::make_unique<CsvSamples>(std::move(table), clock, *rate, column);
+  const auto pace = pace_of_samples(table, clock);
+  if (!pace) table.fail("the rows' times", "an analogue column has 1 to 1e12 rows a second");
+  if (is_beyond_range(table, column))
+    table.fail_at(table.line_ahead(0), "column " + shown(name_of(table, column)),
+                  "its signal is often beyond what the instrument could show",
+                  "record it again in a wider range");
+  capture.samples = std::make_unique<CsvSamples>(std::move(table), clock, *pace, column);
 }
 
 }  // namespace sim

@@ -15,6 +15,7 @@ using dsp::Hertz;
 using dsp::Seconds;
 
 constexpr double longest_before_start = 1e6;  // s; more is a date
+constexpr double last_date = 4.1e9;           // s, in the year 2099
 
 /// Of the times of the rows ahead, the step of which all distances are whole multiples; nothing
 /// where times are no whole numbers.
@@ -47,9 +48,15 @@ std::optional<double> tick_of_sigrok(const CsvTable& table, std::size_t column, 
 double named_unit(const CsvTable& table, const std::string& named) {
   const auto unit = time_unit(named);
   if (!unit)
-    table.fail_at(table.head().line_of_units(table.columns().size()),
+    table.fail_at(table.head().line_of_units(table.place()),
                   "the time's unit '" + shown(named) + "'", "no such unit is known here");
   return unit->value;
+}
+
+void refuse_unit_of_no_column(const CsvTable& table) {
+  if (const auto unit = table.head().unit_of_no_column(table.place()))
+    table.fail_at(unit->line, unit->of + " '" + shown(unit->word) + "'", unit->why,
+                  "say --time-unit " + shown(unit->word) + ", or s");
 }
 
 }  // namespace
@@ -62,8 +69,18 @@ RowClock::RowClock(const CsvTable& table, const CaptureSettings& settings, Captu
     if (rate_) facts.time = samples_text(*rate_);
     return;
   }
+  const bool is_named = is_time_name(table.columns()[*column_].name) ||
+                        time_unit(table.columns()[*column_].unit).has_value();
+  if (settings.sample_rate && !is_named) {  // it may be anything that rises
+    column_.reset();
+    facts.time = samples_text(*rate_);
+    return;
+  }
   find_unit(table, settings, facts);
   const double start = table.ahead(0, *column_) * unit_;
+  if (start > last_date)
+    table.fail_at(table.line_ahead(0), fmt::format("a time of {:.10g} s", start),
+                  "it is after the year 2099", "say --time-unit ms, or what their unit is");
   if (start < 0 || start > longest_before_start) origin_ = start;
   if (origin_ > 0) facts.assumed.push_back(fmt::format("times count from {:.6f} s on", origin_));
 }
@@ -92,7 +109,9 @@ void RowClock::find_unit(const CsvTable& table, const CaptureSettings& settings,
   } else if (!named.empty()) {
     unit_ = named_unit(table, named);
   } else {
+    refuse_unit_of_no_column(table);
     facts.assumed.emplace_back("time in seconds");
+    facts.is_tick_assumed = true;
     return;
   }
   facts.time = ticks_text(Seconds(unit_));

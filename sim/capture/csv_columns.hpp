@@ -23,10 +23,15 @@ bool is_constant(const CsvTable& table, std::size_t column);
 /// Never back, and on at last: times may repeat where they are printed with too few digits.
 bool rises(const CsvTable& table, std::size_t column);
 
-/// Whether it has the name of a column that numbers the rows: "Index", "Sample #".
-bool counts_rows(const Heading& heading);
+/// Whether it rises and is named a time or a number of the row ("Index", "Sample #"), or counts
+/// rows one by one.
+bool is_no_line(const CsvTable& table, std::size_t column);
 
-/// By its name; else the first that rises, but one that counts rows.
+/// By its name or its unit, and of several the finest; else the first that rises and does not count
+/// rows. Throws bad_input where several tell other times.
 std::optional<std::size_t> time_column(const CsvTable& table);
+
+/// Whether more than one cell in twenty is beyond what the instrument could show.
+bool is_beyond_range(const CsvTable& table, std::size_t column);
 
 }  // namespace sim

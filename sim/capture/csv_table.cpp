@@ -1,7 +1,6 @@
 #include "sim/capture/csv_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -9,33 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/text/list_text.hpp"
-#include "sim/text/number_text.hpp"
+#include "sim/capture/csv_fields.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::size_t most_first_lines = 1000, most_cells_ahead = 1'000'000;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-std::string unquoted(std::string_view field) {
-  std::string_view text = trimmed(field);
-  while (!text.empty() && text.front() == '"') text.remove_prefix(1);
-  while (!text.empty() && text.back() == '"') text.remove_suffix(1);
-  return std::string(trimmed(text));
-}
-
-/// "2024-05-01T12:00:00.25", "12:00:01.5": a time of day, which is no number.
-bool is_clock_time(const std::string& field) {
-  const std::size_t colon = field.find(':');
-  return colon != std::string::npos && colon > 0 && colon + 1 < field.size() &&
-         std::isdigit(static_cast<unsigned char>(field[colon - 1])) != 0 &&
-         std::isdigit(static_cast<unsigned char>(field[colon + 1])) != 0;
-}
-
-bool says_nothing(const std::string& field) {
-  return field == "X" || field == "x" || field == "Z" || field == "z" || field == "-";
-}
 
 }  // namespace
 
@@ -46,10 +25,11 @@ CsvTable::CsvTable(std::istream& in, std::string file, std::size_t skip)
   widen_to_names();
   read_head();
   read_ahead();
+  name_columns();
 }
 
 void CsvTable::read_ahead() {
-  while (ahead_.size() + columns_.size() <= most_cells_ahead) {
+  while (ahead_.size() + layout_.count <= most_cells_ahead) {
     const auto row = read_row();
     whole_ = !row;
     if (whole_) break;
@@ -71,76 +51,73 @@ void CsvTable::read_first_lines(std::size_t skip) {
   }
 }
 
-std::vector<std::string> CsvTable::fields_of(std::string_view line, char separator) const {
-  std::vector<std::string> fields;
-  if (separator == ' ') {
-    for (const std::string_view field : split(line, ' '))
-      if (!trimmed(field).empty()) fields.push_back(unquoted(field));
-    return fields;
-  }
-  for (const std::string_view field : split(line, separator)) fields.push_back(unquoted(field));
-  return fields;
-}
-
-/// NaN where it says nothing; nothing where it is no cell of a row.
-std::optional<double> CsvTable::cell_of(const std::string& field, bool decimal_comma) const {
-  if (field.empty() || says_nothing(field)) return nothing;
-  std::string text = field;
-  if (decimal_comma) std::ranges::replace(text, ',', '.');
-  const auto number = parse_number(text);
-  if (!number) return std::nullopt;
-  return std::isfinite(*number) ? *number : nothing;
-}
-
-bool CsvTable::is_finite(const std::string& field, bool decimal_comma) const {
-  const auto cell = cell_of(field, decimal_comma);
-  return cell && std::isfinite(*cell);
+/// A blank of a table apart by semicolons begins with one.
+bool CsvTable::is_remark_of(std::string_view line, char separator) {
+  return is_remark(line) && !(separator == ';' && line.starts_with(';'));
 }
 
 /// How a line is a row. It is one with all of its fields, or with those behind the head that stands
-/// beside the rows and ends with an empty field.
+/// beside the rows and ends with an empty field, or behind a separator at its beginning.
 std::optional<CsvTable::Layout> CsvTable::layout_of(const std::string& line, char separator,
-                                                    bool comma) const {
-  if (is_remark(line)) return std::nullopt;
+                                                    bool comma) {
+  if (is_remark_of(line, separator)) return std::nullopt;
   const std::vector<std::string> fields = without_empty_end(fields_of(line, separator));
-  const auto is_number = [&](const std::string& field) { return is_finite(field, comma); };
-  const bool all = std::ranges::all_of(
-      fields, [&](const std::string& field) { return cell_of(field, comma).has_value(); });
+  const auto is_cell = [&](const std::string& field) { return cell_of(field, comma).has_value(); };
+  const auto is_number = [&](const std::string& field) {
+    const auto cell = cell_of(field, comma);
+    return cell && !std::isnan(*cell);
+  };
   const bool begins = !fields.empty() && !fields.front().empty();
-  if (begins && all && std::ranges::any_of(fields, is_number))
+  if (begins && std::ranges::all_of(fields, is_cell) && std::ranges::any_of(fields, is_number))
     return Layout{separator, comma, 0, fields.size()};
   std::size_t first = fields.size();
   while (first > 0 && is_number(fields[first - 1])) --first;
-  if (fields.size() - first < 2 || first == 0 || !fields[first - 1].empty()) return std::nullopt;
+  const bool is_one = fields.size() == 2 && first == 1;
+  if (first == 0 || !fields[first - 1].empty() || (fields.size() - first < 2 && !is_one))
+    return std::nullopt;
   return Layout{separator, comma, first, fields.size() - first};
 }
 
-/// The layout of most lines; of several of as many the one of more columns, then that of commas.
+/// The layout of most lines; of several of as many the one of more columns, then one that knows of
+/// a separator before the first cell, then that of commas.
 void CsvTable::find_layout() {
   using Key = std::tuple<char, bool, std::size_t, std::size_t>;
   std::map<Key, std::size_t> counts;
   for (const auto& [separator, comma] : {std::pair{',', false},
+                                         {',', true},
                                          {';', false},
                                          {';', true},
                                          {'\t', false},
                                          {'\t', true},
-                                         {' ', false}})
+                                         {' ', false}}) {
+    if (!may_separate(separator, comma)) continue;
     for (const Line& line : first_lines_)
       if (const auto layout = layout_of(line.text, separator, comma))
         ++counts[{separator, comma, layout->first, layout->count}];
+  }
   const auto better = [](const auto& a, const auto& b) {
     const auto& [sep_a, comma_a, first_a, count_a] = a.first;
     const auto& [sep_b, comma_b, first_b, count_b] = b.first;
-    return std::tuple(a.second, count_a, !comma_a, sep_a == ',') <
-           std::tuple(b.second, count_b, !comma_b, sep_b == ',');
+    return std::tuple(a.second, count_a, first_a > 0, !comma_a, sep_a == ',') <
+           std::tuple(b.second, count_b, first_b > 0, !comma_b, sep_b == ',');
   };
   const auto best = std::ranges::max_element(counts, better);
   if (best == counts.end()) {
     refuse_clock_times();
+    refuse_words();
     at_line_ = lines_.number();
     fail("no row of numbers", "there is nothing to decode");
   }
   std::tie(layout_.separator, layout_.decimal_comma, layout_.first, layout_.count) = best->first;
+}
+
+/// One that is in no line separates nothing; decimals with a comma are in quotes where a comma
+/// separates.
+bool CsvTable::may_separate(char separator, bool comma) const {
+  if (separator == ',' && !comma) return true;
+  const std::string_view sign = separator == ',' ? "\"," : std::string_view(&separator, 1);
+  return std::ranges::any_of(
+      first_lines_, [&](const Line& line) { return line.text.find(sign) != std::string::npos; });
 }
 
 /// A last column of which no row says anything has its name all the same: the head's last line, if
@@ -151,7 +128,7 @@ void CsvTable::widen_to_names() {
   for (const Line& line : first_lines_) {
     if (line.text.find("Increment") != std::string::npos) return;  // behind the names of Rigol
     if (layout_.first > 0 || row_of(line.text)) break;
-    if (is_remark(line.text)) continue;
+    if (is_remark_of(line.text, layout_.separator)) continue;
     fields = without_empty_end(fields_of(line.text, layout_.separator));
     names = &fields;
   }
@@ -173,36 +150,82 @@ void CsvTable::refuse_clock_times() {
       }
 }
 
-void CsvTable::read_head() {
-  for (std::size_t i = 0; i < first_lines_.size(); ++i) {
-    const std::string& line = first_lines_[i].text;
-    at_line_ = first_lines_[i].number;
-    const bool is_row = row_of(line).has_value();
-    if (is_row && layout_.first == 0 && (!head_.has_grid_names() || head_.grid())) {
-      first_lines_.erase(first_lines_.begin(),
-                         first_lines_.begin() + static_cast<std::ptrdiff_t>(i));
-      break;
-    }
-    const std::vector<std::string> fields = fields_of(line, layout_.separator);
-    if (layout_.first == 0)
-      head_.read(fields, line, at_line_);
-    else if (!fields.empty() && !fields.front().empty())
-      head_.read_beside({fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                              fields.size(), layout_.first))},
-                        at_line_);
+/// A line that begins with a number as rows do, and goes on with a word: "0.01,****".
+void CsvTable::refuse_words() {
+  for (const Line& line : first_lines_)
+    for (const char separator : {',', ';', '\t', ' '})
+      if (const auto word = word_in_row(fields_of(line.text, separator), false)) {
+        at_line_ = line.number;
+        fail("'" + shown(*word) + "'", "it is no number");
+      }
+}
+
+std::optional<std::string> CsvTable::word_in_row(const std::vector<std::string>& fields,
+                                                 bool comma) {
+  const auto number = fields.size() < 2 ? std::nullopt : cell_of(fields.front(), comma);
+  if (!number || std::isnan(*number)) return std::nullopt;
+  for (const std::string& field : fields)
+    if (!cell_of(field, comma)) return field;
+  return std::nullopt;
+}
+
+/// Of the lines before the first row those that look like rows must not be taken for names.
+void CsvTable::read_head_line(const Line& line) {
+  std::vector<std::string> fields = fields_of(line.text, layout_.separator);
+  const auto word = word_in_row(fields, layout_.decimal_comma);
+  if (word && fields.size() == layout_.first + layout_.count) {
+    if (!odd_word_) odd_word_ = {line.number, *word};
+    return;
   }
+  odd_word_.reset();
+  if (layout_.decimal_comma)
+    for (std::string& field : fields)
+      if (cell_of(field, true)) std::ranges::replace(field, ',', '.');
+  head_.read(fields, line.text, line.number);
+}
+
+void CsvTable::read_head() {
+  std::size_t rows = 0;  // lines before the first
+  for (; rows < first_lines_.size(); ++rows) {
+    at_line_ = first_lines_[rows].number;
+    const bool is_row = row_of(first_lines_[rows].text).has_value();
+    if (is_row && (!head_.has_grid_names() || head_.grid())) break;
+    read_head_line(first_lines_[rows]);
+  }
+  if (odd_word_) fail_at(odd_word_->first, "'" + shown(odd_word_->second) + "'", "it is no number");
+  first_lines_.erase(first_lines_.begin(),
+                     first_lines_.begin() + static_cast<std::ptrdiff_t>(rows));
+  if (layout_.first > 0) read_head_beside();
   if (head_.has_grid_names() && !head_.grid())
     fail("no start and increment", "rows are counted by them");
-  columns_ = head_.columns(layout_.count);
+}
+
+void CsvTable::read_head_beside() {
+  for (const Line& line : first_lines_) {
+    std::vector<std::string> fields = fields_of(line.text, layout_.separator);
+    if (fields.empty() || fields.front().empty()) continue;
+    fields.resize(std::min(fields.size(), layout_.first));
+    head_.read_beside(fields, line.number);
+  }
+}
+
+void CsvTable::name_columns() {
+  const std::size_t count = layout_.count;
+  bool first_is_time = false;
+  for (std::size_t i = 0; i < ahead_.size(); i += count)
+    first_is_time |= ahead_[i] != 0 && ahead_[i] != 1 && !std::isnan(ahead_[i]);
+  place_ = {layout_.first, count, first_is_time};
+  columns_ = head_.columns(place_);
   if (head_.grid()) columns_.front() = {"time", "", "time"};
 }
 
 std::optional<std::vector<double>> CsvTable::row_of(std::string_view line) const {
-  if (is_remark(line)) return std::nullopt;
+  if (is_remark_of(line, layout_.separator)) return std::nullopt;
   const std::vector<std::string> all = fields_of(line, layout_.separator),
                                  fields = without_empty_end(all);
   const std::size_t end = layout_.first + layout_.count;
   if (fields.size() > end || all.size() < end) return std::nullopt;
+  if (layout_.first == 1 && !all.front().empty()) return std::nullopt;
   std::vector<double> row(layout_.count, nothing);
   for (std::size_t i = layout_.first; i < fields.size(); ++i) {
     const auto cell = cell_of(fields[i], layout_.decimal_comma);
@@ -210,7 +233,7 @@ std::optional<std::vector<double>> CsvTable::row_of(std::string_view line) const
     row[i - layout_.first] = *cell;
   }
   const bool says_something =
-      std::ranges::any_of(row, [](double cell) { return std::isfinite(cell); });
+      std::ranges::any_of(row, [](double cell) { return !std::isnan(cell); });
   if (fields.size() <= layout_.first || (!says_something && row.size() < 2)) return std::nullopt;
   if (head_.grid()) row.front() = head_.grid()->start + head_.grid()->increment * row.front();
   return row;
@@ -232,9 +255,13 @@ std::optional<std::string> CsvTable::next_line() {
 
 std::optional<std::vector<double>> CsvTable::read_row() {
   while (const auto line = next_line()) {
-    if (is_remark(*line) || trimmed(*line).empty()) continue;
     if (auto row = row_of(*line)) return row;
+    const auto fields = without_empty_end(fields_of(*line, layout_.separator));
+    if (is_remark(*line) || fields.empty()) continue;
     if (cut_ && first_lines_.empty()) return std::nullopt;
+    const auto word = word_in_row(fields, layout_.decimal_comma);
+    if (word && fields.size() == layout_.first + layout_.count)
+      fail("'" + shown(*word) + "'", "it is no number");
     fail("'" + shown(*line) + "'", "not as many numbers as there are columns");
   }
   return std::nullopt;

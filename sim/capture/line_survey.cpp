@@ -145,10 +145,12 @@ std::vector<Hertz> rates_of(const LineStretch& line, bool inverted) {
   return rates;
 }
 
+bool is_near(Hertz found, double rate) { return std::abs(found.value / rate - 1) < 0.025; }
+
 /// A standard rate that is near, else the rate that the characters themselves tell.
 Hertz settled_rate(const LineStretch& line, bool inverted, Hertz found) {
   for (const double rate : standard_rates)
-    if (std::abs(found.value / rate - 1) < 0.025) return Hertz(rate);
+    if (is_near(found, rate)) return Hertz(rate);
   LineStatistics statistics(found, line.initial != inverted);
   const auto bytes = protocol::receive_mid_bit(trace_of(line, inverted), found);
   statistics.add(line.flips, bytes);
@@ -348,6 +350,11 @@ LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
   facts.reading = taken;
   facts.rival = rival_of(readings, taken, by_pauses);
   return facts;
+}
+
+bool is_standard_rate(Hertz rate) {
+  return std::ranges::any_of(standard_rates,
+                             [&](double standard) { return is_near(rate, standard); });
 }
 
 Seconds end_of_line(std::optional<Seconds> last_flip, Seconds end, Hertz baud) {

@@ -75,6 +75,8 @@ constexpr std::size_t most_surveyed_flips = 32768;
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<dsp::Hertz> baud);
 
+bool is_standard_rate(dsp::Hertz rate);
+
 /// Until when a line is known: where a capture of changes ends with its last flip, the level goes
 /// on for the rest of a character.
 dsp::Seconds end_of_line(std::optional<dsp::Seconds> last_flip, dsp::Seconds end, dsp::Hertz baud);

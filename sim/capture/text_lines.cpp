@@ -32,9 +32,10 @@ std::optional<std::string_view> TextLines::next() {
   return line_;
 }
 
-void TextLines::fail_at(std::size_t number, std::string_view problem, std::string_view why) const {
+void TextLines::fail_at(std::size_t number, std::string_view problem, std::string_view why,
+                        const std::string& suggestion) const {
   throw bad_input(fmt::format("{} in {}:{}", problem, file_, number), std::string(why),
-                  suggestion_);
+                  suggestion.empty() ? suggestion_ : suggestion);
 }
 
 std::string shown(std::string_view text) {

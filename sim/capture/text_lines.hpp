@@ -26,8 +26,9 @@ class TextLines {
   [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
     fail_at(number_, problem, why);
   }
-  [[noreturn]] void fail_at(std::size_t number, std::string_view problem,
-                            std::string_view why) const;
+  /// `suggestion`: empty for the one of all.
+  [[noreturn]] void fail_at(std::size_t number, std::string_view problem, std::string_view why,
+                            const std::string& suggestion = "") const;
 
  private:
   std::istream& in_;

@@ -113,6 +113,23 @@ std::string reading_line(const DecodedCapture& decoded) {
   return text + "\n";
 }
 
+namespace {
+
+/// Where times have no unit and another one would make the rate a standard one.
+std::optional<std::string> doubt_about_tick(const DecodedCapture& decoded) {
+  const dsp::Hertz baud = decoded.line.baud;
+  if (!decoded.read.is_tick_assumed || decoded.line.reading.characters == 0 ||
+      is_standard_rate(baud))
+    return std::nullopt;
+  for (const auto& [unit, factor] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
+    if (is_standard_rate(factor * baud))
+      return fmt::format("its times may be in {} (the rate were {:.6g} Bd then) say --time-unit",
+                         unit, factor * baud.value);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> doubt_about(const DecodedCapture& decoded) {
   const CaptureFacts& facts = decoded.read;
   const LineFacts& line = decoded.line;
@@ -122,6 +139,7 @@ std::optional<std::string> doubt_about(const DecodedCapture& decoded) {
   if (facts.rival)
     return fmt::format("channel {} reads as well as {} (nothing sets them apart) say --channel",
                        channel_name(facts, *facts.rival), channel_name(facts, *facts.taken));
+  if (auto tick = doubt_about_tick(decoded)) return tick;
   if (!line.rival) return std::nullopt;
   return fmt::format("{} reads as well as {} (nothing sets them apart) say --{}",
                      reading_text(*line.rival), reading_text(line.reading),
