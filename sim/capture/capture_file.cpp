@@ -25,6 +25,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Files that have a head, and are called .bin all the same.
+struct OtherSamples {
+  std::string_view beginning, what;
+};
+
+constexpr OtherSamples other_samples[] = {
+    {"<SALEAE>", "a binary export of Logic 2"}, {"AG01", "a binary waveform of Keysight"},
+    {"AG03", "a binary waveform of Keysight"},  {"AG10", "a binary waveform of Keysight"},
+    {"RG01", "a binary waveform of Rigol"},     {"RG03", "a binary waveform of Rigol"}};
+
+void refuse_other_samples(const fs::path& path, std::string_view beginning) {
+  for (const OtherSamples& row : other_samples)
+    if (beginning.starts_with(row.beginning))
+      throw bad_input("cannot decode " + path.string(), "it is " + std::string(row.what),
+                      "export it as CSV");
+}
+
 void as_vcd(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
   capture.logic = open_vcd(*capture.in, path.string(), settings, capture.facts);
 }
@@ -42,6 +59,7 @@ void as_session(const fs::path& path, const CaptureSettings& settings, Capture& 
 }
 
 void as_raw(const fs::path& path, const CaptureSettings& settings, Capture& capture) {
+  refuse_other_samples(path, capture.in->beginning());
   if (const auto bytes = bytes_it_looks_like(capture.in->beginning());
       bytes && !settings.sample_bytes)
     capture.facts.doubt = fmt::format(
@@ -69,23 +87,47 @@ void as_netcdf(const fs::path& path, const CaptureSettings& settings, Capture& c
   open_netcdf(path, settings, capture);
 }
 
+/// What a format is read from.
+enum class From { text, bytes, path, file };  // Capture::in, with a mark or without; else by itself
+
 struct Format {
   std::string_view name;       // also the file's ending, behind a dot
   std::string_view beginning;  // of every such file; empty: none is sure
   void (*open)(const fs::path&, const CaptureSettings&, Capture&);
-  bool is_text = false;  // read from Capture::in: a mark may stand before it
+  From from = From::file;
   bool takes_rate = true;
 };
 
-constexpr Format formats[] = {{"vcd", "$", as_vcd, true, false},
+constexpr Format formats[] = {{"vcd", "$", as_vcd, From::text, false},
                               {"sr", "PK\x03\x04", as_session},
-                              {"ook", ";pulse data", as_pulses, true, false},
-                              {"wav", "RIFF", as_wav, false, false},
+                              {"ook", ";pulse data", as_pulses, From::text, false},
+                              {"wav", "RIFF", as_wav, From::path, false},
                               {"sigmf-meta", "", as_sigmf},
                               {"sigmf-data", "", as_sigmf_data},
-                              {"csv", "", as_csv, true},
+                              {"csv", "", as_csv, From::text},
                               {"h5", "\x89HDF", as_netcdf},
-                              {"bin", "", as_raw}};
+                              {"bin", "", as_raw, From::bytes}};
+
+/// In small letters, as file systems of instruments write capitals alone.
+std::string ending_of(const fs::path& path) {
+  const std::string ending = in_lower_case(path.extension().string());
+  return ending.empty() ? "" : ending.substr(1);
+}
+
+/// What is read by itself must be a file; a .wav may be a pipe of which nothing was read to tell
+/// its format.
+void refuse_pipe(const Format& format, const fs::path& path, const CaptureSettings& settings) {
+  std::error_code ignored;
+  const bool is_pipe = fs::is_fifo(path, ignored);
+  const bool is_told = !settings.format.empty() || ending_of(path) == format.name;
+  if (!is_pipe || format.from == From::text || format.from == From::bytes) return;
+  if (format.from == From::file)
+    throw bad_input("cannot decode " + path.string(),
+                    fmt::format("a .{} cannot be read from a pipe", format.name), "give a file");
+  if (!is_told)
+    throw bad_input("cannot decode " + path.string(), "its beginning was read to tell its format",
+                    fmt::format("say --format {}", format.name));
+}
 
 /// Of texts that may be tables.
 constexpr std::string_view table_endings[] = {"txt", "tsv", "dat", "asc", "lvm"};
@@ -115,12 +157,6 @@ struct OtherFile {
 constexpr OtherFile other_files[] = {
     {"sigmf", "it is a SigMF archive", "unpack it with tar -xf, and give the .sigmf-meta in it"},
     {"sigmf-collection", "it is a SigMF collection", "give a .sigmf-meta that it names"}};
-
-/// In small letters, as file systems of instruments write capitals alone.
-std::string ending_of(const fs::path& path) {
-  const std::string ending = in_lower_case(path.extension().string());
-  return ending.empty() ? "" : ending.substr(1);
-}
 
 void refuse_other(const fs::path& path, std::string_view ending) {
   const auto* row = std::ranges::find(other_files, ending, &OtherFile::ending);
@@ -159,8 +195,32 @@ const Format& format_of(const fs::path& path, const CaptureSettings& settings, C
       fmt::format("give a .{} file, or say --format", fmt::join(capture_format_names(), " or .")));
 }
 
+void skip_mark(InputStream& in, const fs::path& path) {
+  for (std::size_t n = mark_bytes(in.beginning(), path.string()); n > 0; --n) in.rdbuf()->sbumpc();
+}
+
+void open_as(const Format& format, const fs::path& path, const CaptureSettings& settings,
+             Capture& capture) {
+  if (format.from == From::text) skip_mark(*capture.in, path);
+  format.open(path, settings, capture);
+}
+
+/// Of a long file more than its beginning is looked at: a clock may fill that alone.
+std::vector<ChannelSurvey> surveys_of_file(const SurveyedCapture& beginning, const Format& format,
+                                           const fs::path& path, const CaptureSettings& settings) {
+  std::error_code ignored;
+  if (beginning.is_whole() || !fs::is_regular_file(path, ignored))
+    return beginning.surveys(settings.hints);
+  Capture again;
+  again.in = std::make_unique<InputStream>(path, "capture");
+  open_as(format, path, settings, again);
+  return surveys_of(*again.logic, settings.hints);
+}
+
 /// Looks at the wires, and takes one.
-void choose_wire(const std::string& file, const CaptureSettings& settings, Capture& capture) {
+void choose_wire(const Format& format, const fs::path& path, const CaptureSettings& settings,
+                 Capture& capture) {
+  const std::string file = path.string();
   if (capture.logic->wires().empty())
     throw bad_input(file + " holds no one-bit wire", "there is nothing to decode",
                     "give a capture of the receiver's output");
@@ -168,7 +228,7 @@ void choose_wire(const std::string& file, const CaptureSettings& settings, Captu
   CaptureFacts& facts = capture.facts;
   facts.is_whole = surveyed->is_whole();
   if (settings.wire.empty()) {
-    capture.wire = take_choice(surveyed->surveys(settings.hints), facts);
+    capture.wire = take_choice(surveys_of_file(*surveyed, format, path, settings), facts);
   } else {
     capture.wire = named_channel(surveyed->wires(), settings.wire, file);
     const std::vector<std::uint64_t> edges = surveyed->edges();
@@ -177,10 +237,6 @@ void choose_wire(const std::string& file, const CaptureSettings& settings, Captu
   }
   facts.taken = capture.wire;
   capture.logic = std::move(surveyed);
-}
-
-void skip_mark(InputStream& in, const fs::path& path) {
-  for (std::size_t n = mark_bytes(in.beginning(), path.string()); n > 0; --n) in.rdbuf()->sbumpc();
 }
 
 }  // namespace
@@ -208,10 +264,10 @@ Capture open_capture(const fs::path& named, const CaptureSettings& settings) {
   capture.in = std::make_unique<InputStream>(path, "capture");
   const Format& format = format_of(path, settings, capture);
   refuse_useless_options(format, path.string(), settings);
-  if (format.is_text) skip_mark(*capture.in, path);
-  format.open(path, settings, capture);
+  refuse_pipe(format, path, settings);
+  open_as(format, path, settings, capture);
   capture.facts.format = format.name;
-  if (!capture.facts.taken) choose_wire(path.string(), settings, capture);
+  if (!capture.facts.taken) choose_wire(format, path, settings, capture);
   return capture;
 }
 

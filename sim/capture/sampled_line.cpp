@@ -98,10 +98,15 @@ SampledLine::Samples SampledLine::read_stretch() {
 
 SampledLine::Samples SampledLine::read_first(const LineKeying& keying) {
   Samples first;
-  while (first.size() < most_first_samples) {
+  for (;;) {
     const Samples stretch = read_stretch();
+    const bool is_last = stretch.size() < stretch_samples;
+    if (!is_last && first.size() >= most_first_samples) {
+      count_ += first.size();
+      first.clear();
+    }
     first.insert(first.end(), stretch.begin(), stretch.end());
-    if (stretch.size() < stretch_samples || tells(stretch, keying)) break;
+    if (is_last || tells(stretch, keying)) break;
   }
   if (first.size() < stretch_samples) tells(first, keying);
   return first;

@@ -4,8 +4,9 @@
 // between its two levels, interpolated between samples; they count once it has gone a tenth of the
 // way on to the other level.
 //
-// The carrier and the two levels are found in the first samples, of which up to two million are
-// looked at for something that is no silence: a carrier, or two levels that are well apart. From
+// The carrier and the two levels are found in the first samples that are no silence: in which there
+// is a carrier, or two levels that are well apart. Of two million silent ones at a time the line is
+// taken to stand still. From
 // then on each level follows the mean of what is read as it, with a time constant of 0.1 s, so
 // light may slowly become brighter or darker.
 #include <deque>

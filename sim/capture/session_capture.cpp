@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "sim/capture/capture_units.hpp"
@@ -26,6 +27,22 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_metadata = 65536, most_wires = 64;
 static_assert(std::endian::native == std::endian::little, "samples are read as they are stored");
+
+/// "12" of logic-1-12; nothing for other names.
+std::optional<std::size_t> whole_behind(std::string_view prefix, std::string_view key) {
+  if (!key.starts_with(prefix)) return std::nullopt;
+  std::size_t number = 0;
+  const std::string_view digits = key.substr(prefix.size());
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = end.ec == std::errc() && end.ptr == digits.data() + digits.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+/// Of a channel, such as probe3.
+std::optional<std::size_t> number_behind(std::string_view prefix, std::string_view key) {
+  const auto number = whole_behind(prefix, key);
+  return number == 0U || number > 1000U ? std::nullopt : number;
+}
 
 /// The zip, read member by member in bounded memory.
 class Archive {
@@ -47,6 +64,15 @@ class Archive {
     member_ = zip_fopen(zip_, member.c_str(), 0);
     if (member_ == nullptr) fail("its member " + member + " cannot be read");
     return true;
+  }
+
+  /// Of all members that are called so with a number behind.
+  std::set<std::size_t> numbers_of(const std::string& name) const {
+    std::set<std::size_t> numbers;
+    for (zip_int64_t i = 0; i < zip_get_num_entries(zip_, 0); ++i)
+      if (const char* member = zip_get_name(zip_, static_cast<zip_uint64_t>(i), 0))
+        if (const auto number = whole_behind(name + "-", member)) numbers.insert(*number);
+    return numbers;
   }
 
   /// Bytes of the open member; 0 at its end.
@@ -73,7 +99,15 @@ class Chunks {
  public:
   Chunks(std::shared_ptr<Archive> archive, std::string name)
       : archive_(std::move(archive)), name_(std::move(name)) {
-    open_ = archive_->open(name_) || archive_->open(name_ + "-1");
+    const std::set<std::size_t> numbers = archive_->numbers_of(name_);
+    open_ = archive_->open(name_);
+    if (open_ && !numbers.empty())
+      archive_->fail(fmt::format("it has both {0} and {0}-{1}", shown(name_), *numbers.begin()));
+    for (std::size_t wanted = 1; const std::size_t number : numbers)
+      if (number != wanted++)
+        archive_->fail(fmt::format("its members {0}-1, {0}-2, ... have {1} where {2} must be",
+                                   shown(name_), number, wanted - 1));
+    open_ = open_ || archive_->open(name_ + "-1");
     if (!open_) archive_->fail("it has no member " + shown(name_));
   }
 
@@ -123,17 +157,6 @@ KeyGroup device_of(const Archive& archive, const std::string& metadata) {
   const auto with_logic = std::ranges::find_if(
       groups, [](const KeyGroup& group) { return !group.value("capturefile").empty(); });
   return with_logic == groups.end() ? groups.front() : *with_logic;
-}
-
-/// `number` of a key like probe3; nothing for other keys.
-std::optional<std::size_t> number_behind(std::string_view prefix, std::string_view key) {
-  if (!key.starts_with(prefix)) return std::nullopt;
-  std::size_t number = 0;
-  const std::string_view digits = key.substr(prefix.size());
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool whole = end.ec == std::errc() && end.ptr == digits.data() + digits.size();
-  if (!whole || number == 0 || number > 1000) return std::nullopt;
-  return number;
 }
 
 /// Channels without a name are not used.
@@ -261,6 +284,9 @@ void open_session(const fs::path& path, const CaptureSettings& settings, Capture
     take_analogue(path, metadata, settings, capture);
   else
     capture.logic = open_logic(archive, metadata);
+  if (capture.logic && !metadata.analogue.empty())
+    capture.facts.assumed.push_back(
+        fmt::format("no line on its {} analogue channels", metadata.analogue.size()));
   capture.facts.time = samples_text(*metadata.sample_rate);
 }
 

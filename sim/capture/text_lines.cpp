@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "sim/failure.hpp"
+#include "sim/text/escaped_text.hpp"
 
 namespace sim {
 namespace {
@@ -39,10 +39,11 @@ void TextLines::fail_at(std::size_t number, std::string_view problem, std::strin
 }
 
 std::string shown(std::string_view text) {
-  std::string printable(text.substr(0, 40));
-  std::ranges::replace_if(
-      printable, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return printable;
+  constexpr std::size_t most_letters = 40;
+  std::size_t letters = 0, end = 0;
+  for (; end < text.size(); ++end)
+    if ((text[end] & 0xc0) != 0x80 && ++letters > most_letters) break;
+  return escaped_name(text.substr(0, end));
 }
 
 }  // namespace sim

@@ -31,16 +31,21 @@ class Words {
     using Traits = std::istream::traits_type;
     std::string word;
     for (int c = in_.rdbuf()->sgetc(); c != Traits::eof(); c = in_.rdbuf()->snextc()) {
+      is_cut_ = false;
       if (is_space(c)) {
-        if (!word.empty()) break;
+        if (!word.empty()) return word;
         if (c == '\n') ++line_;
       } else {
         word.push_back(static_cast<char>(c));
-        if (word.size() > max_word) fail("a word of over 4096 characters", "no VCD has one");
+        if (word.size() > max_word) shorten(word);
       }
     }
+    is_cut_ = !word.empty();
     return word;
   }
+
+  /// Whether the file ends right behind the last word: it may be half of one.
+  bool is_cut() const { return is_cut_; }
 
   std::string need(std::string_view what) {
     std::string word = next();
@@ -59,20 +64,29 @@ class Words {
 
  private:
   static constexpr std::size_t max_word = 4096;
+  /// Of a vector's value the last bit is enough, and of a text nothing.
+  void shorten(std::string& word) const {
+    if (std::string_view("bBsS").find(word.front()) == std::string_view::npos)
+      fail("a word of over 4096 characters", "no VCD has one");
+    word.erase(1, word.size() - 2);
+  }
   static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   std::istream& in_;
   std::string file_;
   std::size_t line_ = 1;
+  bool is_cut_ = false;
 };
 
 class VcdCapture : public LogicCapture {
  public:
   VcdCapture(std::istream& in, std::string file, const CaptureSettings& settings,
              CaptureFacts& facts)
-      : words_(in, std::move(file)), names_(settings.wire) {
-    read_declarations();
+      : words_(in, std::move(file)), names_(settings.wire), asked_(settings.wire) {
+    read_declarations(settings.tick.has_value());
     names_.finish();
+    refuse_asked_vector();
+    if (vectors_ > 0) facts.assumed.push_back(fmt::format("no line in its {} vectors", vectors_));
     tick_ = settings.tick_over(tick_);
     if (!tick_)
       words_.fail("no $timescale", "times have no unit without it", "say --time-unit 1us");
@@ -91,12 +105,12 @@ class VcdCapture : public LogicCapture {
   }
 
  private:
-  void read_declarations() {
+  void read_declarations(bool tick_is_told) {
     for (;;) {
       const std::string word = words_.need("$enddefinitions");
       if (word == "$enddefinitions") break;
       if (word == "$timescale") {
-        read_timescale();
+        read_timescale(tick_is_told);
       } else if (word == "$var") {
         read_variable();
       } else if (word == "$scope") {
@@ -118,7 +132,7 @@ class VcdCapture : public LogicCapture {
     }
   }
 
-  void read_timescale() {
+  void read_timescale(bool is_told) {
     std::string text = words_.need("a timescale");
     for (std::string word = words_.need("$end"); word != "$end"; word = words_.need("$end")) {
       if (text.size() < 20) text += word;  // "1 us" is as good as "1us"
@@ -127,10 +141,16 @@ class VcdCapture : public LogicCapture {
     const char* end = text.data() + text.size();
     const auto number = std::from_chars(text.data(), end, count);
     const auto unit = units.find(std::string_view(number.ptr, end));
-    if (count == 0 || unit == units.end()) {
-      words_.fail("timescale '" + shown(text) + "'", "it must be like 1us, 10 ns or 100 ps");
-    }
-    if (!tick_) tick_ = Seconds(count * unit->second);
+    const bool is_known = count > 0 && unit != units.end();
+    if (!is_known && is_told) return;
+    if (!is_known)
+      words_.fail("timescale '" + shown(text) + "'", "it must be like 1us, 10 ns or 100 ps",
+                  "say --time-unit 1us");
+    const Seconds tick(count * unit->second);
+    if (tick_ && *tick_ != tick && !is_told)
+      words_.fail("timescale '" + shown(text) + "'", "another one stands before it",
+                  "say --time-unit 1us");
+    tick_ = tick;
   }
 
   /// The words up to $end as one: "data [3]" is one bit of a vector, data[3].
@@ -155,11 +175,27 @@ class VcdCapture : public LogicCapture {
     std::string name = read_name();
     room_of_codes_ += room_of_code + id.size();
     check_room();
-    const bool scalar = size == "1" && std::ranges::find(not_wires, type) == std::end(not_wires);
+    const bool is_wire = std::ranges::find(not_wires, type) == std::end(not_wires);
+    const bool scalar = size == "1" && is_wire;
+    if (is_wire && !scalar) note_vector(name, size);
     const auto code = codes_.try_emplace(id, scalar ? seen_.size() : skipped);
     if (!scalar || code.first->second == skipped) return;
     if (code.second) seen_.push_back(false);
     names_.add(std::move(name), code.first->second);
+  }
+
+  void note_vector(const std::string& name, const std::string& size) {
+    ++vectors_;
+    const std::string base = name.substr(0, name.find('['));
+    if (!asked_.empty() && asked_.substr(0, asked_.find('[')) == base) asked_vector_ = size;
+  }
+
+  void refuse_asked_vector() const {
+    if (asked_vector_.empty() || std::ranges::find(names_.list(), asked_) != names_.list().end())
+      return;
+    words_.fail("--wire " + asked_ + " is no wire",
+                "it is a vector of " + shown(asked_vector_) + " bits, and a line is one bit",
+                "dump that bit as a wire");
   }
 
   void check_room() const {
@@ -181,20 +217,22 @@ class VcdCapture : public LogicCapture {
   bool read_change(const std::string& word) {
     const char kind = word.front();
     if (levels.find(kind) != std::string_view::npos) {
-      return level(word.size() > 1 ? word.substr(1) : words_.need("a value's code"), kind);
+      return level(word.size() > 1 ? word.substr(1) : words_.next(), kind);
     } else if (kind == '#') {
       read_time(word);
     } else if (kind == 'b' || kind == 'B') {  // some programs write a bit as b1
+      if (words_.is_cut()) return false;
       if (levels.find(word.back()) == std::string_view::npos)
         words_.fail("'" + shown(word) + "'", "not a VCD value change");
-      return level(words_.need("a vector's code"), word.back());
+      return level(words_.next(), word.back());
     } else if (kind == 'r' || kind == 'R' || kind == 's' || kind == 'S') {
-      words_.need("a value's code");
+      words_.next();
     } else if (word == "$comment") {
       skip_section();
     } else if (word.starts_with("$dumpports")) {
       refuse_extended(word);
-    } else if (kind != '$') {  // $dumpvars, $dumpon, ... and their $end only wrap changes
+    } else if (kind != '$' &&
+               !words_.is_cut()) {  // $dumpvars, $dumpon, ... and their $end only wrap changes
       words_.fail("'" + shown(word) + "'", "not a VCD value change");
     }
     return false;
@@ -205,6 +243,7 @@ class VcdCapture : public LogicCapture {
     const char* end = word.data() + word.size();
     const auto number = std::from_chars(word.data() + 1, end, ticks, std::chars_format::fixed);
     const bool whole = number.ec == std::errc() && number.ptr == end;
+    if (words_.is_cut() && !(whole && ticks * *tick_ >= now_)) return;
     if (!whole || word[1] < '0' || word[1] > '9')
       words_.fail("time '" + shown(word) + "'", "it must be # and a number of ticks");
     const Seconds time = ticks * *tick_;
@@ -215,9 +254,17 @@ class VcdCapture : public LogicCapture {
     now_ = time;
   }
 
+  /// Whether the word at the end of the file may be cut short: of no code, or of the beginning of
+  /// one.
+  bool is_half(const std::string& id) const {
+    const auto next = codes_.upper_bound(id);
+    return codes_.find(id) == codes_.end() || (next != codes_.end() && next->first.starts_with(id));
+  }
+
   /// Whether it is a known level of a wire, which is then the change at hand.
   bool level(const std::string& id, char value) {
     const auto found = codes_.find(id);
+    if (id.empty() || (words_.is_cut() && is_half(id))) return false;
     if (found == codes_.end()) words_.fail("value of '" + shown(id) + "'", "no $var declares it");
     const std::size_t code = found->second;
     const bool high = ones.find(value) != std::string_view::npos;
@@ -240,6 +287,9 @@ class VcdCapture : public LogicCapture {
 
   Words words_;
   WireNames names_;
+  std::string asked_,
+      asked_vector_;  // the wire asked for; the size of the vector that is called so
+  std::size_t vectors_ = 0;
   std::optional<Seconds> tick_;
   Seconds now_;
   std::optional<Seconds> first_time_;

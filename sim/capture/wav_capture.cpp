@@ -43,6 +43,7 @@ class WavCapture : public SampleCapture {
     refuse_if_cut(path);
     file_.reset(sf_open(path.c_str(), SFM_READ, &info_));
     if (file_ == nullptr) throw bad_input("cannot read " + name_, sf_strerror(nullptr), give);
+    refuse_if_empty(path);
     frames_.resize(frames_a_read * channels());
   }
 
@@ -63,6 +64,17 @@ class WavCapture : public SampleCapture {
   }
 
  private:
+  /// A recorder that lost its power has not written how much there is.
+  void refuse_if_empty(const std::filesystem::path& path) const {
+    constexpr std::uintmax_t largest_head = 4096;
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (!error && info_.frames == 0 && size > largest_head)
+      throw bad_input("cannot decode " + name_,
+                      fmt::format("its head says that no samples are there, of {} bytes", size),
+                      "mend it, as sox --ignore-length does");
+  }
+
   std::size_t read_frames(std::size_t count) {
     const sf_count_t n =
         sf_readf_float(file_.get(), frames_.data(), static_cast<sf_count_t>(count));

@@ -11,6 +11,7 @@
 #include "sim/capture/keyed_wire.hpp"
 #include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/escaped_text.hpp"
 #include "sim/text/letters.hpp"
 #include "sim/text/number_text.hpp"
 #include "sim/text/spelling.hpp"
@@ -21,6 +22,8 @@ namespace {
 using dsp::Seconds;
 
 constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, most_listed = 24;
+constexpr std::uint64_t most_levels = 50'000'000;
+constexpr std::size_t most_kept_flips = 8'000'000;
 constexpr std::uint64_t fewest_to_rival = 4;  // characters
 constexpr double reads_as_well = 0.9;         // of the other's worth
 
@@ -58,25 +61,50 @@ bool is_rival(const ChannelSurvey& other, const ChannelSurvey& taken) {
          other.flips != taken.flips;
 }
 
-/// Levels of one wire in memory, as a capture of it.
-class KeptLevels : public LogicCapture {
+/// The flips of a wire in memory.
+class KeptFlips : public FlipSource {
  public:
-  KeptLevels(const std::vector<WireLevel>& levels, Seconds end, Seconds resolution)
-      : levels_(levels), end_(end), resolution_(resolution) {}
+  KeptFlips(bool initial, std::span<const Seconds> flips, Seconds end, Seconds resolution)
+      : initial_(initial), flips_(flips), end_(end), resolution_(resolution) {}
 
-  const std::vector<std::string>& wires() const override { return wires_; }
-  std::optional<WireLevel> next() override {
-    if (next_ == levels_.size()) return std::nullopt;
-    return levels_[next_++];
+  bool initial() const override { return initial_; }
+  std::optional<Seconds> next() override {
+    if (next_ == flips_.size()) return std::nullopt;
+    return flips_[next_++];
   }
-  Seconds now() const override { return end_; }
+  Seconds known_until() const override { return end_; }
   Seconds resolution() const override { return resolution_; }
 
  private:
-  std::vector<std::string> wires_{"wire"};
-  const std::vector<WireLevel>& levels_;
+  bool initial_;
+  std::span<const Seconds> flips_;
   Seconds end_, resolution_;
   std::size_t next_ = 0;
+};
+
+/// What is kept of a wire: two flips at one instant cancel.
+struct KeptWire {
+  bool initial = true, level = true, has_level = false;
+  std::uint64_t edges = 0;
+  std::vector<Seconds> flips;
+
+  /// Whether a flip was added.
+  bool take(const WireLevel& change) {
+    if (!std::exchange(has_level, true) && change.initial) {
+      initial = level = change.level;
+      return false;
+    }
+    if (change.level == level) return false;
+    level = change.level;
+    ++edges;
+    if (!flips.empty() && flips.back() == change.at) {
+      flips.pop_back();
+      return false;
+    }
+    if (flips.size() == most_surveyed_flips) return false;
+    flips.push_back(change.at);
+    return true;
+  }
 };
 
 /// The wires that are looked at: those with an edge, or the most telling of them.
@@ -92,6 +120,26 @@ std::vector<std::size_t> wires_to_survey(const std::vector<std::string>& names,
   });
   wires.resize(most_surveyed_wires);
   return wires;
+}
+
+std::vector<ChannelSurvey> surveys_of_kept(const std::vector<std::string>& names,
+                                           const std::vector<KeptWire>& kept, Seconds end,
+                                           Seconds resolution, const LineHints& hints) {
+  std::vector<ChannelSurvey> surveys;
+  std::vector<std::uint64_t> edges;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    edges.push_back(kept[i].edges);
+    surveys.push_back({.name = names[i], .edges = edges.back()});
+  }
+  for (const std::size_t wire : wires_to_survey(names, edges)) {
+    const KeptWire& own = kept[wire];
+    const bool is_all = own.flips.size() < most_surveyed_flips;
+    KeptFlips flips(own.initial, own.flips, is_all ? end : own.flips.back(), resolution);
+    KeyedWire line(flips, hints.carrier);
+    surveys[wire] = survey_of(names[wire], line, hints);
+    surveys[wire].edges = own.edges;
+  }
+  return surveys;
 }
 
 template <class IsIt>
@@ -147,10 +195,24 @@ const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std:
   return dead == channels.end() ? nullptr : &*dead;
 }
 
+std::vector<ChannelSurvey> surveys_of(LogicCapture& capture, const LineHints& hints) {
+  std::vector<KeptWire> kept(capture.wires().size());
+  std::size_t flips = 0;
+  for (std::uint64_t levels = 0; levels < most_levels && flips < most_kept_flips; ++levels) {
+    const auto level = capture.next();
+    if (!level) break;
+    flips += kept[level->wire].take(*level) ? 1 : 0;
+  }
+  return surveys_of_kept(capture.wires(), kept, capture.now(), capture.resolution(), hints);
+}
+
 std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
                           const std::string& file) {
   const auto exact = std::ranges::find(channels, wanted);
   if (exact != channels.end()) return static_cast<std::size_t>(exact - channels.begin());
+  const auto as_shown =
+      all_with(channels, [&](const std::string& name) { return escaped_name(name) == wanted; });
+  if (as_shown.size() == 1) return as_shown.front();
   const std::string asked = in_lower_case(wanted);
   const auto by_case =
       all_with(channels, [&](const std::string& name) { return in_lower_case(name) == asked; });
@@ -190,20 +252,9 @@ std::vector<std::uint64_t> SurveyedCapture::edges() const {
 }
 
 std::vector<ChannelSurvey> SurveyedCapture::surveys(const LineHints& hints) const {
-  const std::vector<std::uint64_t> count = edges();
-  std::vector<ChannelSurvey> surveys;
-  for (std::size_t i = 0; i < wires().size(); ++i)
-    surveys.push_back({.name = wires()[i], .edges = count[i]});
-  std::vector<std::vector<WireLevel>> levels(wires().size());
-  for (WireLevel level : ahead_) levels[std::exchange(level.wire, 0)].push_back(level);
-  for (const std::size_t wire : wires_to_survey(wires(), count)) {
-    KeptLevels kept(levels[wire], end_, resolution());
-    WireFlips flips(kept, 0);
-    KeyedWire line(flips, hints.carrier);
-    surveys[wire] = survey_of(wires()[wire], line, hints);
-    surveys[wire].edges = count[wire];
-  }
-  return surveys;
+  std::vector<KeptWire> kept(wires().size());
+  for (const WireLevel& level : ahead_) kept[level.wire].take(level);
+  return surveys_of_kept(wires(), kept, end_, resolution(), hints);
 }
 
 void SurveyedCapture::read_ahead() {

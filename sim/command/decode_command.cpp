@@ -40,7 +40,7 @@ void print_line(const DecodedCapture& decoded) {
 }
 
 ExitCode decode_one(const DecodeRequest& request) {
-  ReadingProgress progress("reading " + escaped(request.captures.front().string()),
+  ReadingProgress progress("reading " + escaped_name(request.captures.front().string()),
                            ::isatty(STDOUT_FILENO) == 0);
   DecodeListener listener;
   listener.chosen = [&](const DecodedCapture& decoded) {

@@ -89,7 +89,7 @@ CaptureOutcome outcome_of(const Place& place, const DecodeRequest& request,
 std::vector<TextColumn> capture_columns(const std::vector<Place>& places) {
   std::size_t longest = 7;
   for (const Place& place : places)
-    longest = std::max(longest, letters_in(escaped(place.path.string())));
+    longest = std::max(longest, letters_in(escaped_name(place.path.string())));
   return {{{"", "", "capture"}, -static_cast<int>(longest)},
           {{"", "", "format"}, -10},
           {{"", "", "channel"}, -12},
@@ -104,16 +104,16 @@ std::vector<TextColumn> capture_columns(const std::vector<Place>& places) {
 std::string row_text(const CaptureOutcome& row, const std::vector<TextColumn>& table) {
   const DecodedCapture& decoded = row.decoded;
   if (!row.was_read()) {
-    const std::string name = table_line({table.front()}, {escaped(decoded.file)});
+    const std::string name = table_line({table.front()}, {escaped_name(decoded.file)});
     return name.substr(0, name.size() - 1) + "  " + row.problem + "\n";
   }
-  std::string line =
-      table_line(table, {escaped(decoded.file), decoded.read.format,
-                         shortened(escaped(decoded.read.channels[*decoded.read.taken].name), 12),
-                         decoded.line.inverted ? "idle-low" : "idle-high",
-                         fmt::format("{:.6g}", decoded.line.baud.value),
-                         std::to_string(decoded.characters), std::to_string(decoded.framing_errors),
-                         std::to_string(decoded.accepted), std::to_string(decoded.refused)});
+  std::string line = table_line(
+      table, {escaped_name(decoded.file), decoded.read.format,
+              shortened(escaped_name(decoded.read.channels[*decoded.read.taken].name), 12),
+              decoded.line.inverted ? "idle-low" : "idle-high",
+              fmt::format("{:.6g}", decoded.line.baud.value), std::to_string(decoded.characters),
+              std::to_string(decoded.framing_errors), std::to_string(decoded.accepted),
+              std::to_string(decoded.refused)});
   if (row.code != ExitCode::done) line += "  " + row.problem + "\n";
   return line;
 }

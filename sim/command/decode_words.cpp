@@ -28,7 +28,7 @@ constexpr std::size_t few_channels = 4;    // all are named
 constexpr std::size_t most_channels = 12;  // are named of those with edges
 
 std::string channel_name(const CaptureFacts& facts, std::size_t channel) {
-  return escaped(facts.channels[channel].name);
+  return escaped_name(facts.channels[channel].name);
 }
 
 /// "channel rx (34 edges), not tx (0)".
@@ -104,8 +104,8 @@ double baud_error_ppm(const DecodedCapture& decoded) {
 std::string reading_line(const DecodedCapture& decoded) {
   const CaptureFacts& facts = decoded.read;
   const LineFacts& line = decoded.line;
-  std::string text =
-      fmt::format("read {} as {}: {}", escaped(decoded.file), facts.format, channel_text(facts));
+  std::string text = fmt::format("read {} as {}: {}", escaped_name(decoded.file), facts.format,
+                                 channel_text(facts));
   if (!facts.time.empty()) text += "; " + facts.time;
   text += fmt::format("; idle-{} {}; {:.6g} Bd {}", line.inverted ? "low" : "high",
                       basis_words(line.polarity_by), line.baud.value, basis_words(line.baud_by));

@@ -83,6 +83,14 @@ TEST_F(CaptureFile, SamplesHaveNoMark) {
     EXPECT_EQ(pulse_us("x.bin", mark + light + rest, at_1_mhz), mark == utf16_le ? 5 : 4);
 }
 
+TEST_F(CaptureFile, SamplesWithAHeadAreNoRawOnes) {
+  for (const char* beginning : {"<SALEAE>", "AG10", "RG01"}) {
+    write("t.bin", beginning + std::string(1000, '\1'));
+    EXPECT_EQ(program({"decode", "t.bin", "--sample-rate", "1MHz"}).code, 2) << beginning;
+    EXPECT_NE(program({"decode", "t.bin"}).err.find("export it as CSV"), std::string::npos);
+  }
+}
+
 TEST_F(CaptureFile, WhatIsNearAFormatIsRefusedByName) {
   EXPECT_EQ(refusal("x.sigmf", "x"),
             "cannot decode x.sigmf (it is a SigMF archive) unpack it with tar -xf, and give the "

@@ -48,6 +48,18 @@ TEST_F(CaptureFormat, WavGivesTheChannelAskedFor) {
             "--wire 0 is not in FILE (the capture has no such wire) use 1 or 2");
 }
 
+// What a recorder that loses its power leaves: all samples, and a head that counts none.
+TEST_F(CaptureFormat, WavWithoutASizeIsRefused) {
+  std::string bytes = as_wav(std::vector<std::pair<int, int>>(4096, {1, 2}));
+  const std::size_t data = bytes.find("data");
+  bytes.replace(data + 4, 4, 4, '\0');
+  bytes.replace(4, 4, 4, '\0');
+  EXPECT_TRUE(
+      refusal(bytes, "wav")
+          .starts_with("cannot decode FILE (its head says that no samples are there, of 16428 bytes) "))
+      << refusal(bytes, "wav");
+}
+
 TEST_F(CaptureFormat, WavThatIsCutShortIsRefused) {
   const std::string wav = as_wav({{16384, 1}, {-32768, 2}, {0, 3}, {8192, 4}});
   for (std::size_t size = 8; size < wav.size(); ++size)

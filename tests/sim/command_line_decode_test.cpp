@@ -252,6 +252,29 @@ TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
             nlohmann::json::array({"no line on the other 31 channels with edges"}));
 }
 
+// A clock has more edges before the message than are looked at of a pipe.
+TEST_F(CommandLine, DecodeLooksPastAClock) {
+  std::string text =
+      "$timescale 1 ns $end $var wire 1 c clk $end $var wire 1 l line $end\n$enddefinitions "
+      "$end\n#0 1l\n";
+  for (int i = 0; i < 600'000; ++i) text += fmt::format("#{} {}c\n", 10 * i, i % 2);
+  const dsp::LogicTrace line = message_line(600);
+  bool level = true;
+  for (const dsp::Seconds flip : line.flips()) {
+    level = !level;
+    text += fmt::format("#{:.0f} {}l\n", 6e6 + flip.value * 1e9, level ? 1 : 0);
+  }
+  write("t.vcd", text);
+  const Outcome o = program({"decode", "t.vcd"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("channel line (98+ edges), not clk (599999+);"), std::string::npos)
+      << o.out;
+  EXPECT_EQ(
+      tool("sh", {"-c", std::string("cat t.vcd | ") + COSYS_PROGRAM + " decode - 2>&1 || true"})
+          .find(" ok "),
+      std::string::npos);
+}
+
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {
   std::string samples = sampled(message_line(600), 1e6, false);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -283,6 +306,31 @@ TEST_F(CommandLine, DecodeReadsPipesByWhatTheyBeginWith) {
   EXPECT_NE(
       tool("sh", {"-c", "cat t.bin | " + decode + " --format bin --sample-rate 1e5"}).find(" ok "),
       std::string::npos);
+}
+
+TEST_F(CommandLine, DecodeSaysWhatAPipeCannotBe) {
+  write_scenario("s.toml", "receiver.range_m = [0.5]");
+  for (const char* file : {"t.sr", "t.wav"})
+    ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0);
+  const auto piped = [&](const std::string& file, const std::string& options) {
+    return start_tool("sh", {"-c", "cat " + file + " | " + COSYS_PROGRAM + " decode - " + options})
+        .finish();
+  };
+  EXPECT_EQ(piped("t.sr", "").err,
+            "cosys-sim: cannot decode /dev/stdin (a .sr cannot be read from a pipe) give a file\n");
+  EXPECT_EQ(piped("t.wav", "").err,
+            "cosys-sim: cannot decode /dev/stdin (its beginning was read to tell its format) say "
+            "--format wav\n");
+  EXPECT_EQ(piped("t.wav", "--format wav").code, 0);
+}
+
+TEST_F(CommandLine, DecodeTakesNamesAsItShowsThem) {
+  write("t.vcd", dump({"\\bus[3].line", "Empf\u00e4nger"}, 0));
+  for (const char* name : {"\\\\bus[3].line", "\\bus[3].line", "Empf\u00e4nger"}) {
+    const Outcome o = program({"decode", "t.vcd", "--wire", name});
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_NE(o.out.find("Empf\u00e4nger"), std::string::npos) << o.out;
+  }
 }
 
 TEST_F(CommandLine, MeasuredDecodeSaysThatItWaitsForAPipe) {

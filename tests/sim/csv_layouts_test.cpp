@@ -359,6 +359,11 @@ TEST_F(CsvLayouts, SeparatorsInQuotesPartNothing) {
               "RX");
 }
 
+// "10,1" is no number where no line has a tab or a semicolon.
+TEST_F(CsvLayouts, AnEmptyCellDoesNotMakeDecimalCommas) {
+  expect_read("time_us,rx\n0,1\n50,\n" + changes(1e-6).substr(4), "rx");
+}
+
 TEST_F(CsvLayouts, RowsOfSemicolonsMayBeginWithOne) {
   const auto two = [n = 0](double, bool level) mutable {
     return fmt::format("{};{}\n", n++ % 400 < 40 ? "" : "1", level ? 1 : 0);
@@ -381,6 +386,12 @@ TEST_F(CsvLayouts, ColumnsOfOtherTimesAreRefused) {
   expect_refused({"decode", "t.csv"}, 2,
                  "'Time A (s)' and 'Time RX (s)' in t.csv:1 (each tells another time) keep the "
                  "columns of one of them");
+  expect_read("Time (s),Time (us),rx\n" + rows(1 / 3000.0,
+                                               [](double t, bool level) {
+                                                 return fmt::format("{:.2f},{:.0f},{}\n", t,
+                                                                    1e6 * t, volts(level));
+                                               }),
+              "rx");
   expect_read("timestamp,time_ms,rx\n" + rows(1 / 3000.0,
                                               [](double t, bool level) {
                                                 return fmt::format("{:.0f},{:.6f},{}\n",

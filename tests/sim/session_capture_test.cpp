@@ -144,6 +144,17 @@ TEST_F(SessionCapture, SaysWhatIsMissing) {
   EXPECT_EQ(why(as_zip({{"version", "3"}, {"metadata", device}})),
             "its version is neither 1 nor 2" + give);
   EXPECT_EQ(why(session("[global]\nsigrok version=0.5\n")), "its metadata have no device" + give);
+  const std::string metadata = device + "capturefile=logic-1\n";
+  const auto with = [&](const std::vector<std::string>& chunks) {
+    Members members{{"version", "2"}, {"metadata", metadata}};
+    for (const std::string& chunk : chunks) members.emplace_back(chunk, levels);
+    return as_zip(members);
+  };
+  EXPECT_EQ(why(with({"logic-1-1", "logic-1-3"})),
+            "its members logic-1-1, logic-1-2, ... have 3 where 2 must be" + give);
+  EXPECT_EQ(why(with({"logic-1-0", "logic-1-1"})),
+            "its members logic-1-1, logic-1-2, ... have 0 where 1 must be" + give);
+  EXPECT_EQ(why(with({"logic-1", "logic-1-1"})), "it has both logic-1 and logic-1-1" + give);
   EXPECT_EQ(why(session("[device 1]\nprobe1=rx\n")),
             "its metadata have no samplerate of 1 Hz to 1 THz) say --sample-rate");
   EXPECT_EQ(why(session(device + "capturefile=logic-2\n")), "it has no member logic-2" + give);
