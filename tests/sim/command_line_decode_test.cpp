@@ -267,12 +267,29 @@ TEST_F(CommandLine, DecodeLooksPastAClock) {
   write("t.vcd", text);
   const Outcome o = program({"decode", "t.vcd"});
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_NE(o.out.find("channel line (98+ edges), not clk (599999+);"), std::string::npos)
-      << o.out;
+  EXPECT_NE(o.out.find("channel line (98+ edges), not clk (599999+);"), std::string::npos) << o.out;
   EXPECT_EQ(
       tool("sh", {"-c", std::string("cat t.vcd | ") + COSYS_PROGRAM + " decode - 2>&1 || true"})
           .find(" ok "),
       std::string::npos);
+}
+
+// A level that does not last, as simulators dump within one instant.
+TEST_F(CommandLine, DecodeFindsALineThroughChangesThatTakeNoTime) {
+  std::string text =
+      "$timescale 1 us $end $var wire 1 a a $end $var wire 1 b b $end\n$enddefinitions $end\n#0 1a "
+      "1b\n";
+  const dsp::LogicTrace line = message_line(1100);
+  bool level = true;
+  for (const dsp::Seconds flip : line.flips()) {
+    level = !level;
+    text +=
+        fmt::format("#{0:.0f} {1}b {2}b {1}b\n", flip.value * 1e6, level ? 1 : 0, level ? 0 : 1);
+  }
+  write("t.vcd", text + "#400000\n");
+  const Outcome o = program({"decode", "t.vcd"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find(" ok "), std::string::npos) << o.out;
 }
 
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {

@@ -377,6 +377,10 @@ TEST_F(CsvLayouts, SigroksTriggerIsNoChannel) {
   const auto row = [](double, bool level) { return level ? "0,1,0\n" : "0,0,0\n"; };
   for (const char* names : {"CLK,RX,Trigger\n", "logic,logic,Trigger\n", ""})
     expect_read(head + names + rows(1 / 3000.0, row), "RX");
+  const auto timed = [n = 0](double, bool level) mutable {
+    return fmt::format("{},0,{}\n", 333 * n++, level ? 1 : 0);
+  };
+  expect_read(head + rows(1 / 3000.0, timed), "RX");
 }
 
 TEST_F(CsvLayouts, ColumnsOfOtherTimesAreRefused) {
@@ -389,7 +393,7 @@ TEST_F(CsvLayouts, ColumnsOfOtherTimesAreRefused) {
   expect_read("Time (s),Time (us),rx\n" + rows(1 / 3000.0,
                                                [](double t, bool level) {
                                                  return fmt::format("{:.2f},{:.0f},{}\n", t,
-                                                                    1e6 * t, volts(level));
+                                                                    1e6 * t, level ? 1 : 0);
                                                }),
               "rx");
   expect_read("timestamp,time_ms,rx\n" + rows(1 / 3000.0,
@@ -429,6 +433,7 @@ TEST_F(CsvLayouts, AUnitOfTimeIsNeverLost) {
                                             }),
               "RX [V]");
   expect_read("Time (ms),RX,Comment\n" + samples_at(1e-3), "RX");
+  expect_read("Time (s),RX\nDate,2026/11/25\n" + samples_at(1), "RX");
   expect_read("# Time (ms),RX\n# made by a logger, 2026\n" + samples_at(1e-3), "RX");
 }
 
@@ -453,6 +458,12 @@ TEST_F(CsvLayouts, NumbersOfRowsAreNoTime) {
   };
   expect_read("Sample Rate,3000\nSample No.,RX\n" + rows(1 / 3000.0, numbered), "RX");
   expect_read("id,RX\n" + rows(1 / 3000.0, numbered), "RX", {"--sample-rate", "3kHz"});
+  const auto risen = [n = 0](double, bool level) mutable {
+    return fmt::format("{},{}\n", n += 7, level ? 1 : 0);
+  };
+  const auto line = line_of("Sample Rate,3000\naddress,RX\n" + rows(1 / 3000.0, risen));
+  EXPECT_EQ(line.at("baud"), 600);
+  expect_read("address,RX\n" + rows(1 / 3000.0, risen), "RX", {"--sample-rate", "3kHz"});
   write("t.csv", "id,RX\n" + rows(1 / 3000.0, numbered));
   EXPECT_EQ(program({"decode", "t.csv"}).code, 2);
 }
