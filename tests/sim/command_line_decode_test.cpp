@@ -280,11 +280,12 @@ TEST_F(CommandLine, DecodeFindsALineThroughChangesThatTakeNoTime) {
       "$timescale 1 us $end $var wire 1 a a $end $var wire 1 b b $end\n$enddefinitions $end\n#0 1a "
       "1b\n";
   const dsp::LogicTrace line = message_line(1100);
+  for (int i = 1; i < 200; ++i) text += fmt::format("#{} {}a\n", 104 * i, (i + 1) % 2);
   bool level = true;
   for (const dsp::Seconds flip : line.flips()) {
     level = !level;
-    text +=
-        fmt::format("#{0:.0f} {1}b {2}b {1}b\n", flip.value * 1e6, level ? 1 : 0, level ? 0 : 1);
+    text += fmt::format("#{0:.0f} {1}b {2}b {1}b\n", 30000 + flip.value * 1e6, level ? 1 : 0,
+                        level ? 0 : 1);
   }
   write("t.vcd", text + "#400000\n");
   const Outcome o = program({"decode", "t.vcd"});
