@@ -243,6 +243,25 @@ TEST_F(CommandLine, DecodeNamesThePlacesThatEndAsAsked) {
       "--wire dut.rx is 2 wires of t.vcd (their places end so) use a.dut.rx or b.dut.rx");
 }
 
+TEST_F(CommandLine, DecodePrefersMessagesAndWhatIsReceived) {
+  const auto channel_of = [&](const std::string& text) {
+    write("t.vcd", text);
+    const Outcome o = program({"decode", "t.vcd", "--json"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    return line_facts(o.out).at("capture").at("channel").get<std::string>();
+  };
+  EXPECT_EQ(channel_of(dump({"tx", "line"}, 0)), "line");
+  EXPECT_EQ(channel_of(dump({"uart_txd", "line"}, 0)), "line");
+  // What is sent is better than what makes no sense.
+  const std::string declared = "$enddefinitions";
+  std::string clocked = dump({"tx"}, 0);
+  clocked.insert(clocked.find(declared), "$var wire 1 c clk $end\n");
+  clocked.insert(clocked.find("#0\n") + 3, "0c\n");
+  std::string edges;
+  for (int i = 1; i < 200; ++i) edges += fmt::format("#{} {}c\n", 400'000 + 100 * i, i % 2);
+  EXPECT_EQ(channel_of(clocked + edges), "tx");
+}
+
 TEST_F(CommandLine, DecodeSaysHowManyWiresItDidNotLookAt) {
   write("t.vcd", dump({"line"}, 130));
   const Outcome o = program({"decode", "t.vcd", "--json"});
