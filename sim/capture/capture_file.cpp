@@ -205,12 +205,22 @@ void open_as(const Format& format, const fs::path& path, const CaptureSettings& 
   format.open(path, settings, capture);
 }
 
-/// Of a long file more than its beginning is looked at: a clock may fill that alone.
+/// Whether a line is found that nothing speaks against.
+bool is_settled(std::span<const ChannelSurvey> surveys) {
+  const ChannelChoice choice = choice_of_channel(surveys);
+  const ChannelSurvey& taken = surveys[choice.channel];
+  return taken.edges > 0 && !choice.rival && !why_no_line(taken.facts) &&
+         dead_receiver(surveys, choice.channel) == nullptr;
+}
+
+/// Of a long file more than its beginning is looked at where no line is in that: a clock may fill
+/// it alone.
 std::vector<ChannelSurvey> surveys_of_file(const SurveyedCapture& beginning, const Format& format,
                                            const fs::path& path, const CaptureSettings& settings) {
+  auto surveys = beginning.surveys(settings.hints);
   std::error_code ignored;
-  if (beginning.is_whole() || !fs::is_regular_file(path, ignored))
-    return beginning.surveys(settings.hints);
+  if (beginning.is_whole() || is_settled(surveys) || !fs::is_regular_file(path, ignored))
+    return surveys;
   Capture again;
   again.in = std::make_unique<InputStream>(path, "capture");
   open_as(format, path, settings, again);
