@@ -18,6 +18,7 @@
 #include "sim/capture/vcd_capture.hpp"
 #include "sim/capture/wav_capture.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/escaped_text.hpp"
 #include "sim/text/letters.hpp"
 
 namespace sim {
@@ -87,8 +88,9 @@ void as_netcdf(const fs::path& path, const CaptureSettings& settings, Capture& c
   open_netcdf(path, settings, capture);
 }
 
-/// What a format is read from.
-enum class From { text, bytes, path, file };  // Capture::in, with a mark or without; else by itself
+/// What a format is read from: Capture::in, before whose text a mark may stand, or the path, which
+/// may be a pipe or must be a file.
+enum class From { text, bytes, path, file };
 
 struct Format {
   std::string_view name;       // also the file's ending, behind a dot
@@ -209,17 +211,17 @@ void open_as(const Format& format, const fs::path& path, const CaptureSettings& 
 bool is_settled(std::span<const ChannelSurvey> surveys) {
   const ChannelChoice choice = choice_of_channel(surveys);
   const ChannelSurvey& taken = surveys[choice.channel];
-  return taken.edges > 0 && !choice.rival && !why_no_line(taken.facts) &&
+  return !choice.rival && makes_sense(taken.facts.reading) &&
          dead_receiver(surveys, choice.channel) == nullptr;
 }
 
 /// Of a long file more than its beginning is looked at where no line is in that: a clock may fill
 /// it alone.
-std::vector<ChannelSurvey> surveys_of_file(const SurveyedCapture& beginning, const Format& format,
-                                           const fs::path& path, const CaptureSettings& settings) {
-  auto surveys = beginning.surveys(settings.hints);
+WireSurveys surveys_of_file(const SurveyedCapture& beginning, const Format& format,
+                            const fs::path& path, const CaptureSettings& settings) {
+  WireSurveys surveys{beginning.surveys(settings.hints), beginning.is_whole()};
   std::error_code ignored;
-  if (beginning.is_whole() || is_settled(surveys) || !fs::is_regular_file(path, ignored))
+  if (surveys.is_whole || is_settled(surveys.wires) || !fs::is_regular_file(path, ignored))
     return surveys;
   Capture again;
   again.in = std::make_unique<InputStream>(path, "capture");
@@ -238,7 +240,9 @@ void choose_wire(const Format& format, const fs::path& path, const CaptureSettin
   CaptureFacts& facts = capture.facts;
   facts.is_whole = surveyed->is_whole();
   if (settings.wire.empty()) {
-    capture.wire = take_choice(surveys_of_file(*surveyed, format, path, settings), facts);
+    const WireSurveys surveys = surveys_of_file(*surveyed, format, path, settings);
+    facts.is_whole = surveys.is_whole;
+    capture.wire = take_choice(surveys.wires, facts);
   } else {
     capture.wire = named_channel(surveyed->wires(), settings.wire, file);
     const std::vector<std::uint64_t> edges = surveyed->edges();
@@ -264,7 +268,7 @@ std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& fa
     facts.doubt = fmt::format(
         "nothing is on {}, so {} was read (nothing was heard, or it is not "
         "connected) say --channel",
-        dead->name, surveys[choice.channel].name);
+        escaped_name(dead->name), escaped_name(surveys[choice.channel].name));
   return choice.channel;
 }
 

@@ -163,7 +163,7 @@ std::string usual_signs(std::string_view text) {
     if (wide == "\uff08" || wide == "\uff09") {
       usual += wide == "\uff08" ? '(' : ')';
       i += 2;
-    } else if (text[i] == '\xb5' && !usual.ends_with('\xc2') && !usual.ends_with('\xce')) {
+    } else if (text[i] == '\xb5' && (i == 0 || static_cast<signed char>(text[i - 1]) >= 0)) {
       usual += "\u00b5";
     } else {
       usual += text[i];
@@ -254,11 +254,13 @@ bool is_time_name(std::string_view name) {
   return is_one_of_several || std::ranges::find(names, low) != std::end(names);
 }
 
+bool is_of_time(const Heading& heading) {
+  return is_time_name(heading.name) || time_unit(heading.unit);
+}
+
 bool names_time(std::span<const std::string> fields) {
-  return std::ranges::any_of(fields, [](const std::string& field) {
-    const Heading heading = heading_of(field);
-    return is_time_name(heading.name) || time_unit(heading.unit);
-  });
+  return std::ranges::any_of(
+      fields, [](const std::string& field) { return is_of_time(heading_of(field)); });
 }
 
 }  // namespace sim

@@ -36,6 +36,8 @@ Heading heading_of(std::string_view field);
 
 /// "Time", "t", "Zeit": a heading's name, without its unit.
 bool is_time_name(std::string_view name);
+/// By its name or its unit.
+bool is_of_time(const Heading& heading);
 /// Whether one of these headings is that of a time.
 bool names_time(std::span<const std::string> fields);
 

@@ -16,6 +16,7 @@
 #include "sim/capture/sample_choice.hpp"
 #include "sim/capture/wire_choice.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/escaped_text.hpp"
 
 namespace sim {
 namespace {
@@ -42,6 +43,7 @@ class CsvLogic : public LogicCapture {
 
   const std::vector<std::string>& wires() const override { return wires_; }
   Seconds now() const override { return clock_.now(); }
+  Seconds resolution() const override { return clock_.resolution(); }
 
   std::optional<WireLevel> next() override {
     for (;;) {
@@ -112,26 +114,31 @@ std::optional<Pace> measured_pace(const CsvTable& table, RowClock clock) {
 }
 
 /// What a column says, cell by cell: as before where a cell says nothing, at first what it says
-/// first. Numbers that are too large for a float say nothing.
+/// first. A cell beyond the instrument's range is a little beyond all others.
 class Held {
  public:
   Held(const CsvTable& table, std::size_t column) {
-    for (std::size_t row = 0; row < table.rows_ahead(); ++row)
-      if (is_said(table.ahead(row, column))) {
-        last_ = static_cast<float>(table.ahead(row, column));
-        break;
-      }
+    for (std::size_t row = 0; row < table.rows_ahead(); ++row) {
+      const double cell = table.ahead(row, column);
+      if (!std::isfinite(cell)) continue;
+      if (lowest_ > highest_) last_ = static_cast<float>(cell);
+      lowest_ = std::min(lowest_, cell);
+      highest_ = std::max(highest_, cell);
+    }
+    if (lowest_ > highest_) lowest_ = highest_ = 0;
+    more_ = highest_ > lowest_ ? (highest_ - lowest_) / 4 : 1;
   }
 
   float operator()(double cell) {
-    if (is_said(cell)) last_ = static_cast<float>(cell);
+    if (std::isinf(cell)) cell = cell > 0 ? highest_ + more_ : lowest_ - more_;
+    if (!std::isnan(cell)) last_ = static_cast<float>(cell);
     return last_;
   }
 
  private:
-  static bool is_said(double cell) { return std::abs(cell) <= std::numeric_limits<float>::max(); }
-
   float last_ = 0;
+  double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
+  double more_ = 0;
 };
 
 class CsvSamples : public SampleCapture {
@@ -212,6 +219,7 @@ class LevelsAhead : public LogicCapture {
 
   const std::vector<std::string>& wires() const override { return wires_; }
   Seconds now() const override { return clock_.now(); }
+  Seconds resolution() const override { return clock_.resolution(); }
 
   std::optional<WireLevel> next() override {
     while (next_ < table_.rows_ahead()) {
@@ -278,8 +286,8 @@ ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std
   return survey_of_samples(name, samples, hints);
 }
 
-std::vector<ChannelSurvey> surveys_of(const CsvTable& table, const RowClock& clock,
-                                      const Channels& channels, const LineHints& hints) {
+std::vector<ChannelSurvey> surveys_of_columns(const CsvTable& table, const RowClock& clock,
+                                              const Channels& channels, const LineHints& hints) {
   std::vector<ChannelSurvey> surveys;
   for (std::size_t i = 0; i < channels.columns.size(); ++i)
     surveys.push_back(
@@ -296,11 +304,17 @@ std::size_t chosen(const CsvTable& table, const RowClock& clock, const Channels&
     const auto has_bare_name = [&](const std::string& name) {  // "CH1" of "CH1 (V)"
       return heading_of(name).name == settings.wire;
     };
+    const bool is_exact = std::ranges::find(channels.names, settings.wire) != channels.names.end();
     const auto bare = std::ranges::find_if(channels.names, has_bare_name);
-    return bare == channels.names.end() ? named_channel(channels.names, settings.wire, file)
-                                        : static_cast<std::size_t>(bare - channels.names.begin());
+    return is_exact || bare == channels.names.end()
+               ? named_channel(channels.names, settings.wire, file)
+               : static_cast<std::size_t>(bare - channels.names.begin());
   }
-  const auto surveys = surveys_of(table, clock, channels, settings.hints);
+  const auto surveys = surveys_of_columns(table, clock, channels, settings.hints);
+  for (std::size_t i = 0; i < channels.names.size(); ++i)
+    if (is_beyond_range(table, channels.columns[i]))
+      facts.assumed.push_back("no line on " + escaped_name(channels.names[i]) +
+                              ", which is often beyond its range");
   return take_choice(surveys, facts);
 }
 
@@ -320,8 +334,9 @@ void open_csv(const std::string& file, const CaptureSettings& settings, Capture&
   CsvTable table(*capture.in, file, settings.skip_rows);
   CaptureFacts& facts = capture.facts;
   const RowClock clock(table, settings, facts);
-  if (const auto& unknown = table.head().unknown();
-      unknown && !settings.sample_rate && !clock.has_column())
+  const bool is_told =
+      settings.sample_rate && !(settings.is_one_of_many && table.head().sample_rate());
+  if (const auto& unknown = table.head().unknown(); unknown && !is_told && !clock.has_column())
     table.fail_at(unknown->line, unknown->of + " '" + shown(unknown->word) + "'", unknown->why,
                   "say --sample-rate");
   if (!clock.has_column() && !clock.rate())

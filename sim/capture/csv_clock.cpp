@@ -69,10 +69,13 @@ RowClock::RowClock(const CsvTable& table, const CaptureSettings& settings, Captu
     if (rate_) facts.time = samples_text(*rate_);
     return;
   }
-  const bool is_named = is_time_name(table.columns()[*column_].name) ||
-                        time_unit(table.columns()[*column_].unit).has_value();
+  const bool is_named = is_of_time(table.columns()[*column_]);
+  if (settings.sample_rate && is_named && !settings.is_one_of_many && !table.head().is_of_sigrok())
+    table.fail_at(table.head().line_of_units(table.place()), "--sample-rate",
+                  "rows have times of their own", "leave it out");
   if (settings.sample_rate && !is_named) {  // it may be anything that rises
     column_.reset();
+    rate_ = settings.rate_over(table.head().sample_rate());
     facts.time = samples_text(*rate_);
     return;
   }
@@ -99,7 +102,8 @@ Seconds RowClock::next(const CsvTable& table, const std::vector<double>& row, st
 void RowClock::find_unit(const CsvTable& table, const CaptureSettings& settings,
                          CaptureFacts& facts) {
   const std::string& named = table.columns()[*column_].unit;
-  const bool is_said = !named.empty() || (rate_ && table.head().is_of_sigrok());
+  const bool is_said = !named.empty() || (rate_ && table.head().is_of_sigrok()) ||
+                       table.head().unit_of_no_column(table.place());
   if (settings.tick && !(is_said && settings.is_one_of_many)) {
     unit_ = settings.tick->value;
   } else if (rate_ && table.head().is_of_sigrok()) {

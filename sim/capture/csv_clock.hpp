@@ -1,6 +1,7 @@
 #pragma once
 // The instants of a table's rows: by a column that is the time, in a unit that is told, named, or
-// found by the rate in the head; else by that rate.
+// found by the rate in the head; else by that rate. A rate that is told takes the place of a column
+// that only rises. A unit that the head names for no column is refused, not lost.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,6 +21,10 @@ class RowClock {
   bool has_column() const { return column_.has_value(); }
   std::optional<std::size_t> column() const { return column_; }
   std::optional<dsp::Hertz> rate() const { return rate_; }
+  /// From row to row; 0 where they have times of their own.
+  dsp::Seconds resolution() const {
+    return column_ || !rate_ ? dsp::Seconds(0) : dsp::period(*rate_);
+  }
 
   /// Of the next row, which stands in that line.
   dsp::Seconds next(const CsvTable& table, const std::vector<double>& row, std::size_t line);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,14 @@
 namespace sim {
 namespace {
 
+/// By its name: "Index", "Sample #".
+bool counts_rows(const Heading& heading) {
+  constexpr std::string_view names[] = {
+      "index", "idx",    "sample", "samples", "sample #", "sample no", "n",  "nr", "no",
+      "#",     "number", "point",  "points",  "row",      "count",     "id", "seq"};
+  return std::ranges::find(names, in_lower_case(heading.name)) != std::end(names);
+}
+
 /// Rows that are counted: each cell is one more than that above.
 bool counts_by_ones(const CsvTable& table, std::size_t column) {
   for (std::size_t row = 1; row < table.rows_ahead(); ++row)
@@ -19,14 +28,10 @@ bool counts_by_ones(const CsvTable& table, std::size_t column) {
   return true;
 }
 
-bool is_of_time(const Heading& heading) {
-  return is_time_name(heading.name) || time_unit(heading.unit);
-}
-
-/// In seconds from the first row on, and the longest step: a column may be coarse.
+/// In seconds from the first row on, and the shortest step: a column may be coarse.
 struct Course {
   std::vector<double> times;
-  double longest_step = 0;
+  double shortest_step = std::numeric_limits<double>::infinity();
   std::size_t steps = 0;
 };
 
@@ -38,7 +43,7 @@ Course course_of(const CsvTable& table, std::size_t column) {
                            (unit ? unit->value : 1));
     if (row == 0) continue;
     const double step = course.times[row] - course.times[row - 1];
-    course.longest_step = std::max(course.longest_step, step);
+    if (step > 0) course.shortest_step = std::min(course.shortest_step, step);
     course.steps += step > 0 ? 1 : 0;
   }
   return course;
@@ -46,7 +51,7 @@ Course course_of(const CsvTable& table, std::size_t column) {
 
 bool are_the_same(const Course& a, const Course& b) {
   for (std::size_t row = 0; row < a.times.size(); ++row)
-    if (std::abs(a.times[row] - b.times[row]) > 1.01 * std::max(a.longest_step, b.longest_step))
+    if (std::abs(a.times[row] - b.times[row]) > 1.01 * std::max(a.shortest_step, b.shortest_step))
       return false;
   return true;
 }
@@ -129,14 +134,6 @@ bool rises(const CsvTable& table, std::size_t column) {
   return table.ahead(rows - 1, column) > table.ahead(0, column);
 }
 
-bool counts_rows(const Heading& heading) {
-  constexpr std::string_view names[] = {"index",     "idx",   "sample", "samples", "sample #",
-                                        "sample no", "n",     "nr",     "nr.",     "no",
-                                        "no.",       "#",     "number", "point",   "points",
-                                        "row",       "count", "id",     "seq",     "sample no."};
-  return std::ranges::find(names, in_lower_case(heading.name)) != std::end(names);
-}
-
 bool is_no_line(const CsvTable& table, std::size_t column) {
   const Heading& heading = table.columns()[column];
   return rises(table, column) && !is_logic(table, column) &&
@@ -148,7 +145,8 @@ std::optional<std::size_t> time_column(const CsvTable& table) {
   if (count < 2) return std::nullopt;
   std::vector<std::size_t> named, rising;
   for (std::size_t i = 0; i < count; ++i)
-    if (is_of_time(table.columns()[i])) {
+    if (is_time_name(table.columns()[i].name) ||
+        (is_of_time(table.columns()[i]) && !is_logic(table, i))) {
       named.push_back(i);
       if (rises(table, i)) rising.push_back(i);
     }

@@ -65,7 +65,7 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
   std::vector<std::string> fields;
   for (std::string& field : all) {
     if (field.empty()) continue;
-    if (is_bracketed(field) && !fields.empty())
+    if (is_bracketed(field) && !fields.empty() && !is_bracketed(fields.back()))
       fields.back().append(" ").append(field);
     else
       fields.push_back(std::move(field));

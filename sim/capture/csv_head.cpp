@@ -65,6 +65,8 @@ bool are_units(const std::vector<std::string>& fields) {
   });
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 bool begins_a_number(std::string_view text) { return text.find_first_of("0123456789+-.") == 0; }
 
 /// Names behind a key: "Source,CH1,CH2".
@@ -72,12 +74,18 @@ bool are_sources(const std::vector<std::string>& fields) {
   return !fields.empty() && (fields.front() == "Source" || fields.front() == "TraceName");
 }
 
+/// "2026/11/25", "12:00:01.5", and both.
+bool is_date_or_time(std::string_view field) {
+  return begins_a_number(field) && std::ranges::count_if(field, is_digit) > 3 &&
+         field.find_first_of("/:-", 1) != std::string_view::npos &&
+         field.find_first_not_of("0123456789/:-. TZ") == std::string_view::npos;
+}
+
 /// A value or a time of day is in no line of names; "2" may be the name of a channel.
 bool are_names(const std::vector<std::string>& fields) {
   return std::ranges::none_of(fields, [](const std::string& field) {
     const bool is_decimal = field.find_first_of(".eE") != std::string::npos;
-    const bool is_date = begins_a_number(field) && field.find_first_of("/-", 1) < 8;
-    return (is_decimal && parse_number(field)) || is_date || is_clock_time(field);
+    return (is_decimal && parse_number(field)) || is_date_or_time(field);
   });
 }
 
@@ -125,8 +133,10 @@ void CsvHead::read(const std::vector<std::string>& all, std::string_view line, s
 }
 
 void CsvHead::read_beside(const std::vector<std::string>& fields, std::size_t number) {
+  if (fields.empty()) return;
   if (fields.size() > 1 && fields.front() == "Source") source_ = fields[1];
-  read_timing(fields, fields.empty() ? "" : fields.front(), number);
+  if (is_named(names_of_units, fields.front())) beside_.push_back({fields, fields.size(), number});
+  read_timing(fields, fields.front(), number);
 }
 
 bool CsvHead::read_remark(std::string_view line) {
@@ -219,7 +229,7 @@ Heading CsvHead::heading(std::size_t column, const Columns& columns,
   if (rows.names != nullptr) heading = heading_of(rows.names->field(columns.first + column));
   if (rows.names != nullptr && are_sources(rows.names->fields) && columns.first + column == 0)
     heading = {};
-  if (column > 0 && !source_.empty()) heading = {source_, "", source_};
+  if (column > 0 && columns.count == 2 && !source_.empty()) heading = {source_, "", source_};
   if (auto named = sigrok_heading(column, columns, rows)) heading = *named;
   if (rows.units == nullptr || !heading.unit.empty()) return heading;
   const std::string unit = rows.units->field(columns.first + column);
@@ -274,7 +284,7 @@ std::vector<Heading> CsvHead::columns(const Columns& columns) const {
 std::optional<CsvHead::Unknown> CsvHead::unit_of_no_column(const Columns& columns) const {
   constexpr const char* why = "the unit belongs to no column of these rows";
   const NamesAndUnits used = rows_of(columns.first + columns.count);
-  for (const auto* rows : {&rows_, &remarks_})
+  for (const auto* rows : {&rows_, &remarks_, &beside_})
     for (const Row& row : *rows) {
       const auto [key, value] =
           key_and_value(row.fields, row.fields.empty() ? "" : row.fields.front());

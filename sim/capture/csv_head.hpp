@@ -106,6 +106,7 @@ class CsvHead {
   void take(std::optional<dsp::Hertz> rate, const Unknown& unknown);
 
   std::vector<Row> rows_, remarks_;    // of names or units, as they came
+  std::vector<Row> beside_;            // of units, beside rows
   std::vector<std::string> channels_;  // of sigrok's remark
   std::string source_;                 // "Source,CH1"
   bool is_of_sigrok_ = false;

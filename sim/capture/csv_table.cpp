@@ -14,6 +14,7 @@ namespace sim {
 namespace {
 
 constexpr std::size_t most_first_lines = 1000, most_cells_ahead = 1'000'000;
+constexpr std::size_t most_fields_for_one = 64;  // of a line of the head, for a column
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -51,7 +52,7 @@ void CsvTable::read_first_lines(std::size_t skip) {
   }
 }
 
-/// A blank of a table apart by semicolons begins with one.
+/// A row whose first cell is empty begins with a semicolon where semicolons separate.
 bool CsvTable::is_remark_of(std::string_view line, char separator) {
   return is_remark(line) && !(separator == ';' && line.starts_with(';'));
 }
@@ -95,6 +96,11 @@ void CsvTable::find_layout() {
       if (const auto layout = layout_of(line.text, separator, comma))
         ++counts[{separator, comma, layout->first, layout->count}];
   }
+  // A column that is often empty is no separator before the first cell.
+  std::erase_if(counts, [&](const auto& row) {
+    const auto& [separator, comma, first, count] = row.first;
+    return first == 1 && count == 1 && counts.contains({separator, comma, 0, 2});
+  });
   const auto better = [](const auto& a, const auto& b) {
     const auto& [sep_a, comma_a, first_a, count_a] = a.first;
     const auto& [sep_b, comma_b, first_b, count_b] = b.first;
@@ -177,7 +183,8 @@ void CsvTable::read_head_line(const Line& line) {
     if (!odd_word_) odd_word_ = {line.number, *word};
     return;
   }
-  odd_word_.reset();
+  if (!fields.empty() && !is_remark(line.text)) odd_word_.reset();
+  if (fields.size() > most_fields_for_one * (layout_.first + layout_.count)) return;
   if (layout_.decimal_comma)
     for (std::string& field : fields)
       if (cell_of(field, true)) std::ranges::replace(field, ',', '.');

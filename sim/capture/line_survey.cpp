@@ -183,12 +183,12 @@ LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
   reading.flips = line.flips.size();
   protocol::CosysDecoder cosys;
   protocol::SharedLinkDecoder shared_link;
-  std::optional<std::uint8_t> first;
+  std::optional<std::uint8_t> last;
   reading.is_one_character = true;
   for (const auto& byte : protocol::receive_mid_bit(trace_of(line, inverted), baud)) {
     ++reading.characters;
-    reading.is_one_character = reading.is_one_character && byte.value == first.value_or(byte.value);
-    first = byte.value;
+    reading.is_one_character = reading.is_one_character && byte.value == last.value_or(byte.value);
+    last = byte.value;
     if (byte.framing_error) {
       ++reading.framing_errors;
     } else if (is_of_text(byte.value)) {
@@ -207,7 +207,7 @@ std::optional<std::string> why_none(const LineReading& reading) {
   constexpr double most_errors = 0.25, many_errors = 0.1;  // of all characters
   if (reading.messages > 0) return std::nullopt;
   if (reading.characters == 0)
-    return fmt::format("its {} edges make no character at up to 1 MBd", reading.flips);
+    return fmt::format("its {} edges make no character at any rate that was tried", reading.flips);
   const auto characters = static_cast<double>(reading.characters);
   if (static_cast<double>(reading.flips) > 2 * flips_a_character * characters)
     return fmt::format("of {} edges most are in none of {} characters", reading.flips,
@@ -252,11 +252,10 @@ std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool
   });
   const auto has_messages = [](const LineReading& reading) { return reading.messages > 0; };
   if (baud || line.flips.empty() || std::ranges::any_of(readings, has_messages)) return readings;
-  const bool makes_sense =
-      std::ranges::any_of(readings, [](const LineReading& reading) { return !why_none(reading); });
+  const bool any_makes_sense = std::ranges::any_of(readings, makes_sense);
   for (const LineReading& reading :
        readings_at(line, inverted, [&](bool) { return standard_rates_for(line); }))
-    if (has_messages(reading) || !makes_sense) readings.push_back(reading);
+    if (has_messages(reading) || !any_makes_sense) readings.push_back(reading);
   return readings;
 }
 
@@ -264,7 +263,8 @@ std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool
 std::optional<bool> inverted_by_pauses(const LineStretch& line) {
   for (const bool with_ends : {false, true}) {
     const Longest longest = longest_of(line, with_ends);
-    if (!line.flips.empty() && longest.tell()) return longest.tell_low();
+    const bool are_two = with_ends || (longest.high > 0 && longest.low > 0);
+    if (!line.flips.empty() && are_two && longest.tell()) return longest.tell_low();
   }
   return std::nullopt;
 }
@@ -273,7 +273,8 @@ bool is_about_as_good(const LineReading& reading, const LineReading& best) {
   return reading.worth() >= nearly * best.worth();
 }
 
-/// Of several about as good: by the pauses, then the first, which has the longest bit.
+/// Of several about as good: by the pauses, then the first, which of those found has the longest
+/// bit.
 const LineReading& best_of(const std::vector<LineReading>& readings,
                            std::optional<bool> by_pauses) {
   const LineReading& best = *std::ranges::max_element(readings, {}, &LineReading::worth);
@@ -332,6 +333,8 @@ std::optional<std::string> why_no_line(const LineFacts& facts) {
   if (facts.baud_by == LineFacts::Basis::told || facts.reading.flips == 0) return std::nullopt;
   return why_none(facts.reading);
 }
+
+bool makes_sense(const LineReading& reading) { return reading.flips > 0 && !why_none(reading); }
 
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<Hertz> baud) {

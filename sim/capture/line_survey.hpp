@@ -11,9 +11,9 @@
 // least twice as long as the longest at the other level (8N1 is never at the start bit's level for
 // more than nine bits, but idles longer). Of readings that are about as good the one is taken whose
 // idle level is that of the longest stretch; then the one of the longest bit. Where no reading
-// makes sense or has a message, standard rates are tried too: something else may be on the wire
-// before the line.
-// Where there is nothing to go by, idle is high.
+// has a message, standard rates are tried too, as something else may be on the wire before the
+// line; those without a message are taken where no other reading makes sense. Edges that are in no
+// character lessen the worth. Where there is nothing to go by, idle is high.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -61,6 +61,9 @@ struct LineFacts {
   LineReading reading;               // the one taken
   std::optional<LineReading> rival;  // another that is about as good
 };
+
+/// Whether there are edges, and they make characters as those of a line are.
+bool makes_sense(const LineReading& reading);
 
 /// Why what was read is no line, or one of which too little is known; not asked where a rate was
 /// told. Of noise, and of another code such as 8E1, about half of the characters have a framing

@@ -103,12 +103,14 @@ SampledLine::Samples SampledLine::read_first(const LineKeying& keying) {
     const bool is_last = stretch.size() < stretch_samples;
     if (!is_last && first.size() >= most_first_samples) {
       count_ += first.size();
+      passed_over_ = static_cast<double>(count_) * dsp::period(rate_);
       first.clear();
     }
     first.insert(first.end(), stretch.begin(), stretch.end());
-    if (is_last || tells(stretch, keying)) break;
+    is_heard_ = !is_last && tells(stretch, keying);
+    if (is_last || is_heard_) break;
   }
-  if (first.size() < stretch_samples) tells(first, keying);
+  if (first.size() < stretch_samples) is_heard_ = tells(first, keying);
   return first;
 }
 

@@ -5,8 +5,8 @@
 // way on to the other level.
 //
 // The carrier and the two levels are found in the first samples that are no silence: in which there
-// is a carrier, or two levels that are well apart. Of two million silent ones at a time the line is
-// taken to stand still. From
+// is a carrier, or two levels that are well apart. Two million silent ones at a time are passed
+// over: the line is taken to stand still in them. From
 // then on each level follows the mean of what is read as it, with a time constant of 0.1 s, so
 // light may slowly become brighter or darker.
 #include <deque>
@@ -33,6 +33,10 @@ class SampledLine : public FlipSource {
 
   /// 0 of a voltage.
   dsp::Hertz carrier() const { return carrier_; }
+  /// How long the silence is that was passed over.
+  dsp::Seconds passed_over() const { return passed_over_; }
+  /// Whether anything but silence was found.
+  bool is_heard() const { return is_heard_; }
 
   bool initial() const override { return initial_; }
   std::optional<dsp::Seconds> next() override;
@@ -55,6 +59,8 @@ class SampledLine : public FlipSource {
   dsp::Hertz rate_, carrier_;
   std::optional<EnvelopeDetector> detector_;
   bool light_ = false;  // the line is 0 where it is strong
+  bool is_heard_ = false;
+  dsp::Seconds passed_over_;
   bool strong_ = false, initial_ = true;
   double weak_level_ = 0, strong_level_ = 0, step_ = 0;
   std::uint64_t count_ = 0;  // of samples sliced, or skipped

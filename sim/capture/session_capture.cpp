@@ -284,9 +284,9 @@ void open_session(const fs::path& path, const CaptureSettings& settings, Capture
     take_analogue(path, metadata, settings, capture);
   else
     capture.logic = open_logic(archive, metadata);
-  if (capture.logic && !metadata.analogue.empty())
+  if (capture.logic && settings.wire.empty() && !metadata.analogue.empty())
     capture.facts.assumed.push_back(
-        fmt::format("no line on its {} analogue channels", metadata.analogue.size()));
+        fmt::format("no line on its analogue channels ({})", metadata.analogue.size()));
   capture.facts.time = samples_text(*metadata.sample_rate);
 }
 

@@ -41,7 +41,7 @@ void TextLines::fail_at(std::size_t number, std::string_view problem, std::strin
 std::string shown(std::string_view text) {
   constexpr std::size_t most_letters = 40;
   std::size_t letters = 0, end = 0;
-  for (; end < text.size(); ++end)
+  for (; end < text.size() && end < 4 * most_letters; ++end)
     if ((text[end] & 0xc0) != 0x80 && ++letters > most_letters) break;
   return escaped_name(text.substr(0, end));
 }

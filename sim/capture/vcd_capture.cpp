@@ -15,6 +15,7 @@
 #include "sim/capture/text_lines.hpp"
 #include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
@@ -86,7 +87,8 @@ class VcdCapture : public LogicCapture {
     read_declarations(settings.tick.has_value());
     names_.finish();
     refuse_asked_vector();
-    if (vectors_ > 0) facts.assumed.push_back(fmt::format("no line in its {} vectors", vectors_));
+    if (vectors_ > 0 && asked_.empty())
+      facts.assumed.push_back(fmt::format("no line in its vectors ({})", vectors_));
     tick_ = settings.tick_over(tick_);
     if (!tick_)
       words_.fail("no $timescale", "times have no unit without it", "say --time-unit 1us");
@@ -191,8 +193,10 @@ class VcdCapture : public LogicCapture {
   }
 
   void refuse_asked_vector() const {
-    if (asked_vector_.empty() || std::ranges::find(names_.list(), asked_) != names_.list().end())
-      return;
+    const auto is_it = [&](const std::string& name) {
+      return in_lower_case(without_range(name)) == in_lower_case(asked_) || name == asked_;
+    };
+    if (asked_vector_.empty() || std::ranges::any_of(names_.list(), is_it)) return;
     words_.fail("--wire " + asked_ + " is no wire",
                 "it is a vector of " + shown(asked_vector_) + " bits, and a line is one bit",
                 "dump that bit as a wire");

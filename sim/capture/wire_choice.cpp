@@ -23,9 +23,9 @@ using dsp::Seconds;
 
 constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, most_listed = 24;
 constexpr std::uint64_t most_levels = 50'000'000;
-constexpr std::size_t most_kept_flips = 8'000'000;
-constexpr std::uint64_t fewest_to_rival = 4;  // characters
-constexpr double reads_as_well = 0.9;         // of the other's worth
+constexpr std::size_t most_kept = 8'000'000, most_kept_of_wire = 400'000;  // flips
+constexpr std::uint64_t fewest_to_rival = 4;                               // characters
+constexpr double reads_as_well = 0.9;                                      // of the other's worth
 
 /// "rxd" of "top.uart.RXD".
 std::string last_word(const std::string& name) {
@@ -88,8 +88,8 @@ struct KeptWire {
   std::uint64_t edges = 0;
   std::vector<Seconds> flips;
 
-  /// Whether a flip was added.
-  bool take(const WireLevel& change) {
+  /// Keeps a flip if there are less than `most`; whether it did.
+  bool take(const WireLevel& change, std::size_t most) {
     if (!std::exchange(has_level, true) && change.initial) {
       initial = level = change.level;
       return false;
@@ -101,7 +101,7 @@ struct KeptWire {
       flips.pop_back();
       return false;
     }
-    if (flips.size() == most_surveyed_flips) return false;
+    if (flips.size() >= most) return false;
     flips.push_back(change.at);
     return true;
   }
@@ -133,7 +133,7 @@ std::vector<ChannelSurvey> surveys_of_kept(const std::vector<std::string>& names
   }
   for (const std::size_t wire : wires_to_survey(names, edges)) {
     const KeptWire& own = kept[wire];
-    const bool is_all = own.flips.size() < most_surveyed_flips;
+    const bool is_all = own.flips.size() == own.edges;
     KeptFlips flips(own.initial, own.flips, is_all ? end : own.flips.back(), resolution);
     KeyedWire line(flips, hints.carrier);
     surveys[wire] = survey_of(names[wire], line, hints);
@@ -195,15 +195,22 @@ const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std:
   return dead == channels.end() ? nullptr : &*dead;
 }
 
-std::vector<ChannelSurvey> surveys_of(LogicCapture& capture, const LineHints& hints) {
+WireSurveys surveys_of(LogicCapture& capture, const LineHints& hints) {
   std::vector<KeptWire> kept(capture.wires().size());
   std::size_t flips = 0;
-  for (std::uint64_t levels = 0; levels < most_levels && flips < most_kept_flips; ++levels) {
+  bool is_whole = false;
+  for (std::uint64_t levels = 0; levels < most_levels && flips < 2 * most_kept && !is_whole;
+       ++levels) {
     const auto level = capture.next();
-    if (!level) break;
-    flips += kept[level->wire].take(*level) ? 1 : 0;
+    is_whole = !level;
+    if (level)
+      flips += kept[level->wire].take(*level,
+                                      flips < most_kept ? most_kept_of_wire : most_surveyed_flips)
+                   ? 1
+                   : 0;
   }
-  return surveys_of_kept(capture.wires(), kept, capture.now(), capture.resolution(), hints);
+  return {surveys_of_kept(capture.wires(), kept, capture.now(), capture.resolution(), hints),
+          is_whole};
 }
 
 std::size_t named_channel(const std::vector<std::string>& channels, const std::string& wanted,
@@ -253,7 +260,7 @@ std::vector<std::uint64_t> SurveyedCapture::edges() const {
 
 std::vector<ChannelSurvey> SurveyedCapture::surveys(const LineHints& hints) const {
   std::vector<KeptWire> kept(wires().size());
-  for (const WireLevel& level : ahead_) kept[level.wire].take(level);
+  for (const WireLevel& level : ahead_) kept[level.wire].take(level, most_kept_of_wire);
   return surveys_of_kept(wires(), kept, end_, resolution(), hints);
 }
 

@@ -46,10 +46,16 @@ ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels);
 /// of a receiver that hears nothing, what was sent is no answer. Else null.
 const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std::size_t taken);
 
-/// Of each wire of a capture, by the first fifty million levels at most: its line, up to 32768
-/// flips of it, however many a clock beside it has. Of more than a hundred wires that have edges
-/// those are looked at that are called rx, then those of most edges.
-std::vector<ChannelSurvey> surveys_of(LogicCapture& capture, const LineHints& hints);
+struct WireSurveys {
+  std::vector<ChannelSurvey> wires;
+  bool is_whole = false;  // all of the capture was looked at
+};
+
+/// Of each wire of a capture, by the first fifty million levels at most: its line, by the first
+/// 400 000 edges of its own, however many a clock beside it has (fewer where many wires have as
+/// many). Of more than a hundred wires that have edges those are looked at that are called rx, then
+/// those of most edges.
+WireSurveys surveys_of(LogicCapture& capture, const LineHints& hints);
 
 /// The channel of this name, in any case and without the range of one bit ("rx" for "rx[0:0]")
 /// where no other is so called, or of this number, the first being 1, where no name is a number.

@@ -123,7 +123,7 @@ std::optional<std::string> doubt_about_tick(const DecodedCapture& decoded) {
     return std::nullopt;
   for (const auto& [unit, factor] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
     if (is_standard_rate(factor * baud))
-      return fmt::format("its times may be in {} (the rate were {:.6g} Bd then) say --time-unit",
+      return fmt::format("its times may be in {} (the rate would be {:.6g} Bd) say --time-unit",
                          unit, factor * baud.value);
   return std::nullopt;
 }

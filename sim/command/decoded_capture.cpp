@@ -96,6 +96,16 @@ void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeLis
   decoder.end();
 }
 
+void note_silence(const SampledLine& line, CaptureFacts& facts) {
+  const Seconds silence = line.passed_over();
+  if (silence == Seconds(0)) return;
+  facts.assumed.push_back(fmt::format("nothing in the first {:.4g} s", silence.value));
+  if (!line.is_heard())
+    facts.doubt =
+        "no carrier and no two levels stand out of its noise (nothing was heard, or it is "
+        "too weak) say --carrier or --baud";
+}
+
 }  // namespace
 
 bool asks_for_many(const DecodeRequest& request) {
@@ -121,6 +131,7 @@ DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeReq
   } else {
     SampledLine line(*capture.samples, {hints.carrier, hints.baud});
     decoded.carrier = line.carrier();
+    note_silence(line, decoded.read);
     decode_line(line, request, listener, decoded);
   }
   return decoded;

@@ -41,7 +41,8 @@ bool asks_for_many(const DecodeRequest& request);
 DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeRequest& request,
                               const DecodeListener& listener);
 
-/// Where another reading is about as good: what it is, and how to ask for it.
+/// What speaks against the reading, and what to say: another one is about as good, no line is
+/// found, nothing is on the receiver's wire, or the unit of time may be another.
 std::optional<std::string> doubt_about(const DecodedCapture& decoded);
 
 /// What was read, in one line.

@@ -56,7 +56,8 @@ TEST_F(CaptureFormat, WavWithoutASizeIsRefused) {
   bytes.replace(4, 4, 4, '\0');
   EXPECT_TRUE(
       refusal(bytes, "wav")
-          .starts_with("cannot decode FILE (its head says that no samples are there, of 16428 bytes) "))
+          .starts_with(
+              "cannot decode FILE (its head says that no samples are there, of 16428 bytes) "))
       << refusal(bytes, "wav");
 }
 

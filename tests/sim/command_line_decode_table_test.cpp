@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "protocol/cosys.hpp"
+#include "protocol/uart.hpp"
 
 namespace sim {
 namespace {
@@ -115,12 +117,27 @@ TEST_F(DecodeTable, HasARowForWhatIsNotThere) {
   }
 }
 
+/// Of a message, a row a microsecond beside a column that rises and is no time.
+std::string levels_at_1_mhz() {
+  dsp::LogicTrace line;
+  dsp::Seconds at(1e-3);
+  for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
+    at = protocol::send_byte(line, byte, at, dsp::Hertz(9600));
+  line.observe_until(at + dsp::Seconds(1e-3));
+  dsp::TraceReader reader(line);
+  std::string text = "address,rx\n";
+  for (int i = 0; i * 1e-6 < line.end().value; ++i)
+    text += std::to_string(7 * i) + (reader.level_at(dsp::Seconds(i * 1e-6)) ? ",1\n" : ",0\n");
+  return text;
+}
+
 // A .bin among files that say their rates or times: what is told is for it alone.
 TEST_F(DecodeTable, AppliesWhatIsToldWhereAFileSaysNothing) {
   write_scenario("s.toml", "receiver.range_m = [0.5]");
   for (const char* file :
        {"all/t.bin", "all/t.sr", "all/t.h5", "all/t.sigmf-meta", "all/t.wav", "all/t.csv"})
     ASSERT_EQ(program({"trace", "s.toml", "-o", file}).code, 0) << file;
+  write("all/bare.csv", levels_at_1_mhz());
   const Words told{"--sample-rate", "1MHz", "--time-unit", "ms", "--sample-bytes", "1"};
   Words command{"decode", "--json", "all"};
   command.insert(command.end(), told.begin(), told.end());
@@ -132,6 +149,7 @@ TEST_F(DecodeTable, AppliesWhatIsToldWhereAFileSaysNothing) {
   }
   EXPECT_EQ(times["all/t.bin"], "1000000 samples a second");
   EXPECT_EQ(times["all/a.vcd"], "time in steps of 1e-06 s");
+  EXPECT_EQ(times["all/bare.csv"], "1000000 samples a second");
   for (const char* file : {"all/t.h5", "all/t.wav"})
     EXPECT_NE(times[file], times["all/t.bin"]) << "as the file says: " << file;
 }

@@ -210,6 +210,12 @@ TEST(LineSurvey, FindsNoRateThatTheSamplesCannotCarry) {
   }
 }
 
+// Between two flips there is one level alone, which tells nothing.
+TEST(LineSurvey, OnePulseOnALineThatIsLowTellsThatItIdlesLow) {
+  const std::vector<Seconds> flips{Seconds(0.1), Seconds(0.1016)};
+  EXPECT_TRUE(survey_line({false, flips, Seconds(1)}, {}, Hertz(600)).inverted);
+}
+
 TEST(LineSurvey, AClockIsNoLine) {
   LogicTrace clock;
   for (int i = 1; i < 400; ++i) clock.flip_at(Seconds(i / 9600.0));

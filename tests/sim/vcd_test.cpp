@@ -327,7 +327,8 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
     EXPECT_NE(vcd_failure(text).find(part), std::string::npos) << vcd_failure(text);
     EXPECT_EQ(vcd_failure(text).find('\n'), std::string::npos);
   };
-  EXPECT_NE(vcd_failure(std::string()).find("the file ends early in a.vcd:1 ($enddefinitions is missing)"),
+  EXPECT_NE(vcd_failure(std::string())
+                .find("the file ends early in a.vcd:1 ($enddefinitions is missing)"),
             std::string::npos);
   contains("$date\n\n$en", "a.vcd:4 ($end is missing)");
   contains("PK\x03\x04 zip", "'PK\\x03\\x04' in a.vcd:1 (not a VCD declaration)");
@@ -396,7 +397,7 @@ TEST(Vcd, VectorsMayBeWideAndAreSaid) {
   std::istringstream in(text);
   CaptureFacts facts;
   EXPECT_EQ(read_whole(*open_vcd(in, "a.vcd", {}, facts)).at(0).trace.flips().size(), 1U);
-  EXPECT_EQ(facts.assumed, std::vector<std::string>{"no line in its 2 vectors"});
+  EXPECT_EQ(facts.assumed, std::vector<std::string>{"no line in its vectors (2)"});
   for (const char* wire : {"gpio", "gpio[3]"}) {
     CaptureSettings settings;
     settings.wire = wire;
@@ -406,6 +407,16 @@ TEST(Vcd, VectorsMayBeWideAndAreSaid) {
                   " is no wire in a.vcd:1 (it is a vector of 16 bits, and a line is one bit) dump "
                   "that bit as a wire");
   }
+}
+
+TEST(Vcd, AVectorElsewhereDoesNotHideTheWire) {
+  const std::string text =
+      "$timescale 1 us $end $scope module a $end $var reg 8 % rx[7:0] $end $upscope $end "
+      "$scope module b $end $var wire 1 ! RX $end $upscope $end $enddefinitions $end\n#1 1! #5 "
+      "0!\n";
+  CaptureSettings settings;
+  settings.wire = "rx";
+  EXPECT_EQ(read(text, settings).at(0).trace.flips().size(), 1U);
 }
 
 TEST(Vcd, GarbageIsReadOrRefusedButNeverCrashes) {
