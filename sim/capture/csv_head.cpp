@@ -282,20 +282,24 @@ std::vector<Heading> CsvHead::columns(const Columns& columns) const {
 }
 
 std::optional<CsvHead::Unknown> CsvHead::unit_of_no_column(const Columns& columns) const {
-  constexpr const char* why = "the unit belongs to no column of these rows";
   const NamesAndUnits used = rows_of(columns.first + columns.count);
   for (const auto* rows : {&rows_, &remarks_, &beside_})
-    for (const Row& row : *rows) {
-      const auto [key, value] =
-          key_and_value(row.fields, row.fields.empty() ? "" : row.fields.front());
-      if (is_named(names_of_units, key) && is_other_than_seconds(value))
-        return Unknown{value, key, row.line, why};
-      if (&row == used.names || &row == used.units) continue;
-      for (const std::string& field : row.fields)
-        if (const Heading heading = heading_of(field);
-            is_time_name(heading.name) && is_other_than_seconds(heading.unit))
-          return Unknown{heading.unit, heading.name, row.line, why};
-    }
+    for (const Row& row : *rows)
+      if (&row != used.names && &row != used.units)
+        if (auto unit = unit_in(row)) return unit;
+  return std::nullopt;
+}
+
+/// Other than seconds, in a row that names no column.
+std::optional<CsvHead::Unknown> CsvHead::unit_in(const Row& row) {
+  constexpr const char* why = "the unit belongs to no column of these rows";
+  const auto [key, value] = key_and_value(row.fields, row.field(0));
+  if (is_named(names_of_units, key) && is_other_than_seconds(value))
+    return Unknown{value, key, row.line, why};
+  for (const std::string& field : row.fields)
+    if (const Heading heading = heading_of(field);
+        is_time_name(heading.name) && is_other_than_seconds(heading.unit))
+      return Unknown{heading.unit, heading.name, row.line, why};
   return std::nullopt;
 }
 

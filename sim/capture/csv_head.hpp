@@ -96,6 +96,7 @@ class CsvHead {
   Heading heading(std::size_t column, const Columns& columns, const NamesAndUnits& rows) const;
   std::optional<Heading> sigrok_heading(std::size_t column, const Columns& columns,
                                         const NamesAndUnits& rows) const;
+  static std::optional<Unknown> unit_in(const Row& row);
   bool read_remark(std::string_view line);
   bool read_timing(const std::vector<std::string>& fields, std::string_view line,
                    std::size_t number);
