@@ -183,12 +183,10 @@ LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
   reading.flips = line.flips.size();
   protocol::CosysDecoder cosys;
   protocol::SharedLinkDecoder shared_link;
-  std::optional<std::uint8_t> last;
-  reading.is_one_character = true;
+  std::array<std::uint64_t, 256> of_value{};
   for (const auto& byte : protocol::receive_mid_bit(trace_of(line, inverted), baud)) {
     ++reading.characters;
-    reading.is_one_character = reading.is_one_character && byte.value == last.value_or(byte.value);
-    last = byte.value;
+    reading.most_alike = std::max(reading.most_alike, ++of_value[byte.value]);
     if (byte.framing_error) {
       ++reading.framing_errors;
     } else if (is_of_text(byte.value)) {
@@ -204,7 +202,7 @@ LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
 
 /// Why a reading is none of a line.
 std::optional<std::string> why_none(const LineReading& reading) {
-  constexpr double most_errors = 0.25, many_errors = 0.1;  // of all characters
+  constexpr double most_errors = 0.25, many_errors = 0.1, most_alike = 0.9;  // of all characters
   if (reading.messages > 0) return std::nullopt;
   if (reading.characters == 0)
     return fmt::format("its {} edges make no character at any rate that was tried", reading.flips);
@@ -214,8 +212,9 @@ std::optional<std::string> why_none(const LineReading& reading) {
                        reading.characters);
   if (reading.characters < fewest_to_doubt)
     return fmt::format("{} characters tell no rate", reading.characters);
-  if (reading.is_one_character)
-    return fmt::format("all {} characters are the same, as those of a clock", reading.characters);
+  if (static_cast<double>(reading.most_alike) > most_alike * characters)
+    return fmt::format("{} of {} characters are the same, as those of a clock", reading.most_alike,
+                       reading.characters);
   const double errors = static_cast<double>(reading.framing_errors) / characters;
   if (errors > most_errors || (errors > many_errors && reading.worth() < least_worth))
     return fmt::format(

@@ -37,9 +37,9 @@ struct LineReading {
   bool inverted = false;  // idle is low: light is 1
   dsp::Hertz baud{600};
   std::uint64_t characters = 0, framing_errors = 0;
-  std::uint64_t of_text = 0;      // characters without a framing error that text has
-  std::uint64_t messages = 0;     // whole ones, by their checksums
-  bool is_one_character = false;  // all characters are the same
+  std::uint64_t of_text = 0;     // characters without a framing error that text has
+  std::uint64_t messages = 0;    // whole ones, by their checksums
+  std::uint64_t most_alike = 0;  // characters of the value that most have
   bool is_against_pauses = false;
   std::uint64_t flips = 0;  // of the line; a character has ten at most
 

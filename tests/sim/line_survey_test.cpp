@@ -222,6 +222,16 @@ TEST(LineSurvey, AClockIsNoLine) {
   EXPECT_TRUE(why_no_line(facts_of(clock, false)));
 }
 
+// The beat of two carriers: a clock that slips now and then.
+TEST(LineSurvey, AClockThatSlipsIsNoLine) {
+  LogicTrace clock;
+  Seconds at(0.01);
+  for (int i = 1; i < 2000; ++i, at = at + Seconds((i % 190 == 0 ? 1.5 : 1) / 9600.0))
+    clock.flip_at(at);
+  const auto why = why_no_line(facts_of(clock, false));
+  EXPECT_TRUE(why.value_or("").ends_with("as those of a clock")) << why.value_or("none");
+}
+
 TEST(LineSurvey, EdgesThatAreInNoCharacterMakeNoLine) {
   LogicTrace line;
   Seconds at(0.05);
