@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/text/letters.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 
@@ -43,8 +44,8 @@ bool is_bracketed(const std::string& field) {
 }
 
 bool says_nothing(const std::string& field) {
-  return field.empty() || field == "X" || field == "x" || field == "Z" || field == "z" ||
-         field == "-";
+  constexpr std::string_view words[] = {"", "x", "z", "-", "none", "null", "na", "n/a", "#n/a"};
+  return field.size() <= 4 && std::ranges::find(words, in_lower_case(field)) != std::end(words);
 }
 
 std::optional<double> beyond_range(std::string_view field) {

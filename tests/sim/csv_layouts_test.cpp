@@ -216,7 +216,7 @@ TEST_F(CsvLayouts, DecimalCommas) {
 
 TEST_F(CsvLayouts, CellsThatSayNothing) {
   expect_read("Time [us],Channel 0,Channel 1\n" + changes(1e-6, ",X"), "Channel 0");
-  for (const char* nothing : {"NaN", "inf", "-", ""})
+  for (const char* nothing : {"NaN", "inf", "-", "", "None", "NULL", "#N/A"})
     expect_read("Time [us],Channel 0,Channel 1\n" + changes(1e-6, std::string(",") + nothing),
                 "Channel 0");
 }
