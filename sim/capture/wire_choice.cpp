@@ -85,6 +85,7 @@ class KeptFlips : public FlipSource {
 /// What is kept of a wire: two flips at one instant cancel.
 struct KeptWire {
   bool initial = true, level = true, has_level = false;
+  bool is_cut = false;  // flips behind the last are not kept
   std::uint64_t edges = 0;
   std::vector<Seconds> flips;
 
@@ -101,7 +102,10 @@ struct KeptWire {
       flips.pop_back();
       return false;
     }
-    if (flips.size() >= most) return false;
+    if (is_cut || flips.size() >= most) {
+      is_cut = true;
+      return false;
+    }
     flips.push_back(change.at);
     return true;
   }
@@ -133,8 +137,7 @@ std::vector<ChannelSurvey> surveys_of_kept(const std::vector<std::string>& names
   }
   for (const std::size_t wire : wires_to_survey(names, edges)) {
     const KeptWire& own = kept[wire];
-    const bool is_all = own.flips.size() == own.edges;
-    KeptFlips flips(own.initial, own.flips, is_all ? end : own.flips.back(), resolution);
+    KeptFlips flips(own.initial, own.flips, own.is_cut ? own.flips.back() : end, resolution);
     KeyedWire line(flips, hints.carrier);
     surveys[wire] = survey_of(names[wire], line, hints);
     surveys[wire].edges = own.edges;

@@ -314,6 +314,11 @@ TEST_F(CommandLine, DecodeFindsALineThroughChangesThatTakeNoTime) {
   EXPECT_NE(o.out.find(" ok "), std::string::npos) << o.out;
 }
 
+TEST_F(CommandLine, DecodeReadsPulsesThatTakeNoTime) {
+  write("t.ook", ";pulse data\n0 0\n;end\n");
+  EXPECT_EQ(program({"decode", "t.ook"}).code, 0);
+}
+
 TEST_F(CommandLine, DecodeReadsTheWireOfAnLed) {
   std::string samples = sampled(message_line(600), 1e6, false);
   for (std::size_t i = 0; i < samples.size(); ++i) {
