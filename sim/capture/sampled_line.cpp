@@ -107,11 +107,9 @@ SampledLine::Samples SampledLine::read_first(const LineKeying& keying) {
       first.clear();
     }
     first.insert(first.end(), stretch.begin(), stretch.end());
-    is_heard_ = !is_last && tells(stretch, keying);
-    if (is_last || is_heard_) break;
+    is_heard_ = tells(stretch, keying) || (is_last && tells(first, keying));
+    if (is_last || is_heard_) return first;
   }
-  if (first.size() < stretch_samples) is_heard_ = tells(first, keying);
-  return first;
 }
 
 /// Whether a stretch is no silence; sets the carrier if it is to be found and is there.

@@ -6,9 +6,8 @@
 //
 // The carrier and the two levels are found in the first samples that are no silence: in which there
 // is a carrier, or two levels that are well apart. Two million silent ones at a time are passed
-// over: the line is taken to stand still in them. From
-// then on each level follows the mean of what is read as it, with a time constant of 0.1 s, so
-// light may slowly become brighter or darker.
+// over: the line is taken to stand still in them. Later each level follows the mean of what is read
+// as it, with a time constant of 0.1 s, so light may slowly become brighter or darker.
 #include <deque>
 #include <optional>
 #include <vector>

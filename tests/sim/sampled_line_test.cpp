@@ -133,6 +133,22 @@ TEST(SampledLine, WaitsForAVoltageThroughNoise) {
   EXPECT_NEAR(line.known_until().value, 24 + sent.end().value, 1e-4);
 }
 
+// The last samples are fewer than are looked at together.
+TEST(SampledLine, FindsLightAtTheVeryEnd) {
+  Random random(77);
+  const LogicTrace message = test::bent_line(random, 1, 4800, {});
+  for (const double silence : {0.6, 5.2}) {
+    LogicTrace late;
+    for (const Seconds flip : message.flips()) late.flip_at(flip + Seconds(silence));
+    late.observe_until(message.end() + Seconds(silence));
+    Recorded capture(light_of(late, {.noise = 0.05}, random), Hertz(500e3), false);
+    SampledLine line(capture, {.carrier = {}, .baud = Hertz(4800)});
+    EXPECT_TRUE(line.is_heard()) << silence;
+    EXPECT_NEAR(line.carrier().value, 59e3, 100) << silence;
+    EXPECT_EQ(bytes_of(line, 4800), sent_bytes(message, 4800)) << silence;
+  }
+}
+
 TEST(SampledLine, FollowsLightThatFades) {
   Random random(54);
   const LogicTrace sent = test::bent_line(random, 30, 600, {});
