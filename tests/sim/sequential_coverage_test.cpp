@@ -8,6 +8,7 @@
 #include "sim/counting/shard.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/counting/stop_rule.hpp"
+#include "tests/sim/held_intervals.hpp"
 
 namespace {
 
@@ -101,6 +102,25 @@ TEST(SequentialCoverage, MeasuredStoppedByFrameErrorsOfSixteenShards) {
 
 TEST(SequentialCoverage, MeasuredStoppedByTheWidthOfTheInterval) {
   expect_nominal(coverage({.max_frames = 1000000, .rel_ci = 0.2}));
+}
+
+/// The interval of one experiment's counts.
+held::Experiment experiment(const StopRule& rule, bool frames) {
+  return [=](std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const Tally tally = counted(rule, 1, random);
+    const sim::Estimate e =
+        frames ? sim::frame_loss_ratio(tally, 0.95) : sim::bit_error_ratio(tally, 0.95);
+    return held::Printed{e.low, e.high, frames ? p_bad_frame : p_bad_frame * mean_burst() / bits};
+  };
+}
+
+TEST(HeldIntervals, MeasuredOfCounts) {
+  const StopRule by_frames{.max_frames = 2000}, by_width{.max_frames = 1000000, .rel_ci = 0.2};
+  const std::string bursts = "one frame of ten has a burst of ten wrong bits, ";
+  held::expect_to_hold({"frame loss", bursts + "-n 2000"}, experiment(by_frames, true));
+  held::expect_to_hold({"BER", bursts + "-n 2000"}, experiment(by_frames, false));
+  held::expect_to_hold({"BER", bursts + "--rel-ci 0.2"}, experiment(by_width, false));
 }
 
 // A target stops where chance went one way, so intervals hold the truth less often than they say

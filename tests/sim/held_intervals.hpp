@@ -1,0 +1,74 @@
+#pragma once
+// How often the intervals that the program prints hold the truth: an experiment is repeated with
+// other seeds, and a row of the table of held intervals (sim/README.md) is printed. In the gate
+// each row has a few seeds, with COSYS_SEEDS=1000 so many (tests/held_intervals).
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "sim/counting/statistics.hpp"
+
+namespace held {
+
+/// An interval as it is printed, and what it should hold.
+struct Printed {
+  double low = 0, high = 0, truth = 0;
+};
+
+struct Row {
+  std::string interval;  // "range fitted to a sweep"
+  std::string setting;   // what is repeated: "decision, Eb/N0 11:0.05:13 dB, -n 1000"
+  int gate_seeds = 20;   // as many as take a second or two
+  double least = 0.93, most = 0.97;
+};
+
+/// What an experiment says with a seed; none where it prints no such interval.
+using Experiment = std::function<std::optional<Printed>(std::uint64_t seed)>;
+
+struct Count {
+  int seeds = 0, printed = 0, held = 0;
+  int above = 0, below = 0;  // the truth lay beyond that end
+
+  double share() const { return printed == 0 ? 0 : static_cast<double>(held) / printed; }
+};
+
+inline int seeds_of(const Row& row) {
+  const char* const wanted = std::getenv("COSYS_SEEDS");
+  return wanted == nullptr ? row.gate_seeds : std::atoi(wanted);
+}
+
+inline Count count(const Row& row, const Experiment& experiment) {
+  Count counted;
+  for (counted.seeds = 0; counted.seeds < seeds_of(row); ++counted.seeds) {
+    const auto printed = experiment(static_cast<std::uint64_t>(counted.seeds) + 1);
+    if (!printed) continue;
+    ++counted.printed;
+    counted.above += printed->truth > printed->high;
+    counted.below += printed->truth < printed->low;
+  }
+  counted.held = counted.printed - counted.above - counted.below;
+  return counted;
+}
+
+inline void print(const Row& row, const Count& count) {
+  std::cout << "| " << row.interval << " | " << row.setting << " | " << count.held << " of "
+            << count.printed << " | " << count.below << ", " << count.above << " |\n";
+}
+
+/// The share that it held is what chance makes of one between `least` and `most`, but once in ten
+/// thousand tries.
+inline void expect_to_hold(const Row& row, const Experiment& experiment) {
+  const Count counted = count(row, experiment);
+  print(row, counted);
+  EXPECT_GT(counted.printed, 0) << row.setting;
+  const auto chance = sim::clopper_pearson(counted.held, counted.printed, 0.9999);
+  EXPECT_GE(chance.high, row.least) << row.setting;
+  EXPECT_LE(chance.low, row.most) << row.setting;
+}
+
+}  // namespace held
