@@ -12,19 +12,21 @@ enum class ExitCode {
   bad_input = 2,
   environment = 3,
   inconclusive = 4,  // done, but the question stays open
-  interrupted = 130
+  interrupted = 130,
+  reader_gone = 141  // as a shell says of SIGPIPE; nobody is told
 };
 
 class Failure : public std::runtime_error {
  public:
-  Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  /// Control characters of the message become question marks: it is one line, whatever it names.
+  Failure(ExitCode code, std::string message);
   ExitCode code() const { return code_; }
 
  private:
   ExitCode code_;
 };
 
-/// What a bad input is answered with: one line, whatever the three texts hold.
+/// What a bad input is answered with.
 Failure bad_input(const std::string& problem, const std::string& why,
                   const std::string& suggestion);
 

@@ -12,6 +12,7 @@
 #include "sim/command/command_line.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/shell_text.hpp"
+#include "sim/threads/stop_signals.hpp"
 
 namespace {
 
@@ -39,7 +40,7 @@ void occupy_closed_streams() {
 }
 
 int fail(const std::string& line, sim::ExitCode code) {
-  std::cerr << "cosys-sim: " << line << "\n";
+  if (code != sim::ExitCode::reader_gone) std::cerr << "cosys-sim: " << line << "\n";
   return static_cast<int>(code);
 }
 
@@ -47,6 +48,7 @@ int fail(const std::string& line, sim::ExitCode code) {
 
 int main(int argc, char** argv) {
   occupy_closed_streams();
+  sim::heed_signals();
   try {
     return sim::run_command_line(argc, argv,
                                  {.program = {"cosys-sim", COSYS_VERSION, COSYS_COMMIT},

@@ -6,7 +6,6 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 
 namespace sim {
@@ -161,10 +160,7 @@ std::int64_t lost(const BaselinePoint& point) {
 }  // namespace
 
 void write_baseline(const std::filesystem::path& path, const Baseline& baseline) {
-  const std::string image = image_of(baseline);
-  NewFile file(path);
-  file.write(image);
-  file.take_place();
+  write_file(path, image_of(baseline));
 }
 
 Baseline read_baseline(const std::filesystem::path& path) {
@@ -192,8 +188,7 @@ Baseline read_baseline(const std::filesystem::path& path) {
 }
 
 void check_baseline_place(const std::filesystem::path& path) {
-  refuse_to_lose(path, is_baseline, "a baseline of cosys-sim");
-  const NewFile file(path);
+  check_place(path, {is_baseline, "a baseline of cosys-sim"});
 }
 
 }  // namespace sim

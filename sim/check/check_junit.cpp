@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "sim/check/check_report.hpp"
+#include "sim/text/existing_file.hpp"
 
 namespace sim {
 namespace {
@@ -13,6 +14,8 @@ std::string xml_text(std::string text) {
       text, [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c > 0x7e; }, '?');
   return text;
 }
+
+constexpr const char* suite_head = "cosys-sim check of ";
 
 /// `kind`: failure, error or skipped.
 void add_outcome(pugi::xml_node test, const char* kind, const std::string& message,
@@ -54,8 +57,7 @@ std::string check_junit(const CheckReport& report) {
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node suite = document.append_child("testsuite");
-  suite.append_attribute("name") =
-      xml_text("cosys-sim check of " + report.setup.candidate.name()).c_str();
+  suite.append_attribute("name") = xml_text(suite_head + report.setup.candidate.name()).c_str();
   suite.append_attribute("tests") = report.checks.size();
   suite.append_attribute("failures") = report.count(Verdict::worse);
   suite.append_attribute("errors") = report.count(Verdict::broken);
@@ -64,6 +66,12 @@ std::string check_junit(const CheckReport& report) {
   std::ostringstream out;
   document.save(out, "  ");
   return out.str();
+}
+
+bool is_check_junit(const std::filesystem::path& path) {
+  constexpr std::size_t head_bytes = 200;
+  const std::string key = std::string("<testsuite name=\"") + suite_head;
+  return beginning_of(path, head_bytes).find(key) != std::string::npos;
 }
 
 }  // namespace sim

@@ -26,6 +26,8 @@ std::string check_text(const CheckReport& report);
 std::string check_json(const CheckReport& report);
 /// A test case a point; valid by the schema of Jenkins' xunit plugin, junit-10.xsd.
 std::string check_junit(const CheckReport& report);
+/// Whether such a file was written by it.
+bool is_check_junit(const std::filesystem::path& path);
 
 const char* name(Verdict verdict);
 

@@ -11,6 +11,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/report/finished_result.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
 
@@ -124,7 +125,8 @@ ExitCode baseline_command(const BaselineRequest& request) {
     }
     baseline.scenarios.push_back(scenario.text);
   }
-  write_baseline(request.output, baseline);
+  keep_finished(request.output,
+                [&](const std::filesystem::path& place) { write_baseline(place, baseline); });
   print(fmt::format("{} -> {}\n", name, request.output.string()));
   return ExitCode::done;
 }

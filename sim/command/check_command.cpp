@@ -68,12 +68,6 @@ std::string repeated_options(const CheckRequest& request) {
   return text + scenario_options(request.options);
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  NewFile file(path);
-  file.write(text);
-  file.take_place();
-}
-
 ExitCode exit_code(Verdict verdict) {
   switch (verdict) {
     case Verdict::passed:
@@ -158,7 +152,7 @@ ExitCode check_command(const CheckRequest& request) {
   const auto candidate = make_decoder(
       request.decoder.empty() ? own_decoder(baseline) : request.decoder, request.program_settings);
   const auto again = make_built_in_decoder(baseline.decoder);
-  if (request.junit) const NewFile probe(*request.junit);
+  if (request.junit) check_place(*request.junit, {is_check_junit, "a report of cosys-sim check"});
   const CheckSetup setup{.rule = request.rule,
                          .frames = request.frames,
                          .candidate = *candidate,
@@ -177,7 +171,7 @@ ExitCode check_command(const CheckRequest& request) {
                            .baseline_file = request.baseline,
                            .options = repeated_options(request),
                            .scenario_options = scenario_options(request.options)};
-  if (request.junit) write_text(*request.junit, check_junit(report));
+  if (request.junit) write_file(*request.junit, check_junit(report));
   print(request.json ? check_json(report) : check_text(report));
   return exit_code(verdict_of(checks));
 }

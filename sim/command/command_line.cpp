@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/command/read_usage.hpp"
 #include "sim/engine/team.hpp"
 #include "sim/text/spelling.hpp"
+#include "sim/text/standard_output.hpp"
 
 namespace sim {
 namespace {
@@ -125,16 +127,18 @@ void keep_names_in_brackets(std::vector<std::string>& words) {
   }
 }
 
+void refuse_no_command(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> commands = names_of(app.get_subcommands({}));
+  if (std::ranges::find(commands, word) == commands.end()) throw not_known(app, word);
+}
+
 /// "help" and "help run" stand for "--help" and "run --help". Last word first, as CLI11 takes them.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && words.front() == "help") {
-    words.erase(words.begin());
-    const std::vector<std::string> commands = names_of(app.get_subcommands({}));
-    if (!words.empty() && std::ranges::find(commands, words.front()) == commands.end())
-      throw not_known(app, words.front());
-    words.emplace_back("--help");
-  }
+  const bool is_help = !words.empty() && words.front() == "help";
+  if (is_help) words.erase(words.begin());
+  if (!words.empty() && !words.front().starts_with('-')) refuse_no_command(app, words.front());
+  if (is_help) words.emplace_back("--help");
   keep_names_in_brackets(words);
   std::ranges::reverse(words);
   return words;
@@ -169,8 +173,11 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   try {
     app.parse(words_of(app, argc, argv));
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    throw wrong_usage(app, e);
+    if (e.get_exit_code() != 0) throw wrong_usage(app, e);
+    std::ostringstream asked_for;  // --help, --version
+    app.exit(e, asked_for, asked_for);
+    print(asked_for.str());
+    return 0;
   }
   fill_in(requests, surroundings);
   requests.locate.given = given_options(*app.get_subcommand("locate"));

@@ -18,6 +18,7 @@
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/report/closing_lines.hpp"
+#include "sim/report/finished_result.hpp"
 #include "sim/report/report_json.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/result/alarms.hpp"
@@ -201,7 +202,9 @@ ExitCode find_command(const FindRequest& request) {
     throw;
   }
   const ExperimentResult result = finds.result();
-  keeper.keep(result);
+  keep_finished(
+      output, [&](const fs::path& place) { write_result(place, result, request.program); },
+      [&] { return to_json(result, finds.question()); });
   if (request.json)
     print(to_json(result, finds.question()) + "\n");
   else

@@ -9,7 +9,7 @@
 #include "sim/failure.hpp"
 #include "sim/picture/own_picture.hpp"
 #include "sim/picture/svg.hpp"
-#include "sim/text/existing_file.hpp"
+#include "sim/text/new_file.hpp"
 
 namespace sim {
 namespace {
@@ -66,7 +66,7 @@ std::optional<std::vector<PictureFile>> picture_files(const Page& page,
     if (!(folders.*kind.folder)) continue;
     const PlacedPictures places = places_of(page, *(folders.*kind.folder), kind.ending);
     for (const auto& [place, picture] : places)
-      refuse_to_lose(place, kind.is_own, "a picture of cosys-sim");
+      refuse_to_lose(place, {kind.is_own, "a picture of cosys-sim"});
     for (const auto& [place, picture] : places) {
       std::optional<std::string> bytes = drawn(*picture, kind);
       if (!bytes) return std::nullopt;

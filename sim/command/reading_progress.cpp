@@ -12,11 +12,12 @@ void ReadingProgress::show(dsp::Seconds reached) {
   if (!is_shown_ || now - last_ < pause) return;
   last_ = now;
   is_drawn_ = true;
-  say(fmt::format("\r\033[K{}, at {:.3f} s of it", what_, reached.value));
+  draw("\r\033[K");
+  say(fmt::format("{}, at {:.3f} s of it", what_, reached.value));
 }
 
 void ReadingProgress::clear() {
-  if (is_drawn_) say("\r\033[K");
+  if (is_drawn_) draw("\r\033[K");
   is_drawn_ = false;
 }
 

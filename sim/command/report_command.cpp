@@ -1,5 +1,6 @@
 // `cosys-sim report`: results as pictures and tables.
 #include <algorithm>
+#include <deque>
 
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
@@ -15,7 +16,6 @@
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
 #include "sim/scenario/settings.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
@@ -101,11 +101,15 @@ void refuse_twice(const std::vector<fs::path>& results) {
   }
 }
 
-void write_file(const fs::path& path, const std::string& text) {
-  NewFile file(path);
-  file.write(text);
-  file.take_place();
-  print(path.string() + "\n");
+/// All of them, or none.
+void write_files(const std::vector<PictureFile>& all) {
+  std::deque<NewFile> files;
+  for (const auto& [place, bytes] : all) {
+    files.emplace_back(place).write(bytes);
+    files.back().close();
+  }
+  take_places(files);
+  for (const PictureFile& file : all) print(file.place.string() + "\n");
 }
 
 }  // namespace
@@ -113,18 +117,18 @@ void write_file(const fs::path& path, const std::string& text) {
 ExitCode report_command(const ReportRequest& request) {
   refuse_standard_output(request.output);
   refuse_twice(request.results);
-  refuse_to_lose(request.output, is_page, "a report of cosys-sim");
+  check_place(request.output, {is_page, "a report of cosys-sim"});
   require_tools(request.pictures);
   std::vector<ReportPart> parts;
   const std::atomic<bool>& stopping = heed_stop_signals();
   for (const fs::path& path : request.results) parts.push_back(part_of(path, request));
   if (stopping) return end_interrupted();
   const Page page = page_of(std::move(parts));
-  const auto pictures = picture_files(page, request.pictures);
-  if (!pictures) return end_interrupted();
+  auto files = picture_files(page, request.pictures);
+  if (!files) return end_interrupted();
   make_folders(request.pictures);
-  write_file(request.output, page_as_html(page));
-  for (const PictureFile& picture : *pictures) write_file(picture.place, picture.bytes);
+  files->insert(files->begin(), PictureFile{request.output, page_as_html(page)});
+  write_files(*files);
   return ExitCode::done;
 }
 

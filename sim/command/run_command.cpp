@@ -15,6 +15,7 @@
 #include "sim/loading/load_scenario.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/experiment_run.hpp"
+#include "sim/report/finished_result.hpp"
 #include "sim/report/report_json.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
@@ -131,7 +132,9 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
     if (!request.json) print_row(result, point, theory, keeper);
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
-  keeper.keep(result);
+  keep_finished(
+      run.output, [&](const fs::path& place) { write_result(place, result, request.program); },
+      [&] { return to_json(result); });
   if (request.profile) say(profile_of(result));
   print(request.json
             ? to_json(result) + "\n"

@@ -52,7 +52,7 @@ ExitCode trace_command(const TraceRequest& request) {
 
 ExitCode encode_command(const EncodeRequest& request) {
   const protocol::Bytes bytes = wire_protocol(request.protocol).encode(request.message);
-  print(std::string(bytes.begin(), bytes.end()));
+  print_bytes(std::string(bytes.begin(), bytes.end()));
   return ExitCode::done;
 }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <string>
 #include <utility>
 
+#include "sim/failure.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/store.hpp"
+#include "sim/text/standard_output.hpp"
 
 namespace sim {
 
@@ -25,9 +28,15 @@ class Keeper {
     return Clock::now() - last_ >= std::min<Clock::duration>(pause_, ten);
   }
 
+  /// Where it cannot be written at the moment, the run goes on and it is tried again.
   void keep(const ExperimentResult& result) {
     const auto began = Clock::now();
-    write_result(output_, result, program_);
+    try {
+      write_result(output_, result, program_);
+    } catch (const Failure& failure) {
+      if (!std::exchange(told_, true))
+        say(std::string("cosys-sim: ") + failure.what() + "; the run goes on and tries again\n");
+    }
     last_ = Clock::now();
     pause_ = 20 * (last_ - began);
   }
@@ -40,6 +49,7 @@ class Keeper {
   ProgramInfo program_;
   Clock::time_point last_ = Clock::now();
   Clock::duration pause_{0};
+  bool told_ = false;  // that it cannot be written
 };
 
 }  // namespace sim

@@ -63,11 +63,11 @@ void ProgressLine::show(const Progress& progress) {
   const double share = share_of(progress);
   const std::string line =
       line_of(progress) + time_left(share, std::chrono::duration<double>(now - began_).count());
-  say(terminal_ ? blank + bar(share) + line : line + "\n");
+  draw(terminal_ ? blank + bar(share) + line : line + "\n");
 }
 
 void ProgressLine::clear() {
-  if (drawn_) say(blank);
+  if (drawn_) draw(blank);
   drawn_ = false;
 }
 

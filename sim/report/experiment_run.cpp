@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/finished_result.hpp"
 #include "sim/report/outside_report.hpp"
 #include "sim/text/standard_output.hpp"
 
@@ -23,7 +24,10 @@ void Rows::check() const {
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
               const std::string& details) {
   if (data.n_runs == 0 && run.workers.interrupted()) return conclude_without_points(run);
-  write_dataset(run.output, data, run.program);
+  keep_finished(
+      run.output,
+      [&](const std::filesystem::path& place) { write_dataset(place, data, run.program); },
+      [&] { return dataset_json(data); });
   rows.check();
   if (run.json) return print(dataset_json(data) + "\n");
   print(outside_notes(data));

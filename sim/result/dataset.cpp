@@ -9,7 +9,6 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/text/digest.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 
 namespace sim {
@@ -157,15 +156,11 @@ std::size_t cells_a_point(const Dataset& data, const Dataset::Variable& variable
 
 void write_dataset(const std::filesystem::path& path, const Dataset& data,
                    const ProgramInfo& program) {
-  const std::string image = image_of(data, program);
-  NewFile file(path);
-  file.write(image);
-  file.take_place();
+  write_file(path, image_of(data, program));
 }
 
 void check_output(const std::filesystem::path& path) {
-  refuse_to_lose(path, is_result_of_run, "a result of cosys-sim");
-  const NewFile file(path);
+  check_place(path, {is_result_of_run, "a result of cosys-sim"});
 }
 
 std::string dataset_json(const Dataset& data) {

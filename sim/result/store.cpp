@@ -9,7 +9,6 @@
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/scenario/flags.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 
 namespace sim {
@@ -127,15 +126,11 @@ std::string build_image(const ExperimentResult& result, const ProgramInfo& progr
 
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program) {
-  const std::string image = build_image(result, program);
-  NewFile file(path);
-  file.write(image);
-  file.take_place();
+  write_file(path, build_image(result, program));
 }
 
 void check_writable(const std::filesystem::path& path) {
-  refuse_to_lose(path, is_result_of_run, "a result of cosys-sim");
-  const NewFile file(path);
+  check_place(path, {is_result_of_run, "a result of cosys-sim"});
 }
 
 }  // namespace sim

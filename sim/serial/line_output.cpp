@@ -48,6 +48,7 @@ struct LineOutput::Queue {
   std::deque<std::string> lines;
   std::size_t bytes = 0;  // of the lines, and of those that are being written
   bool closed = false, failed = false;
+  int error = 0;  // the errno of the write that failed
 
   std::string take_lines();
   void write_to(int descriptor);
@@ -73,8 +74,10 @@ void LineOutput::Queue::write_to(int descriptor) {
     const std::string text = take_lines();
     lock.unlock();
     const bool written = write_all(descriptor, text);
+    const int reason = errno;
     lock.lock();
     if (written) bytes -= text.size();
+    if (!written) error = reason;
     failed = !written;
     changed.notify_all();
   }
@@ -108,7 +111,7 @@ void LineOutput::push(std::string line) {
 
 void LineOutput::check() const {
   const std::lock_guard lock(queue_->mutex);
-  if (queue_->failed) throw unwritable_output();
+  if (queue_->failed) throw unwritable_output(queue_->error);
 }
 
 void LineOutput::finish() {

@@ -21,9 +21,10 @@ class LineOutput {
   bool has_room() const;
   /// A line with its end, in any case. Lines are written whole, as far as pipes can do that.
   void push(std::string line);
-  /// Throws Failure(environment) if the descriptor takes no more for good.
+  /// Throws unwritable_output() if the descriptor takes no more for good.
   void check() const;
-  /// The end: gives the reader another second. Throws Failure(environment) if not all was taken.
+  /// The end: gives the reader another second. Throws, as check() or Failure(environment), if not
+  /// all was taken.
   void finish();
 
  private:

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "sim/failure.hpp"
-
 namespace sim {
 
 namespace fs = std::filesystem;
@@ -30,14 +28,6 @@ std::string end_of(const fs::path& path, std::size_t bytes) {
   const auto size = static_cast<std::streamoff>(file.tellg());
   file.seekg(std::max<std::streamoff>(0, size - static_cast<std::streamoff>(bytes)));
   return read_from(file, bytes);
-}
-
-void refuse_to_lose(const fs::path& path, bool (*is_own)(const fs::path&),
-                    const std::string& own_kind) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) == 0 || is_own(path)) return;
-  throw bad_input("cannot write " + path.string(), "it exists and is not " + own_kind,
-                  "choose another name");
 }
 
 }  // namespace sim

@@ -11,9 +11,4 @@ std::string beginning_of(const std::filesystem::path& path, std::size_t bytes);
 /// The last ones.
 std::string end_of(const std::filesystem::path& path, std::size_t bytes);
 
-/// Throws Failure(bad_input) if a file with something in it is there and is not `own_kind`: "a
-/// result of cosys-sim".
-void refuse_to_lose(const std::filesystem::path& path, bool (*is_own)(const std::filesystem::path&),
-                    const std::string& own_kind);
-
 }  // namespace sim

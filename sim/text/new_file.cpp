@@ -9,6 +9,7 @@
 #include <csignal>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "sim/failure.hpp"
 
@@ -22,9 +23,14 @@ constexpr std::string_view ending = ".tmp";
 
 // A link is written through, not replaced.
 fs::path resolved(const fs::path& place) {
-  std::error_code error;
+  std::error_code error, ignored;
   fs::path target = fs::canonical(place, error);
-  return error ? place : target;
+  if (!error) return target;
+  if (!fs::is_symlink(fs::symlink_status(place, ignored))) return place;
+  throw bad_input("cannot write " + place.string(),
+                  error == std::errc::too_many_symbolic_link_levels ? "it is a link to itself"
+                                                                    : "it is a link to nothing",
+                  "remove the link or choose another name");
 }
 
 fs::path folder_of(const fs::path& place) {
@@ -55,6 +61,25 @@ void remove_left_over(const fs::path& place) {
 
 }  // namespace
 
+void check_place(const fs::path& place, const OwnFiles& own) {
+  refuse_to_lose(place, own);
+  const NewFile probe(place);
+}
+
+void refuse_to_lose(const fs::path& place, const OwnFiles& own) {
+  std::error_code error;
+  if (!fs::is_regular_file(place, error) || fs::file_size(place, error) == 0 || own.is_own(place))
+    return;
+  throw bad_input("cannot write " + place.string(), std::string("it exists and is not ") + own.name,
+                  "choose another name");
+}
+
+void write_file(const fs::path& place, std::string_view bytes) {
+  NewFile file(place);
+  file.write(bytes);
+  file.take_place();
+}
+
 NewFile::NewFile(const fs::path& place)
     : place_(resolved(place)), beside_(place_.string() + "." + std::to_string(::getpid())) {
   beside_ += ending;
@@ -77,18 +102,20 @@ void NewFile::write(std::string_view bytes) {
   }
 }
 
-void NewFile::sync() {
+void NewFile::close() {
+  if (descriptor_ < 0) return;
   if (::fsync(descriptor_) != 0) fail();
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail();
 }
 
 void NewFile::take_place() {
-  sync();
+  close();
   if (::rename(beside_.c_str(), place_.c_str()) != 0) fail();
   in_place_ = true;
 }
 
 void take_places(std::deque<NewFile>& files) {
-  for (NewFile& file : files) file.sync();
+  for (NewFile& file : files) file.close();
   if (files.size() > 1)
     std::for_each(files.rbegin(), files.rend(),
                   [](const NewFile& file) { ::unlink(file.place_.c_str()); });

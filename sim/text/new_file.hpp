@@ -1,13 +1,33 @@
 #pragma once
 // NewFile: a file written beside its place, which takes that place only when it is complete and on
-// the disk; until then what was there stays, and a writer that gives up leaves nothing behind.
+// the disk; until then what was there stays, and a writer that gives up, or is told to end by a
+// signal, leaves nothing behind. All files that users name as outputs are written so.
 #include <deque>
 #include <filesystem>
 #include <string_view>
 
+#include "sim/threads/stop_signals.hpp"
+
 namespace sim {
 
-/// All of it throws Failure(environment) where the machine refuses.
+/// Those that the program may replace, as it wrote them itself.
+struct OwnFiles {
+  bool (*is_own)(const std::filesystem::path&);
+  const char* name;  // "a result of cosys-sim"
+};
+
+/// Before the work of which the file is the result. Throws Failure(bad_input) where something with
+/// something in it stands that is not one of `own`, and as NewFile does where none can be written.
+void check_place(const std::filesystem::path& place, const OwnFiles& own);
+
+/// The same for a file whose folder is made later.
+void refuse_to_lose(const std::filesystem::path& place, const OwnFiles& own);
+
+/// The whole of a file.
+void write_file(const std::filesystem::path& place, std::string_view bytes);
+
+/// All of it throws Failure(environment) where the machine refuses, and Failure(bad_input) for a
+/// link that leads nowhere. One that leads to a file is written through.
 class NewFile {
  public:
   /// Opens PLACE.PID.tmp, and removes what killed processes left of theirs.
@@ -17,8 +37,8 @@ class NewFile {
   ~NewFile();
 
   void write(std::string_view bytes);
-  /// All that was written is on the disk.
-  void sync();
+  /// All that was written is on the disk, and nothing more can be written.
+  void close();
   void take_place();
 
  private:
@@ -28,6 +48,7 @@ class NewFile {
   [[noreturn]] void fail() const;
   [[noreturn]] void fail(const char* why, const char* suggestion) const;
 
+  EndPutOff until_in_place_;
   std::filesystem::path place_, beside_;
   int descriptor_ = -1;
   bool in_place_ = false;

@@ -1,24 +1,27 @@
 #pragma once
 // stdout carries results, all of them or an error: a full disk behind a redirection is not silent.
-// stderr carries words about them.
-#include <cstdio>
+// A reader that has seen enough, as `head` does, is no error of anybody: the program ends quietly,
+// code 141. stderr carries words about results.
+//
+// Names that users give may hold what a terminal obeys. Text goes out without: of control
+// characters (of ASCII, and C1 in UTF-8) only line feeds and tabs stay, for others a "?" stands.
 #include <string_view>
 
 #include "sim/failure.hpp"
 
 namespace sim {
 
-inline Failure unwritable_output() {
-  return {ExitCode::environment,
-          "cannot write to standard output (it is closed or full) redirect it elsewhere"};
-}
+/// Why a write to stdout failed, by its errno.
+Failure unwritable_output(int error);
 
-inline void print(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw unwritable_output();
-}
+/// Text for people and other programs. Throws unwritable_output().
+void print(std::string_view text);
+/// The same for bytes as they are.
+void print_bytes(std::string_view bytes);
 
 /// Nothing is lost if this cannot be written, so nobody is told.
-inline void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+void say(std::string_view text);
+/// The same where it moves the cursor of a terminal, and names nothing that a user named.
+void draw(std::string_view text);
 
 }  // namespace sim

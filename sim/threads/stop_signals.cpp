@@ -15,23 +15,30 @@ namespace {
 using Clock = std::chrono::steady_clock;
 static_assert(std::atomic<Clock::rep>::is_always_lock_free);
 
+std::atomic<bool> in_order = false;  // whether somebody looks at `stopping`
 std::atomic<bool> stopping = false;
+std::atomic<int> put_off = 0;
 std::atomic<Clock::rep> first_at = 0;
 
-void say_stopping() {
-  constexpr std::string_view line =
-      "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n";
+void tell(std::string_view line) {
   [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, line.data(), line.size());
+}
+
+[[noreturn]] void end_now() { ::_exit(static_cast<int>(ExitCode::interrupted)); }
+
+void begin_to_stop() {
+  if (in_order) return tell("cosys-sim: stopping (signal) once more to stop at once\n");
+  tell("cosys-sim: interrupted (by a signal)\n");
+  if (put_off == 0) end_now();
 }
 
 void on_signal(int) {
   const Clock::rep now = Clock::now().time_since_epoch().count();
   if (!stopping.exchange(true)) {
     first_at = now;
-    return say_stopping();
+    return begin_to_stop();
   }
-  if (Clock::duration(now - first_at) > std::chrono::milliseconds(200))
-    ::_exit(static_cast<int>(ExitCode::interrupted));
+  if (Clock::duration(now - first_at) > std::chrono::milliseconds(200)) end_now();
 }
 
 void heed(int signal) {
@@ -44,13 +51,23 @@ void heed(int signal) {
 
 }  // namespace
 
-const std::atomic<bool>& heed_stop_signals() {
+void heed_signals() {
   heed(SIGINT);
   heed(SIGTERM);
   if (std::signal(SIGHUP, SIG_IGN) != SIG_IGN) heed(SIGHUP);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+const std::atomic<bool>& heed_stop_signals() {
+  in_order = true;
   return stopping;
+}
+
+EndPutOff::EndPutOff() { ++put_off; }
+
+EndPutOff::~EndPutOff() {
+  if (--put_off == 0 && stopping && !in_order) end_now();
 }
 
 }  // namespace sim

@@ -94,23 +94,33 @@ struct Format {
   const char* ending;
   Paths (*places)(const fs::path&);          // its files, in the order in which they are placed
   Contents (*contents)(const TracedTrial&);  // of each
-  bool (*is_own)(const fs::path&);           // whether one of them was written so
+  OwnFiles own;                              // each of them, when it was written before
   Taps taps;
   bool names_wires = false;
-  const char* own_kind = "a trace of cosys-sim";
 };
 
+constexpr const char* own_trace = "a trace of cosys-sim";
+
 constexpr Format formats[] = {
-    {".vcd", one_place, one_file<to_vcd>, is_own_vcd, Taps::never, true},
-    {".sr", one_place, one_file<trace_as_session>, is_session_of_trace, Taps::if_wished, true},
-    {".ook", one_place, one_file<to_pulses>, is_own_pulses, Taps::never},
-    {".bin", one_place, one_file<trace_as_raw>, is_own_raw, Taps::never, false,
-     "known to be one of cosys-sim's"},
-    {".svg", one_place, one_file<trace_as_picture>, is_drawing, Taps::where_there},
-    {".csv", one_place, one_file<to_csv>, is_own_csv, Taps::always},
-    {".h5", one_place, one_file<trace_as_netcdf>, is_netcdf_trace, Taps::always},
-    {".wav", one_place, one_file<trace_as_wav>, is_wav_trace, Taps::always},
-    {".sigmf-meta", sigmf_places, trace_as_sigmf, is_sigmf_trace, Taps::always}};
+    {".vcd", one_place, one_file<to_vcd>, {is_own_vcd, own_trace}, Taps::never, true},
+    {".sr",
+     one_place,
+     one_file<trace_as_session>,
+     {is_session_of_trace, own_trace},
+     Taps::if_wished,
+     true},
+    {".ook", one_place, one_file<to_pulses>, {is_own_pulses, own_trace}, Taps::never},
+    {".bin",
+     one_place,
+     one_file<trace_as_raw>,
+     {is_own_raw, "known to be one of cosys-sim's"},
+     Taps::never,
+     false},
+    {".svg", one_place, one_file<trace_as_picture>, {is_drawing, own_trace}, Taps::where_there},
+    {".csv", one_place, one_file<to_csv>, {is_own_csv, own_trace}, Taps::always},
+    {".h5", one_place, one_file<trace_as_netcdf>, {is_netcdf_trace, own_trace}, Taps::always},
+    {".wav", one_place, one_file<trace_as_wav>, {is_wav_trace, own_trace}, Taps::always},
+    {".sigmf-meta", sigmf_places, trace_as_sigmf, {is_sigmf_trace, own_trace}, Taps::always}};
 
 const Format& format_of(const fs::path& path) {
   std::vector<const char*> known;
@@ -164,10 +174,7 @@ TracedTrial as_wished(TracedTrial trial, const Format& format, const TraceWishes
 
 void check_trace_path(const fs::path& path) {
   const Format& format = format_of(path);
-  for (const fs::path& place : format.places(path)) {
-    refuse_to_lose(place, format.is_own, format.own_kind);
-    const NewFile probe(place);
-  }
+  for (const fs::path& place : format.places(path)) check_place(place, format.own);
 }
 
 void check_traceable(const fs::path& path, const Scenario& scenario, const TraceWishes& wishes) {

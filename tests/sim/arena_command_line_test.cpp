@@ -112,7 +112,7 @@ TEST_F(ArenaProgram, AnInterruptBeforeAllLeavesTheResultThatIsThere) {
   const Outcome o = running.finish(SIGINT);
   EXPECT_EQ(o.code, 130);
   EXPECT_EQ(o.err,
-            "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n"
+            "cosys-sim: stopping (signal) once more to stop at once\n"
             "a.h5: nothing was finished, the file is left as it was\n"
             "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
             "experiments of a link can be resumed\n");

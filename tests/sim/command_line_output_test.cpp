@@ -53,12 +53,30 @@ TEST_F(CommandLineOutput, AnUnwritableStderrEndsNothing) {
 
 TEST_F(CommandLineOutput, AReaderThatHasSeenEnoughLosesNothing) {
   write_scenario("s.toml", "receiver.range_m = \"1:0.001:9\"");
-  EXPECT_EQ(script("$P run s.toml -q 2>err | head -4 >rows; echo ${PIPESTATUS[0]}"),
-            std::to_string(environment) + "\n");
-  EXPECT_EQ(content(path("err")),
-            "cosys-sim: cannot write to standard output (it is closed or full) redirect it "
-            "elsewhere\n");
+  EXPECT_EQ(script("$P run s.toml -q 2>err | head -4 >rows; echo ${PIPESTATUS[0]}"), "141\n");
+  EXPECT_EQ(content(path("err")), "");
   EXPECT_TRUE(values("s.h5", "n_frames").starts_with("16, ")) << values("s.h5", "n_frames");
+}
+
+// Quiet, as a shell's own programs are.
+TEST_F(CommandLineOutput, AReaderThatIsGoneIsNoError) {
+  write_scenario("s.toml", "receiver.range_m = [1, 2]");
+  ASSERT_EQ(program({"run", "s.toml", "-q"}).code, 0);
+  ASSERT_EQ(program({"trace", "s.toml", "-o", "t.vcd"}).code, 0);
+  for (const std::string command :
+       {"--help", "--version", "run --help", "help run", "run s.toml -q", "run s.toml -q --json",
+        "run s.toml --plan", "merge s.h5 -o sum.h5", "report s.h5 -o r.html", "parts",
+        "parts TSSP4056", "decode t.vcd", "decode t.vcd --json", "diff s.h5 s.h5",
+        "encode 'IND 011111 OK'", "completion bash", "manual",
+        "find s.toml --over receiver.range_m=1:9 -n 8"}) {
+    EXPECT_EQ(script("$P " + command + " 2>err | true; echo ${PIPESTATUS[0]}"), "141\n") << command;
+    EXPECT_EQ(content(path("err")), "") << command;
+    EXPECT_EQ(script("$P " + command + " 2>err >/dev/full; echo $?"), "3\n") << command;
+    EXPECT_EQ(content(path("err")),
+              "cosys-sim: cannot write to standard output (it is closed or full) redirect it "
+              "elsewhere\n")
+        << command;
+  }
 }
 
 TEST_F(CommandLineOutput, APointUnderWayIsKept) {

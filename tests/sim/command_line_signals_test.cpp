@@ -13,8 +13,7 @@ const std::string farewell =
     "cosys-sim: interrupted (by a signal) what was counted is in the result file; the same command "
     "with --resume goes on\n";
 
-const std::string promise =
-    "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n";
+const std::string promise = "cosys-sim: stopping (signal) once more to stop at once\n";
 
 /// Reads the table's head and first row.
 void read_first_row(Running& running) {

@@ -158,5 +158,4 @@ class LiveProcess {
   std::string read_;
 };
 
-inline const std::string stopping =
-    "cosys-sim: stopping (signal) keeping what was counted; once more to stop at once\n";
+inline const std::string stopping = "cosys-sim: stopping (signal) once more to stop at once\n";

@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "gtest/gtest.h"
 
@@ -14,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Ends the process: with code 0 if the signals, sent twice at once, only set the flag.
 void expect_flag(int signal) {
+  heed_signals();
   const std::atomic<bool>& stop = heed_stop_signals();
   const bool before = stop;
   std::raise(signal);
@@ -21,7 +24,19 @@ void expect_flag(int signal) {
   std::_Exit(!before && stop ? 0 : 1);
 }
 
+/// The end waits until all that was put off is done.
+void put_off(int signal) {
+  heed_signals();
+  const auto outer = std::make_unique<EndPutOff>();
+  {
+    const EndPutOff inner;
+    std::raise(signal);
+  }
+  std::fputs("done\n", stderr);
+}
+
 void raise_for_a_while() {
+  heed_signals();
   heed_stop_signals();
   const auto began = Clock::now();
   while (Clock::now() - began < std::chrono::seconds(20)) std::raise(SIGINT);
@@ -30,13 +45,14 @@ void raise_for_a_while() {
 
 void hang_up_under_nohup() {
   std::signal(SIGHUP, SIG_IGN);
+  heed_signals();
   const std::atomic<bool>& stop = heed_stop_signals();
   std::raise(SIGHUP);
   std::_Exit(stop ? 1 : 0);
 }
 
 void write_to_a_closed_pipe() {
-  heed_stop_signals();
+  heed_signals();
   std::raise(SIGPIPE);
   std::raise(SIGXFSZ);
   std::_Exit(0);
@@ -45,8 +61,24 @@ void write_to_a_closed_pipe() {
 TEST(StopSignalsDeathTest, TheFirstSetsAFlagAndSaysSo) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     EXPECT_EXIT(expect_flag(signal), testing::ExitedWithCode(0),
-                "^cosys-sim: stopping \\(signal\\) keeping what was counted; once more to stop at "
-                "once\n$");
+                "^cosys-sim: stopping \\(signal\\) once more to stop at once\n$");
+}
+
+TEST(StopSignalsDeathTest, WhereNothingIsKeptTheFirstEndsAtOnce) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto end = [=] {
+      heed_signals();
+      std::raise(signal);
+      std::_Exit(1);
+    };
+    EXPECT_EXIT(end(), testing::ExitedWithCode(130),
+                "^cosys-sim: interrupted \\(by a signal\\)\n$");
+  }
+}
+
+TEST(StopSignalsDeathTest, TheEndCanBePutOff) {
+  EXPECT_EXIT(put_off(SIGTERM), testing::ExitedWithCode(130),
+              "^cosys-sim: interrupted \\(by a signal\\)\ndone\n$");
 }
 
 TEST(StopSignalsDeathTest, ALaterOneEndsAtOnce) {
