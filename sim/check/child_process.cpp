@@ -11,13 +11,13 @@
 #include <csignal>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "sim/failure.hpp"
 
 namespace sim {
 namespace {
 
-constexpr std::size_t most_output = std::size_t{64} << 20U;
 constexpr std::size_t most_words = 4096;
 constexpr int pause_ms = 50;  // between looks at whether all shall stop
 
@@ -40,15 +40,15 @@ struct Pipe {
   }
 };
 
-/// Appends what is there; false at the end of all.
-bool read_some(int from, std::string& to) {
+/// Appends what is there, up to more than `most`; false at the end of all.
+bool read_some(int from, std::string& to, std::size_t most) {
   std::array<char, 65536> chunk;
   for (;;) {
     const ssize_t n = ::read(from, chunk.data(), chunk.size());
     if (n < 0) return errno == EAGAIN || errno == EINTR;
     if (n == 0) return false;
     to.append(chunk.data(), static_cast<std::size_t>(n));
-    if (to.size() > most_output) return true;
+    if (to.size() > most) return true;
   }
 }
 
@@ -56,9 +56,19 @@ pollfd wait_for(const std::optional<Descriptor>& descriptor, short event) {
   return {.fd = descriptor ? descriptor->get() : -1, .events = event, .revents = 0};
 }
 
+/// Ours, and another setting where there is one.
+std::vector<char*> environment_with(const std::string& setting) {
+  std::vector<char*> all;
+  if (!setting.empty()) all.push_back(const_cast<char*>(setting.c_str()));
+  for (char** one = environ; *one != nullptr; ++one) all.push_back(*one);
+  all.push_back(nullptr);
+  return all;
+}
+
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& command) {
+ChildProcess::ChildProcess(const std::string& command, const Warden* warden)
+    : warden_(warden), mark_(warden == nullptr ? "" : warden->next_mark()) {
   Pipe in = Pipe::make(true), out = Pipe::make(false), err = Pipe::make(false);
   start(command, {in.theirs.get(), out.theirs.get(), err.theirs.get()});
   in_.emplace(std::move(in.ours));
@@ -67,13 +77,16 @@ ChildProcess::ChildProcess(const std::string& command) {
 }
 
 ChildProcess::~ChildProcess() {
-  if (pid_ >= 0) kill_all();
+  if (pid_ < 0) return;
+  kill_all();
+  if (warden_ != nullptr) warden_->end_marked(mark_);  // it did not end by itself
 }
 
 /// It, if it has not ended, and what it left behind: its number is its group's until it is waited
 /// for.
 void ChildProcess::kill_all() {
   ::kill(-pid_, SIGKILL);
+  if (warden_ != nullptr) warden_->end(pid_);
   ::waitpid(std::exchange(pid_, -1), &status_, 0);
 }
 
@@ -89,14 +102,16 @@ void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
   sigfillset(&ours);
   posix_spawnattr_setsigdefault(&attributes, &ours);
   const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
+  std::vector<char*> settings = environment_with(mark_);
   const int error = ::posix_spawn(&pid_, "/bin/sh", &actions, &attributes,
-                                  const_cast<char* const*>(arguments), environ);
+                                  const_cast<char* const*>(arguments), settings.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     pid_ = -1;
     fail(error);
   }
+  if (warden_ != nullptr) warden_->begin(pid_);
   process_.emplace(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
   if (process_->is_open()) return;
   const int refused = errno;
@@ -109,8 +124,8 @@ Waited ChildProcess::run(ChildTask task, std::string& output) {
   const auto end_of_patience = Clock::now() + task.timeout;
   for (;;) {
     if (task.close && task.input.empty()) in_.reset();
-    const bool ended = serve(task.input, output);
-    if (output.size() > most_output) return Waited::too_much;
+    const bool ended = serve(task, output);
+    if (output.size() > task.most_output) return Waited::too_much;
     if (task.is_complete && task.is_complete(output)) return Waited::done;
     if (ended) return Waited::ended;
     if (task.stop != nullptr && *task.stop) return Waited::stopped;
@@ -120,16 +135,16 @@ Waited ChildProcess::run(ChildTask task, std::string& output) {
 
 /// Waits a little, and does what there is to do; true once the process has ended and all that it
 /// printed was read. What it started itself may go on; nobody waits for that.
-bool ChildProcess::serve(std::string_view& input, std::string& output) {
+bool ChildProcess::serve(ChildTask& task, std::string& output) {
   std::array<pollfd, 4> waits{wait_for(process_, POLLIN), wait_for(out_, POLLIN),
                               wait_for(err_, POLLIN),
-                              input.empty() ? pollfd{-1, 0, 0} : wait_for(in_, POLLOUT)};
+                              task.input.empty() ? pollfd{-1, 0, 0} : wait_for(in_, POLLOUT)};
   if (::poll(waits.data(), waits.size(), pause_ms) <= 0) return false;
-  if (waits[3].revents != 0) write_some(input);
+  if (waits[3].revents != 0) write_some(task.input);
   if (waits[2].revents != 0) read_words();
-  if (waits[1].revents != 0 && !read_some(out_->get(), output)) out_.reset();
+  if (waits[1].revents != 0 && !read_some(out_->get(), output, task.most_output)) out_.reset();
   if (waits[0].revents == 0) return false;
-  end(output);
+  end(task, output);
   return true;
 }
 
@@ -142,12 +157,12 @@ void ChildProcess::write_some(std::string_view& input) {
 }
 
 void ChildProcess::read_words() {
-  if (!read_some(err_->get(), words_)) err_.reset();
+  if (!read_some(err_->get(), words_, most_words)) err_.reset();
   if (words_.size() > most_words) words_.erase(0, words_.size() - most_words);
 }
 
-void ChildProcess::end(std::string& output) {
-  if (out_) read_some(out_->get(), output);
+void ChildProcess::end(const ChildTask& task, std::string& output) {
+  if (out_) read_some(out_->get(), output, task.most_output);
   if (err_) read_words();
   kill_all();
 }

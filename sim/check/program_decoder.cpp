@@ -5,17 +5,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "protocol/cosys.hpp"
+#include "sim/check/capture_folder.hpp"
 #include "sim/check/child_process.hpp"
 #include "sim/check/line_capture.hpp"
 #include "sim/failure.hpp"
@@ -29,6 +29,12 @@ namespace sim {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of a capture's hundred messages: what goes on for ever is ended before it takes the memory.
+constexpr std::size_t most_output = std::size_t{4} << 20U;
+
+/// What a program has to end in order, once nothing is asked of it any more.
+constexpr std::chrono::seconds farewell{5};
 
 std::string in_braces(const LineCapture& format) { return std::string("{") + format.name + "}"; }
 
@@ -55,51 +61,20 @@ std::string replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-/// A folder of ours for captures, gone with its owner.
-class CaptureFolder {
- public:
-  CaptureFolder() {
-    std::string name = (fs::temp_directory_path() / "cosys-check.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw Failure(ExitCode::environment,
-                    "cannot make a folder for captures in " + fs::temp_directory_path().string() +
-                        " (" + std::strerror(errno) + ") set TMPDIR to one that can be written");
-    path_ = name;
-  }
-  CaptureFolder(const CaptureFolder&) = delete;
-  CaptureFolder& operator=(const CaptureFolder&) = delete;
-  ~CaptureFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-
-  fs::path next(const char* ending) { return path_ / fmt::format("{}{}", ++n_, ending); }
-
- private:
-  fs::path path_;
-  std::atomic<int> n_ = 0;
-};
-
-/// A file that is there as long as this.
+/// A capture that is there as long as this.
 class CaptureFile {
  public:
-  CaptureFile(fs::path path, const std::string& bytes) : path_(std::move(path)) {
-    std::ofstream out(path_, std::ios::binary);
-    if (!(out << bytes).flush())
-      throw Failure(ExitCode::environment, "cannot write " + path_.string() +
-                                               " (no space?) set TMPDIR to a place that has some");
-  }
+  CaptureFile(CaptureFolder& folder, const char* ending, const std::string& bytes)
+      : folder_(folder), path_(folder.write(ending, bytes)) {}
   CaptureFile(const CaptureFile&) = delete;
   CaptureFile& operator=(const CaptureFile&) = delete;
-  ~CaptureFile() {
-    std::error_code error;
-    fs::remove(path_, error);
-  }
+  ~CaptureFile() { folder_.remove(path_); }
 
   const fs::path& path() const { return path_; }
 
  private:
-  fs::path path_;
+  CaptureFolder& folder_;
+  const fs::path path_;
 };
 
 /// Device messages in the bytes of a line.
@@ -125,8 +100,12 @@ std::string message_of(std::string_view line) {
 
 std::vector<std::string> accepted_in_lines(const std::string& text) {
   std::vector<std::string> accepted;
-  for (const std::string_view line : split(text, '\n'))
-    if (const std::string message = message_of(line); !message.empty()) accepted.push_back(message);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (std::string message = message_of(rest.substr(0, end)); !message.empty())
+      accepted.push_back(std::move(message));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
   return accepted;
 }
 
@@ -142,7 +121,7 @@ DecoderFault fault_of(Waited waited, const ChildProcess& child, const ProgramSet
   if (waited == Waited::timeout)
     return {timeout, fmt::format("no answer within {:g} s", settings.timeout.count()),
             child.words()};
-  if (waited == Waited::too_much) return {garbage, "more than 64 MiB of output", child.words()};
+  if (waited == Waited::too_much) return {garbage, "more than 4 MiB of output", child.words()};
   if (WIFSIGNALED(status)) return {killed, killed_by(WTERMSIG(status)), child.words()};
   if (status == 0) return {garbage, "it ended without an answer", child.words()};
   return {exit_code, fmt::format("exit code {}", WEXITSTATUS(status)), child.words()};
@@ -197,22 +176,26 @@ class ProgramForEach : public ProgramDecoder {
   Decoded decode(const MarkedLine& line) const override {
     const std::string bytes = format().bytes(line);
     if (command().find(in_braces(format())) == std::string::npos) return answer(command(), bytes);
-    const CaptureFile file(folder_.next(format().ending), bytes);
+    const CaptureFile file(folder_, format().ending, bytes);
     return answer(replaced(command(), in_braces(format()), shell_word(file.path().string())), "");
   }
 
  private:
   Decoded answer(const std::string& command, const std::string& input) const {
-    ChildProcess child(command);
+    ChildProcess child(command, &warden_);
     std::string output;
-    const Waited waited = child.run(
-        {.input = input, .timeout = settings().timeout, .stop = &heed_stop_signals()}, output);
+    const Waited waited = child.run({.input = input,
+                                     .most_output = most_output,
+                                     .timeout = settings().timeout,
+                                     .stop = &heed_stop_signals()},
+                                    output);
     if (waited == Waited::stopped) return {};
     if (waited == Waited::ended && child.status() == 0) return decoded(output);
     return failed(fault_of(waited, child, settings()));
   }
 
   mutable CaptureFolder folder_;
+  Warden warden_{folder_.path()};
 };
 
 /// An answer so far: a first line that says how many bytes follow, and those that came.
@@ -251,11 +234,19 @@ class ServingProgram : public ProgramDecoder {
 
   ServingProgram(const ServingProgram&) = delete;
   ServingProgram& operator=(const ServingProgram&) = delete;
-  /// Those that wait see the end of their stdin, and have a moment to end in order.
+  /// Those that wait see the end of their stdin, and have a moment, all together, to end in order.
   ~ServingProgram() override {
-    std::string unread;
-    for (const auto& child : idle_)
-      child->run({.input = "", .timeout = std::chrono::seconds(5)}, unread);
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + farewell;
+    for (const auto& child : idle_) child->close_input();
+    for (const auto& child : idle_) {
+      std::string unread;
+      child->run({.input = "",
+                  .most_output = most_output,
+                  .timeout = end - Clock::now(),
+                  .stop = &heed_stop_signals()},
+                 unread);
+    }
   }
 
   Decoded decode(const MarkedLine& line) const override {
@@ -270,6 +261,7 @@ class ServingProgram : public ProgramDecoder {
                                             const Answer answer(text);
                                             return answer.is_garbage() || answer.is_whole();
                                           },
+                                      .most_output = most_output,
                                       .timeout = settings().timeout,
                                       .stop = &heed_stop_signals()},
                                      output);
@@ -287,7 +279,7 @@ class ServingProgram : public ProgramDecoder {
   /// One that waits for a capture.
   std::unique_ptr<ChildProcess> take() const {
     const std::scoped_lock lock(mutex_);
-    if (idle_.empty()) return std::make_unique<ChildProcess>(command());
+    if (idle_.empty()) return std::make_unique<ChildProcess>(command(), &warden_);
     auto child = std::move(idle_.back());
     idle_.pop_back();
     return child;
@@ -297,6 +289,7 @@ class ServingProgram : public ProgramDecoder {
     idle_.push_back(std::move(child));
   }
 
+  Warden warden_{{}};
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<ChildProcess>> idle_;
 };

@@ -1,0 +1,103 @@
+#include "sim/check/capture_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "sim/failure.hpp"
+#include "sim/text/temporary_folder.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view name_begin = "cosys-check.";
+
+Descriptor opened(const fs::path& folder) {
+  return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+bool lock(const Descriptor& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
+
+bool is_own(const Descriptor& folder) {
+  struct stat status {};
+  return ::fstat(folder.get(), &status) == 0 && status.st_uid == ::geteuid();
+}
+
+bool is_gone(const Descriptor& folder) {
+  struct stat status {};
+  return ::fstat(folder.get(), &status) != 0 || status.st_nlink == 0;
+}
+
+/// Of checks that were killed, and whatever watched them too.
+void remove_left_over(const fs::path& in) {
+  std::error_code error, ignored;
+  fs::directory_iterator entry(in, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    if (!entry->path().filename().string().starts_with(name_begin)) continue;
+    const Descriptor folder = opened(entry->path());
+    if (folder.is_open() && is_own(folder) && lock(folder)) fs::remove_all(entry->path(), ignored);
+  }
+}
+
+fs::path new_folder(const fs::path& in) {
+  std::string name = (in / (std::string(name_begin) + "XXXXXX")).string();
+  if (::mkdtemp(name.data()) != nullptr) return name;
+  throw Failure(ExitCode::environment,
+                fmt::format("cannot make a folder for captures in {} ({}) set TMPDIR to one that "
+                            "can be written",
+                            in.string(), std::strerror(errno)));
+}
+
+bool write_all(int to, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(to, bytes.data(), bytes.size());
+    if (n < 0 && errno != EINTR) return false;
+    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+}  // namespace
+
+CaptureFolder::CaptureFolder() {
+  const fs::path in = temporary_folder();
+  remove_left_over(in);
+  do {
+    path_ = new_folder(in);
+    folder_.emplace(opened(path_));
+    lock(*folder_);
+  } while (is_gone(*folder_));  // another check took it for left over before it was locked
+}
+
+CaptureFolder::~CaptureFolder() {
+  std::error_code error;
+  fs::remove_all(path_, error);
+}
+
+fs::path CaptureFolder::write(const char* ending, const std::string& bytes) {
+  for (;;) {
+    const std::string name = fmt::format("{}{}", ++n_, ending);
+    const Descriptor file(::openat(folder_->get(), name.c_str(),
+                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!file.is_open() && errno == EEXIST) continue;
+    if (file.is_open() && write_all(file.get(), bytes)) return path_ / name;
+    throw Failure(ExitCode::environment,
+                  fmt::format("cannot write {} ({}) set TMPDIR to a place that has some space",
+                              (path_ / name).string(), std::strerror(errno)));
+  }
+}
+
+void CaptureFolder::remove(const fs::path& capture) const {
+  ::unlinkat(folder_->get(), capture.filename().c_str(), 0);
+}
+
+}  // namespace sim
