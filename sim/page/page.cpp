@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "sim/page/content_policy.hpp"
 #include "sim/page/embedded.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/text/existing_file.hpp"
@@ -146,6 +147,16 @@ std::string data_of(const Page& page) {
   return data_html("charts", charts) + data_html("trials", trials);
 }
 
+/// The texts of its script elements.
+std::vector<std::string> page_scripts() {
+  std::vector<std::string> scripts;
+  if (!uplot_script.empty())
+    scripts.push_back(fmt::format("/*!\n{}*/\n{}", uplot_license, uplot_script));
+  scripts.push_back(fmt::format("\n'use strict';\n{{\n{}{}{}{}{}}}\n", axis_script, chart_script,
+                                trial_script, table_script, report_script));
+  return scripts;
+}
+
 }  // namespace
 
 std::string picture_name(const std::string& title) {
@@ -166,20 +177,19 @@ PagePicture picture_of(Chart chart) {
 }
 
 std::string page_as_html(const Page& page) {
+  const std::vector<std::string> scripts = page_scripts();
   std::string html = fmt::format(
       "{}<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
-      page_head, xml_escaped(page.title), uplot_style, report_style);
+      page_head, content_policy(scripts), xml_escaped(page.title), uplot_style, report_style);
   html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.verdict) +
           "</div>\n" + contents_html(page.sections);
   for (std::size_t i = 0; i < page.sections.size(); ++i) html += section_html(page.sections[i], i);
   html += "</main>\n" + data_of(page);
-  if (!uplot_script.empty())
-    html += fmt::format("<script>/*!\n{}*/\n{}</script>\n", uplot_license, uplot_script);
-  return html +
-         fmt::format("<script>\n'use strict';\n{{\n{}{}{}{}{}}}\n</script>\n</body>\n</html>\n",
-                     axis_script, chart_script, trial_script, table_script, report_script);
+  for (const std::string& script : scripts) html += "<script>" + script + "</script>\n";
+  return html + "</body>\n</html>\n";
 }
 
 bool is_page(const std::filesystem::path& path) {
