@@ -1,12 +1,13 @@
 #include "sim/counting/statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "sim/counting/student.hpp"
 
 namespace sim {
 namespace {
@@ -18,11 +19,6 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 double as_real(std::uint64_t count) { return static_cast<double>(count); }
-
-double student_quantile(double degrees_of_freedom, double level) {
-  const boost::math::students_t_distribution<double, InDouble> t(degrees_of_freedom);
-  return quantile(complement(t, (1 - level) / 2));
-}
 
 // Linearised variance of the ratio estimator part / whole, clusters being the sampled units
 // (Cochran, Sampling Techniques, 3rd ed. 1977, chapter 6).

@@ -51,6 +51,8 @@ ListeningTally tally_of(const Link& link, const Transmission& sent, const Recept
   tally.n_characters = heard.bytes.size();
   for (std::size_t i = 0; i < heard.frames.size(); ++i)
     count_line(link, sent, heard.frames[i], heard.frame_end[i], tally);
+  tally.undetected_squared = tally.n_frames_undetected * tally.n_frames_undetected;
+  tally.false_squared = tally.n_frames_false * tally.n_frames_false;
   return tally;
 }
 

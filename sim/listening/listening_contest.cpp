@@ -4,6 +4,7 @@
 
 #include "channel/instruction_set.hpp"
 #include "sim/check/judged_point.hpp"
+#include "sim/counting/event_rate.hpp"
 #include "sim/listening/listening.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -31,6 +32,7 @@ Accepts accepts_of(const Listening& listening, const Decoder& decoder, const Mar
     const bool sent = listening.device_sends && message == listening.judged.link.message;
     ++(sent ? accepts.n_ok : accepts.n_wrong);
   }
+  accepts.wrong_squared = accepts.n_wrong * accepts.n_wrong;
   return accepts;
 }
 
@@ -53,6 +55,7 @@ Accepts& Accepts::operator+=(const Accepts& other) {
   n_runs += other.n_runs;
   n_ok += other.n_ok;
   n_wrong += other.n_wrong;
+  wrong_squared += other.wrong_squared;
   if (!fault) fault = other.fault;
   return *this;
 }
@@ -60,7 +63,7 @@ Accepts& Accepts::operator+=(const Accepts& other) {
 Estimate ListeningContestPoint::wrong_per_hour(std::size_t decoder) const {
   const Accepts& of = accepts[decoder];
   const double hours = of.fault ? 0 : static_cast<double>(of.n_runs) * hours_of_a_run;
-  return poisson_rate(of.n_wrong, hours, contest_ci_level);
+  return event_rate({of.n_runs, of.n_wrong, of.wrong_squared}, hours, contest_ci_level);
 }
 
 ListeningContestPoint listening_contest(const LoadedScenario& scenario, std::size_t point,

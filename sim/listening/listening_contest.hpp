@@ -17,6 +17,7 @@ struct Accepts {
   std::uint64_t n_runs = 0;
   std::uint64_t n_ok = 0;               // the device's message
   std::uint64_t n_wrong = 0;            // any other; where the device is dark, any
+  std::uint64_t wrong_squared = 0;      // sum of each run's n_wrong, squared
   std::optional<DecoderFault> fault{};  // the first
 
   Accepts& operator+=(const Accepts& other);
@@ -27,7 +28,7 @@ struct ListeningContestPoint {
   double hours_of_a_run = 0;
   std::vector<Accepts> accepts;  // one a decoder
 
-  /// Of a decoder, an hour of line, with Garwood's 95 % interval; NaN where it failed.
+  /// Of a decoder, an hour of line, with the 95 % interval of event_rate; NaN where it failed.
   Estimate wrong_per_hour(std::size_t decoder) const;
 };
 

@@ -35,8 +35,8 @@ void add_rate(Dataset& data, const Points& points, const std::string& name, cons
              [=](const ListeningPoint& p) { return (p.*rate)().*part; });
   };
   add("", "", &Estimate::value);
-  add("_ci_low", "lower end of Garwood's 95 % interval of ", &Estimate::low);
-  add("_ci_high", "upper end of Garwood's 95 % interval of ", &Estimate::high);
+  add("_ci_low", "lower end of the 95 % interval of ", &Estimate::low);
+  add("_ci_high", "upper end of the 95 % interval of ", &Estimate::high);
 }
 
 void add_counts(Dataset& data, const Points& points) {

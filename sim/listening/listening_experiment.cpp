@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "channel/instruction_set.hpp"
+#include "sim/counting/event_rate.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/listening/listening.hpp"
@@ -48,11 +49,12 @@ void check_air(const Scenario& scenario, const Places& places) {
 }  // namespace
 
 Estimate ListeningPoint::false_per_hour() const {
-  return poisson_rate(tally.n_frames_false, hours, ci_level);
+  return event_rate({tally.n_runs, tally.n_frames_false, tally.false_squared}, hours, ci_level);
 }
 
 Estimate ListeningPoint::undetected_per_hour() const {
-  return poisson_rate(tally.n_frames_undetected, tally.n_frames == 0 ? 0 : hours, ci_level);
+  return event_rate({tally.n_runs, tally.n_frames_undetected, tally.undetected_squared},
+                    tally.n_frames == 0 ? 0 : hours, ci_level);
 }
 
 void check_listening(const LoadedScenario& scenario) {

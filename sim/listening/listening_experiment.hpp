@@ -19,8 +19,8 @@ struct ListeningPoint {
 
   bool reached() const { return tally.n_runs > 0; }
 
-  /// An hour of line, with Garwood's 95 % interval. Of undetected errors NaN where nothing was
-  /// sent.
+  /// An hour of line, with the 95 % interval of event_rate, runs being the stretches. Of undetected
+  /// errors NaN where nothing was sent.
   Estimate false_per_hour() const;
   Estimate undetected_per_hour() const;
 };

@@ -12,6 +12,8 @@ struct ListeningTally {
   std::uint64_t n_frames_false = 0;       // accepted while it sent nothing
   std::uint64_t n_rejected = 0;           // lines that ended and were refused
   std::uint64_t n_characters = 0;         // that the UART read, whatever they were
+  // Each run's own number, squared.
+  std::uint64_t undetected_squared = 0, false_squared = 0;
 
   ListeningTally& operator+=(const ListeningTally& other) {
     n_runs += other.n_runs;
@@ -21,6 +23,8 @@ struct ListeningTally {
     n_frames_false += other.n_frames_false;
     n_rejected += other.n_rejected;
     n_characters += other.n_characters;
+    undetected_squared += other.undetected_squared;
+    false_squared += other.false_squared;
     return *this;
   }
   bool operator==(const ListeningTally&) const = default;
