@@ -5,34 +5,12 @@
 #include <limits>
 #include <numeric>
 
-#include "sim/link/theory.hpp"
+#include "sim/counting/skewed_mean.hpp"
 #include "sim/noise/addressed_normals.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {
-
-struct Errors {
-  std::uint64_t n = 0;
-  double squares = 0, fourth_powers = 0;  // m2, m4
-
-  void add(double squared) {
-    ++n;
-    squares += squared;
-    fourth_powers += squared * squared;
-  }
-
-  /// The mean square is normal for many trials, by the central limit theorem.
-  Estimate rms(double level) const {
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    if (n < 2) return {nothing, nothing, nothing};
-    const double count = static_cast<double>(n), mean = squares / count;
-    const double variance = std::max(0.0, fourth_powers / count - mean * mean) / (count - 1);
-    const double z = gaussian_q_inverse((1 - level) / 2);
-    const double margin = z * std::sqrt(variance);
-    return {std::sqrt(mean), std::sqrt(std::max(0.0, mean - margin)), std::sqrt(mean + margin)};
-  }
-};
 
 /// What one trial came to.
 struct Judged {
@@ -54,7 +32,7 @@ using Lot = std::vector<Judged>;
 
 LocationTrials summed(const std::vector<Lot>& lots, double level) {
   LocationTrials result;
-  Errors errors;
+  SkewedMean errors;
   for (const Lot& lot : lots)
     for (const Judged& trial : lot) {
       ++result.count.at(static_cast<std::size_t>(trial.outcome));
@@ -62,11 +40,12 @@ LocationTrials summed(const std::vector<Lot>& lots, double level) {
       errors.add(trial.squared_m2);
       result.covered += trial.covered ? 1 : 0;
     }
-  result.squared_um2 = errors.squares * 1e12;
-  result.rmse_m = errors.rms(level);
+  result.squared_um2 = errors.sum() * 1e12;
+  const Estimate square = errors.estimate(level);
+  result.rmse_m = {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
   const Interval ci =
-      clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n), level);
-  result.coverage = {ratio(result.covered, errors.n), ci.low, ci.high};
+      clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n()), level);
+  result.coverage = {ratio(result.covered, errors.n()), ci.low, ci.high};
   return result;
 }
 

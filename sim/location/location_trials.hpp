@@ -28,7 +28,7 @@ struct LocationTrials {
   static constexpr std::size_t outcomes = 5;
   std::array<std::uint64_t, outcomes> count{};  // by LocateOutcome
   double squared_um2 = 0;                       // sum of the squared errors of the located ones
-  Estimate rmse_m;  // of the located ones; normal interval of the mean square
+  Estimate rmse_m;  // of the located ones; the mean square's interval is that of SkewedMean
   std::optional<PositionCovariance> bound;  // of Cramer and Rao; nothing if underdetermined
   std::uint64_t covered = 0;                // located with the truth in the ellipse
   Estimate coverage;  // of the located ones, with Clopper and Pearson's interval
