@@ -54,7 +54,10 @@ Location of_readings_file(const LocateRequest& request) {
   settings.model = model_of(request, parts, photodiode);
   if (request.area) settings.area = area_of(*request.area, "--area");
   settings.intensity_unknown = request.intensity_unknown;
-  return locate(settings, read_readings(request.readings, photodiode, request.height_mm * 1e-3));
+  const MeasuredReadings measured =
+      read_readings(request.readings, photodiode, request.height_mm * 1e-3);
+  settings.deviations_are_shares = measured.deviations_are_shares;
+  return locate(settings, measured.readings);
 }
 
 Location of_scenario(const LocateRequest& request) {

@@ -29,7 +29,7 @@ std::vector<TextColumn> accuracy_columns(const LoadedScenario& scenario) {
   columns.push_back({{"error", "over", "bound"}, 5});
   columns.push_back({{"bound's 95 %", "ellipse, half", "axes [m by m]"}, 15});
   columns.push_back({{"", "from +x", "[deg]"}, 7});
-  columns.push_back({{"truth in", "the ellipse", "[interval]"}, -estimate_width});
+  columns.push_back({{"truth in the", "95 % region", "[interval]"}, -estimate_width});
   columns.push_back({{"", "", "located"}, 7});
   columns.push_back({{"ambi-", "guous", ""}, 5});
   columns.push_back({{"", "poor", "fit"}, 5});
@@ -104,7 +104,7 @@ std::string accuracy_row(const LoadedScenario& scenario, const LocationPointRun&
   texts.push_back(number(error_over_bound(result)));
   texts.push_back(ellipse_text(ellipse));
   texts.push_back(number(std::round(dsp::in_degrees(ellipse.direction))));
-  texts.push_back(estimate_text(result.coverage));
+  texts.push_back(estimate_text(result.region_coverage));
   for (const std::uint64_t n : result.count) texts.push_back(fmt::format("{}", n));
   return table_line(accuracy_columns(scenario), texts);
 }
@@ -124,7 +124,7 @@ Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& comm
   });
   to.counts({"n_outcomes", "1", "trials by what they came to"}, "outcome",
             [](const LocationTrials& r, std::size_t i) { return r.count[i]; });
-  to.count({"n_covered", "1", "located ones with the truth in their 95 % ellipse"},
+  to.count({"n_covered", "1", "located ones with the truth in the ellipse of their covariance"},
            [](const LocationPointRun& p) {
              return p.result ? static_cast<std::int64_t>(p.result->covered) : 0;
            });
@@ -133,8 +133,13 @@ Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& comm
       [](const LocationPointRun& p) { return p.result ? std::llround(p.result->squared_um2) : 0; });
   add_estimate(to, {"rmse_m", "m", "rms error of the located ones"}, &LocationTrials::rmse_m);
   add_bound(to);
-  add_estimate(to, {"coverage", "1", "share of the located ones with the truth in their ellipse"},
+  add_estimate(to,
+               {"coverage", "1",
+                "share of the located ones with the truth in the ellipse of their covariance"},
                &LocationTrials::coverage);
+  add_estimate(
+      to, {"region_coverage", "1", "share of the located ones with the truth in their 95 % region"},
+      &LocationTrials::region_coverage);
   add_readings(to);
   return data;
 }

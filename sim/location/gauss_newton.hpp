@@ -18,6 +18,9 @@ struct LeastSquares {
   const std::vector<Reading>& readings;
   Area area;
   bool intensity_unknown = false;
+  /// Each deviation is a share of the light itself, and known of the reading alone: what is likely
+  /// then hangs on how much light there is. Least squares take the deviations as they are.
+  bool deviations_are_shares = false;
 };
 
 /// No position is nearer to a receiver: there LED and lens are no points to each other.

@@ -145,7 +145,8 @@ void Locator::prepare(const std::vector<Reading>& readings) {
 }
 
 LeastSquares Locator::problem_of(const std::vector<Reading>& readings) const {
-  return {settings_.model, readings, area_, settings_.intensity_unknown};
+  return {settings_.model, readings, area_, settings_.intensity_unknown,
+          settings_.deviations_are_shares};
 }
 
 Location Locator::locate(const std::vector<Reading>& readings) const {
@@ -200,7 +201,8 @@ std::optional<LocatedPlace> Locator::polished(const LeastSquares& problem,
 LocatedPlace Locator::place_of(const LeastSquares& problem, const Minimum& minimum,
                                const ScatteredLight& scattered) const {
   const auto rows = misfit_rows(problem.model, problem.readings, scattered, minimum.at);
-  return {minimum.at, minimum.chi_square, position_covariance(rows, problem.intensity_unknown)};
+  return {minimum.at, minimum.chi_square, position_covariance(rows, problem.intensity_unknown),
+          scattered};
 }
 
 ScatteredLight Locator::scattered_near(const std::vector<Reading>& readings,
@@ -211,8 +213,39 @@ ScatteredLight Locator::scattered_near(const std::vector<Reading>& readings,
   return scattered_light(settings_.model, readings, at);
 }
 
+void Locator::add_regions(Location& location, const std::vector<Reading>& readings) const {
+  if (location.outcome == LocateOutcome::underdetermined) return;
+  const LeastSquares problem = problem_of(readings);
+  std::vector<Position> most;
+  double least = std::numeric_limits<double>::infinity();
+  for (const LocatedPlace& place : location.places) {
+    const Likelihood likelihood(problem, place.scattered);
+    most.push_back(place.covariance ? most_likely(likelihood, place.at.at, *place.covariance)
+                                    : place.at.at);
+    least = std::min(least, likelihood(most.back()));
+  }
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    LocatedPlace& place = location.places[i];
+    if (place.covariance)
+      place.region = likelihood_region(Likelihood(problem, place.scattered), most[i],
+                                       *place.covariance, least + chi_square_95);
+  }
+}
+
+bool Locator::region_holds(const Location& location, const std::vector<Reading>& readings,
+                           const Position& place) const {
+  const LeastSquares problem = problem_of(readings);
+  const LocatedPlace& best = location.places.front();
+  const Likelihood likelihood(problem, best.scattered);
+  const Position most = most_likely(likelihood, best.at.at, best.covariance.value());
+  return likelihood(place) <= likelihood(most) + chi_square_95;
+}
+
 Location locate(const LocateSettings& settings, const std::vector<Reading>& readings) {
-  return Locator(settings, readings).locate(readings);
+  const Locator locator(settings, readings);
+  Location location = locator.locate(readings);
+  locator.add_regions(location, readings);
+  return location;
 }
 
 }  // namespace sim

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/location/gauss_newton.hpp"
-#include "sim/location/position_covariance.hpp"
+#include "sim/location/likelihood_region.hpp"
 #include "sim/location/search_grid.hpp"
 
 namespace sim {
@@ -25,8 +25,9 @@ const std::vector<std::string>& locate_outcome_names();
 
 struct LocateSettings {
   LightModel model;
-  bool intensity_unknown = false;  // then the area is needed
-  std::optional<Area> area;        // where the device may be; nothing: what the light allows
+  bool intensity_unknown = false;      // then the area is needed
+  bool deviations_are_shares = false;  // of the light itself, but computed of the reading
+  std::optional<Area> area;            // where the device may be; nothing: what the light allows
   double ambiguous_chi_square = chi_square_95;  // above the best: as good as it
   double poor_fit_probability = 1e-3;
 };
@@ -35,6 +36,8 @@ struct LocatedPlace {
   Unknowns at;
   double chi_square = 0;
   std::optional<PositionCovariance> covariance;  // nothing where it is not determined
+  ScatteredLight scattered;                      // as it was taken
+  std::optional<LikelihoodRegion> region{};      // of add_regions
 };
 
 struct Location {
@@ -60,6 +63,14 @@ class Locator {
 
   Location locate(const std::vector<Reading>& readings) const;
 
+  /// Gives each place that is determined its part of the 95 % region, which takes some
+  /// milliseconds: where likelihood is near to that of the most likely of all.
+  void add_regions(Location& location, const std::vector<Reading>& readings) const;
+
+  /// Whether the first place's region holds a place, without its outline.
+  bool region_holds(const Location& location, const std::vector<Reading>& readings,
+                    const Position& place) const;
+
  private:
   ScatteredLight scattered_near(const std::vector<Reading>& readings, const Position& at) const;
   LocatedPlace place_of(const LeastSquares& problem, const Minimum& minimum,
@@ -75,7 +86,7 @@ class Locator {
   std::vector<ScatteredLight> prepared_;
 };
 
-/// One set of readings.
+/// One set of readings, with regions.
 Location locate(const LocateSettings& settings, const std::vector<Reading>& readings);
 
 }  // namespace sim

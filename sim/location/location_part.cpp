@@ -195,14 +195,25 @@ PageSection map_of(const StoredDataset& stored) {
                                            {"ellipse_direction_deg", "longer one from +x [deg]"}})};
 }
 
+/// Of what the share is known: of files of older versions the ellipse of the covariance.
+struct HeldShare {
+  explicit HeldShare(const Dataset& data)
+      : of_region(find_variable(data, "region_coverage") != nullptr) {}
+
+  bool of_region;
+  std::string variable() const { return of_region ? "region_coverage" : "coverage"; }
+  std::string of() const { return of_region ? "region" : "ellipse"; }
+};
+
 void add_location_charts(ReportPart& part, const Dataset& data) {
   add_chart(part, swept_chart(data, {.name = "rmse_m",
                                      .title = "Error of location",
                                      .label = "rms error [m] (dashed: Cramer-Rao bound)",
                                      .logarithmic = true,
                                      .theory = "bound_m"}));
-  add_chart(part, swept_chart(data, {.name = "coverage",
-                                     .title = "Truth in the ellipse",
+  const HeldShare held(data);
+  add_chart(part, swept_chart(data, {.name = held.variable(),
+                                     .title = "Truth in the " + held.of(),
                                      .label = "share of the located ones"}));
 }
 
@@ -211,11 +222,13 @@ void add_location_charts(ReportPart& part, const Dataset& data) {
 ReportPart location_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of_location(data)};
+  const HeldShare held(data);
   part.verdict +=
       extremes(data, "rmse_m", "The rms error of the located ones", " m") +
       extremes(data, "error_over_bound",
                "That error over its Cramer-Rao bound, the least of any unbiased estimate,") +
-      extremes(data, "coverage", "The coverage of the 95 % ellipse") + missing_points(stored);
+      extremes(data, held.variable(), "The coverage of the 95 % " + held.of()) +
+      missing_points(stored);
   part.first.push_back(map_of(stored));
   add_location_charts(part, data);
   part.sections.push_back(shares_section("outcomes", outcomes_of(data)));
@@ -228,7 +241,7 @@ ReportPart location_part(const std::string& name, const StoredDataset& stored) {
                {"rmse_m", "rms error [m]"},
                {"bound_m", "Cramer-Rao bound [m]"},
                {"error_over_bound", "error over bound"},
-               {"coverage", "truth in the ellipse"}});
+               {held.variable(), "truth in the " + held.of()}});
   return part;
 }
 

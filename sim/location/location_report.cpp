@@ -25,27 +25,39 @@ const char* meaning(LocateOutcome outcome) {
   return "no place in the area explains the readings better than all around it";
 }
 
-std::string ellipse_words(const LocatedPlace& place) {
-  if (!place.covariance) return "95 % ellipse unbounded";
-  const ErrorEllipse e = error_ellipse(*place.covariance);
-  return fmt::format("95 % ellipse {:.2g} m by {:.2g} m, the longer at {:.0f} deg from +x",
-                     e.semi_major_m, e.semi_minor_m, dsp::in_degrees(e.direction));
+std::string ellipse_words(const LocatedPlace& place, LocateOutcome outcome) {
+  if (!place.covariance || outcome == LocateOutcome::underdetermined)
+    return "95 % ellipse unbounded";
+  if (!place.region) return "outside of the 95 % region";
+  const auto& [outline, centre, e] = *place.region;
+  return fmt::format(
+      "95 % ellipse {:.2g} m by {:.2g} m around ({:.3f}, {:.3f}), the longer at {:.0f} deg from +x",
+      e.semi_major_m, e.semi_minor_m, centre.x, centre.y, dsp::in_degrees(e.direction));
 }
 
-std::string place_text(const LocatedPlace& place) {
+std::string place_text(const LocatedPlace& place, LocateOutcome outcome) {
   const auto& [at, intensity] = place.at;
   const std::string brightness =
       intensity == 1 ? "" : fmt::format(", intensity {:.3g} of the model's", intensity);
   return fmt::format("  x = {:.3f} m, y = {:.3f} m{}; chi-square {:.2f}; {}\n", at.x, at.y,
-                     brightness, place.chi_square, ellipse_words(place));
+                     brightness, place.chi_square, ellipse_words(place, outcome));
 }
 
 Json ellipse_json(const LocatedPlace& place) {
-  if (!place.covariance) return nullptr;
-  const ErrorEllipse e = error_ellipse(*place.covariance);
-  return {{"semi_major_m", e.semi_major_m},
+  if (!place.region) return nullptr;
+  const auto& [outline, centre, e] = *place.region;
+  return {{"x_m", centre.x},
+          {"y_m", centre.y},
+          {"semi_major_m", e.semi_major_m},
           {"semi_minor_m", e.semi_minor_m},
           {"direction_deg", dsp::in_degrees(e.direction)}};
+}
+
+Json outline_json(const LocatedPlace& place) {
+  if (!place.region) return nullptr;
+  Json corners = Json::array();
+  for (const auto& [x, y] : place.region->outline) corners.push_back({x, y});
+  return corners;
 }
 
 Json covariance_json(const LocatedPlace& place) {
@@ -61,7 +73,7 @@ const std::string& outcome_name(const Location& location) {
 
 std::string location_text(const Location& location) {
   std::string text = fmt::format("{}: {}\n", outcome_name(location), meaning(location.outcome));
-  for (const LocatedPlace& place : location.places) text += place_text(place);
+  for (const LocatedPlace& place : location.places) text += place_text(place, location.outcome);
   if (!location.places.empty() && location.degrees_of_freedom > 0)
     text += fmt::format("so large a chi-square of {} degrees of freedom has probability {:.2g}\n",
                         location.degrees_of_freedom, location.probability);
@@ -76,7 +88,8 @@ std::string location_json(const Location& location) {
                       {"intensity", place.at.intensity},
                       {"chi_square", place.chi_square},
                       {"covariance_m2", covariance_json(place)},
-                      {"ellipse_95", ellipse_json(place)}});
+                      {"ellipse_95", ellipse_json(place)},
+                      {"region_95_m", outline_json(place)}});
   const Json json = {{"outcome", outcome_name(location)},
                      {"degrees_of_freedom", location.degrees_of_freedom},
                      {"probability", location.probability},

@@ -16,36 +16,34 @@ namespace {
 struct Judged {
   LocateOutcome outcome;
   double squared_m2 = 0;  // of the error of a located one
-  bool covered = false;
+  bool covered = false, in_region = false;
 };
-
-Judged judged(const Location& location, const Position& truth) {
-  if (location.outcome != LocateOutcome::located) return {location.outcome};
-  const LocatedPlace& best = location.places.front();
-  const double dx = best.at.at.x - truth.x, dy = best.at.at.y - truth.y;
-  return {location.outcome, dx * dx + dy * dy,
-          squared_deviations(*best.covariance, dx, dy) <= chi_square_95};
-}
 
 /// In the order of the trials, so that sums are the same however they were shared out.
 using Lot = std::vector<Judged>;
 
+Estimate share_of(std::uint64_t part, std::uint64_t whole, double level) {
+  const Interval ci = clopper_pearson(static_cast<double>(part), static_cast<double>(whole), level);
+  return {ratio(part, whole), ci.low, ci.high};
+}
+
 LocationTrials summed(const std::vector<Lot>& lots, double level) {
   LocationTrials result;
   SkewedMean errors;
+  std::uint64_t in_region = 0;
   for (const Lot& lot : lots)
     for (const Judged& trial : lot) {
       ++result.count.at(static_cast<std::size_t>(trial.outcome));
       if (trial.outcome != LocateOutcome::located) continue;
       errors.add(trial.squared_m2);
       result.covered += trial.covered ? 1 : 0;
+      in_region += trial.in_region ? 1 : 0;
     }
   result.squared_um2 = errors.sum() * 1e12;
   const Estimate square = errors.estimate(level);
   result.rmse_m = {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
-  const Interval ci =
-      clopper_pearson(static_cast<double>(result.covered), static_cast<double>(errors.n()), level);
-  result.coverage = {ratio(result.covered, errors.n()), ci.low, ci.high};
+  result.coverage = share_of(result.covered, errors.n(), level);
+  result.region_coverage = share_of(in_region, errors.n(), level);
   return result;
 }
 
@@ -60,9 +58,20 @@ struct Bench {
   Locator locator;
 };
 
-Location locate(const Bench& bench, const LocationTrialsSettings& s, std::uint32_t trial) {
-  const TrialAddress address{s.seed, s.point, trial};
-  return bench.locator.locate(drawn_readings(bench.readings, address));
+std::vector<Reading> drawn(const Bench& bench, const LocationTrialsSettings& s,
+                           std::uint32_t trial) {
+  return drawn_readings(bench.readings, {s.seed, s.point, trial});
+}
+
+Judged judged(const Bench& bench, const LocationTrialsSettings& s, std::uint32_t trial) {
+  const std::vector<Reading> readings = drawn(bench, s, trial);
+  const Location location = bench.locator.locate(readings);
+  if (location.outcome != LocateOutcome::located) return {location.outcome};
+  const LocatedPlace& best = location.places.front();
+  const double dx = best.at.at.x - s.truth.x, dy = best.at.at.y - s.truth.y;
+  return {location.outcome, dx * dx + dy * dy,
+          squared_deviations(*best.covariance, dx, dy) <= chi_square_95,
+          bench.locator.region_holds(location, readings, s.truth)};
 }
 
 }  // namespace
@@ -104,7 +113,7 @@ std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
   RunSharing<Lot> trials(shared_trials(s.trials, workers), [&](std::uint32_t first, int n) {
     Lot lot;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
-      lot.push_back(judged(locate(bench, s, first + i), s.truth));
+      lot.push_back(judged(bench, s, first + i));
     return lot;
   });
   const std::vector<Lot> lots = trials();
@@ -120,14 +129,17 @@ LocationTrials measure_location(const LocationTrialsSettings& s) {
 
 Location locate_trial(const LocationTrialsSettings& s, std::uint32_t trial) {
   const Bench bench(s);
-  return locate(bench, s, trial);
+  const std::vector<Reading> readings = drawn(bench, s, trial);
+  Location location = bench.locator.locate(readings);
+  bench.locator.add_regions(location, readings);
+  return location;
 }
 
 std::vector<Location> locate_first_trials(const LocationTrialsSettings& s, std::uint32_t trials) {
   const Bench bench(s);
   std::vector<Location> locations;
   for (std::uint32_t trial = 0; trial < trials; ++trial)
-    locations.push_back(locate(bench, s, trial));
+    locations.push_back(bench.locator.locate(drawn(bench, s, trial)));
   return locations;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // How well a device is located from where receivers stand: readings of a known place with noise,
 // located again and again; the rms error beside the Cramer-Rao bound, and how often the 95 %
-// ellipse holds the truth.
+// region and the ellipse of the covariance hold the truth.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -30,8 +30,9 @@ struct LocationTrials {
   double squared_um2 = 0;                       // sum of the squared errors of the located ones
   Estimate rmse_m;  // of the located ones; the mean square's interval is that of SkewedMean
   std::optional<PositionCovariance> bound;  // of Cramer and Rao; nothing if underdetermined
-  std::uint64_t covered = 0;                // located with the truth in the ellipse
-  Estimate coverage;  // of the located ones, with Clopper and Pearson's interval
+  std::uint64_t covered = 0;  // located with the truth in the ellipse of the covariance
+  Estimate coverage;          // of the located ones, with Clopper and Pearson's interval
+  Estimate region_coverage;   // the same of the likelihood's region
 
   /// Fewer than asked for where it was interrupted.
   std::uint64_t trials() const;
@@ -53,7 +54,7 @@ struct TrialAddress {
   std::uint32_t point = 0, trial = 0;
 };
 
-/// One trial: what it measured, and where that leads.
+/// One trial: what it measured, and where that leads, with regions.
 Location locate_trial(const LocationTrialsSettings& settings, std::uint32_t trial);
 
 /// The first so many, in much less time than each alone.

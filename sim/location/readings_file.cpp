@@ -167,15 +167,15 @@ void set_bearing(Reading& reading, const Row& row, const std::string& place) {
 
 }  // namespace
 
-std::vector<Reading> read_readings(const fs::path& path, const channel::PhotodiodeData& photodiode,
-                                   double height_m) {
+MeasuredReadings read_readings(const fs::path& path, const channel::PhotodiodeData& photodiode,
+                               double height_m) {
   const std::vector<Line> lines = lines_of(path);
   if (lines.size() < 2)
     throw bad_input("in " + path.generic_string(), "no readings",
                     fmt::format("begin with {},irradiance_mw_per_m2,sigma and a line for each",
                                 fmt::join(required, ",")));
   const Table table(lines.front());
-  std::vector<Reading> readings;
+  MeasuredReadings measured{.readings = {}, .deviations_are_shares = table.has("relative_sigma")};
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const Row row = table.row(lines[i]);
     Reading reading;
@@ -186,9 +186,9 @@ std::vector<Reading> read_readings(const fs::path& path, const channel::Photodio
                         .elevation = {}};
     set_light(reading, row, photodiode, lines[i].place);
     set_bearing(reading, row, lines[i].place);
-    readings.push_back(reading);
+    measured.readings.push_back(reading);
   }
-  return readings;
+  return measured;
 }
 
 }  // namespace sim

@@ -12,8 +12,13 @@
 
 namespace sim {
 
+struct MeasuredReadings {
+  std::vector<Reading> readings;
+  bool deviations_are_shares = false;  // relative_sigma
+};
+
 /// Throws bad_input that names the line for a file of another form. `height_m` is the receivers'.
-std::vector<Reading> read_readings(const std::filesystem::path& path,
-                                   const channel::PhotodiodeData& photodiode, double height_m);
+MeasuredReadings read_readings(const std::filesystem::path& path,
+                               const channel::PhotodiodeData& photodiode, double height_m);
 
 }  // namespace sim

@@ -175,7 +175,7 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
   expect_has(page, "<p>Locating was tried 16 times at 2 points: located ");
   expect_has(page,
              "The rms error of the located ones is least at location.relative_sigma = 0.01: ");
-  expect_has(page, "<p>The coverage of the 95 % ellipse is ");
+  expect_has(page, "<p>The coverage of the 95 % region is ");
   const std::string map = content(path("p/map.svg"));
   for (const std::size_t point : {0U, 1U}) {
     EXPECT_EQ(occurrences(map, fmt::format("<path class=\"curve{}\"", point + 1)), 2U)

@@ -27,7 +27,7 @@ class ReadingsFile : public CommandLine {
  protected:
   std::vector<Reading> read(const std::string& text) const {
     write("r.csv", text);
-    return sim::read_readings(path("r.csv"), bpw34, 0.02);
+    return sim::read_readings(path("r.csv"), bpw34, 0.02).readings;
   }
 
   /// The line that refuses such a file, its folder left out.
@@ -147,7 +147,7 @@ sim::LightModel shipped_model() {
 }
 
 void expect_drawn(const std::string& file, const Position& device) {
-  const auto readings = sim::read_readings(shipped + file, bpw34, 0.01);
+  const auto readings = sim::read_readings(shipped + file, bpw34, 0.01).readings;
   std::vector<channel::Pose> receivers;
   for (const Reading& reading : readings) receivers.push_back(reading.receiver);
   const auto drawn =
