@@ -28,20 +28,20 @@ class Deviations {
   double x_, slant_, y_;  // Cholesky's root of the covariance
 };
 
-/// How far one can go that way without leaving the region: where steps that grow leave it first,
-/// then halved.
-double reach(const Likelihood& likelihood, const Deviations& around, double direction,
-             double limit) {
+/// Where one leaves the region that way by steps that grow, then halved: for the first time, or
+/// if it is all of one place, and so bent where it is left and entered again, for the last.
+double reach(const Likelihood& likelihood, const Deviations& around, double direction, double limit,
+             bool is_alone) {
   constexpr double first = 0.3, growth = 1.25;
   constexpr int halvings = 14;
-  const auto is_inside = [&](double r) {
-    return likelihood(around.at(r * std::cos(direction), r * std::sin(direction))) <= limit;
+  const auto at = [&](double r) {
+    return likelihood(around.at(r * std::cos(direction), r * std::sin(direction)));
   };
-  double inside = 0, outside = first;
-  while (is_inside(outside)) {
-    inside = outside;
-    outside *= growth;
-  }
+  const auto is_inside = [&](double r) { return at(r) <= limit; };
+  double inside = 0;
+  for (double r = first; is_alone ? std::isfinite(at(r)) : is_inside(r); r *= growth)
+    if (is_inside(r)) inside = r;
+  double outside = inside > 0 ? inside * growth : first;
   for (int i = 0; i < halvings; ++i) {
     const double middle = (inside + outside) / 2;
     (is_inside(middle) ? inside : outside) = middle;
@@ -92,13 +92,14 @@ double half_length(const std::vector<Position>& places, dsp::Radians direction) 
 
 std::optional<LikelihoodRegion> likelihood_region(const Likelihood& likelihood,
                                                   const Position& best,
-                                                  const PositionCovariance& scale, double limit) {
+                                                  const PositionCovariance& scale, double limit,
+                                                  bool is_alone) {
   if (!(likelihood(best) < limit)) return std::nullopt;
   const Deviations around(best, scale);
   LikelihoodRegion region;
   for (int i = 0; i < outline_points; ++i) {
     const double direction = 2 * std::numbers::pi * i / outline_points;
-    const double r = reach(likelihood, around, direction, limit);
+    const double r = reach(likelihood, around, direction, limit, is_alone);
     region.outline.push_back(around.at(r * std::cos(direction), r * std::sin(direction)));
   }
   const PolygonMoments moments(region.outline);

@@ -18,12 +18,13 @@ struct LikelihoodRegion {
   ErrorEllipse ellipse;
 };
 
-/// The part around a place, in sight of where the likelihood there is greatest; cut by the area's
+/// The part around a place, as seen from where the likelihood there is greatest; cut by the area's
 /// edge and by receivers. Nothing where no place around is so likely. `scale`: any covariance that
-/// is about the place's. `limit`: of -2 ln likelihood.
+/// is about the place's. `limit`: of -2 ln likelihood. `is_alone`: there is no other place.
 std::optional<LikelihoodRegion> likelihood_region(const Likelihood& likelihood,
                                                   const Position& best,
-                                                  const PositionCovariance& scale, double limit);
+                                                  const PositionCovariance& scale, double limit,
+                                                  bool is_alone);
 
 /// The place near by where the likelihood is greatest.
 Position most_likely(const Likelihood& likelihood, const Position& start,

@@ -228,7 +228,7 @@ void Locator::add_regions(Location& location, const std::vector<Reading>& readin
     LocatedPlace& place = location.places[i];
     if (place.covariance)
       place.region = likelihood_region(Likelihood(problem, place.scattered), most[i],
-                                       *place.covariance, least + chi_square_95);
+                                       *place.covariance, least + chi_square_95, most.size() == 1);
   }
 }
 
