@@ -6,6 +6,7 @@
 #include "sim/failure.hpp"
 #include "sim/result/comparison.hpp"
 #include "sim/result/stored_result.hpp"
+#include "sim/text/rounded_text.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -23,9 +24,10 @@ std::string ratio_of(const ExperimentResult& result, const RatioTest& test) {
   const Tally& tally = result.points[test.point].tally;
   const bool loss = test.ratio == ComparedRatio::flr;
   const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, result.ci_level);
-  return fmt::format(
-      "{} of {} {} ({:.3g} [{:.3g}, {:.3g}])", loss ? tally.n_frames_lost : tally.n_bit_errors,
-      loss ? tally.n_frames : tally.n_bits, loss ? "lost" : "bits wrong", e.value, e.low, e.high);
+  return fmt::format("{} of {} {} ({} [{}, {}])", loss ? tally.n_frames_lost : tally.n_bit_errors,
+                     loss ? tally.n_frames : tally.n_bits, loss ? "lost" : "bits wrong",
+                     significant_text(e.value, 3), significant_text(e.low, 3, Rounding::down),
+                     significant_text(e.high, 3, Rounding::up));
 }
 
 std::string verdict(const ResultComparison& c, double alpha) {

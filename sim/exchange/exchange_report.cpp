@@ -9,6 +9,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/outside_report.hpp"
 #include "sim/report/text_table.hpp"
+#include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
@@ -17,7 +18,7 @@ std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format
 
 std::string plain_ratio(double value) {
   if (std::isnan(value)) return "-";
-  return value > 0 && value < 0.01 ? scientific(value, 2) : fmt::format("{:.3f}", value);
+  return value > 0 && value < 0.01 ? scientific_text(value, 2) : fmt::format("{:.3f}", value);
 }
 
 std::vector<TextColumn> tally_columns() {

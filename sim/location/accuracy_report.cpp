@@ -8,6 +8,7 @@
 #include "sim/location/trial_variables.hpp"
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/text_table.hpp"
+#include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
@@ -44,7 +45,9 @@ std::string number(double value) {
 
 std::string error_text(const Estimate& e) {
   if (std::isnan(e.value)) return "-";
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", e.value, e.low, e.high);
+  return fmt::format("{} [{}, {}]", significant_text(e.value, 3),
+                     significant_text(e.low, 3, Rounding::down),
+                     significant_text(e.high, 3, Rounding::up));
 }
 
 std::string ellipse_text(const ErrorEllipse& e) {

@@ -10,7 +10,7 @@ namespace sim {
 struct Reach {
   std::string along;    // the key
   std::string link;     // "receiver.module = TSOP4856"; empty of the only one
-  std::string words;    // "7.9 [7.6, 8.2] m"
+  std::string words;    // "7.88 [7.60, 8.20] m"
   double merit = 0;     // of its ranking
   bool is_told = true;  // counted far enough to have a place there
 };

@@ -7,28 +7,32 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/text/rounded_text.hpp"
+
 namespace sim {
 namespace {
 
 /// Two digits, or all of a whole number.
 std::string bound_text(double high) {
-  return high < 1 ? scientific(high, 2) : fmt::format("{:.{}f}", high, high < 10 ? 1 : 0);
+  return high < 1 ? scientific_text(high, 2, Rounding::up)
+                  : fixed_text(high, high < 10 ? 1 : 0, Rounding::up);
 }
 
 /// Two, or three where half the interval is at most a tenth of the value.
 int digits_supported(const Estimate& e) { return (e.high - e.low) / 2 / e.value <= 0.1 ? 3 : 2; }
 
 /// With the places that this many digits of the estimate's value take.
-std::string estimate_words(double v, double value, int digits) {
-  if (value < 0.01) return scientific(v, digits);
+std::string estimate_words(double v, double value, int digits,
+                           Rounding rounding = Rounding::nearest) {
+  if (value < 0.01) return scientific_text(v, digits, rounding);
   const int places = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(value))));
-  return fmt::format("{:.{}f}", v, places);
+  return fixed_text(v, places, rounding);
 }
 
 std::string with_ends(const Estimate& e, int digits) {
   return fmt::format("{} [{}, {}]", estimate_words(e.value, e.value, digits),
-                     estimate_words(e.low, e.value, digits),
-                     estimate_words(e.high, e.value, digits));
+                     estimate_words(e.low, e.value, digits, Rounding::down),
+                     estimate_words(e.high, e.value, digits, Rounding::up));
 }
 
 /// Whether an end looks like the value.
@@ -41,13 +45,6 @@ bool hides_an_end(const Estimate& e, int digits) {
 }
 
 }  // namespace
-
-std::string scientific(double value, int digits) {
-  if (value == 0) return "0";
-  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
-  const std::size_t e = text.find('e');
-  return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
-}
 
 std::string estimate_text(const Estimate& e) {
   if (std::isnan(e.value)) return "-";

@@ -8,11 +8,9 @@ namespace sim {
 
 constexpr int estimate_width = 26;  // "1.23e-4 [1.22e-4, 1.24e-4]"
 
-/// "0.0236 [0.0231, 0.0241]", with more digits where an end would look like the value, as far as
-/// the column holds them; "< 1.8e-2" where nothing failed; "-" where nothing was counted.
+/// "0.0236 [0.0231, 0.0241]", the ends rounded outwards; with more digits where an end would look
+/// like the value, as far as the column holds them; "< 1.8e-2" where nothing failed; "-" where
+/// nothing was counted.
 std::string estimate_text(const Estimate& e);
-
-/// 1.23e-4: the exponent without its padding.
-std::string scientific(double value, int digits);
 
 }  // namespace sim

@@ -12,6 +12,7 @@
 #include "sim/report/text_table.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/scenario/flags.hpp"
+#include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
@@ -40,7 +41,7 @@ std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* si
 std::string real_time_factor(const PointResult& p) {
   const double factor = p.simulated_s / p.elapsed_s;
   if (!std::isfinite(factor)) return "-";
-  if (factor >= 1e6) return scientific(factor, 2) + "x";
+  if (factor >= 1e6) return scientific_text(factor, 2) + "x";
   return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
 }
 
@@ -76,7 +77,7 @@ std::string decibel_text(double value) {
 
 std::string theory_text(double ber) {
   if (std::isnan(ber)) return "-";
-  return ber < 0.01 ? scientific(ber, 3) : fmt::format("{:.4f}", ber);
+  return ber < 0.01 ? scientific_text(ber, 3) : fmt::format("{:.4f}", ber);
 }
 
 std::string closing_text(const PointResult& point) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/result/place_text.hpp"
+#include "sim/text/rounded_text.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {
@@ -26,10 +27,13 @@ std::string span_text(const Crossing& c) {
   return c.low == c.high ? fmt::format("{:g}", c.low) : fmt::format("{:g} .. {:g}", c.low, c.high);
 }
 
+/// With two digits of the margin, the ends rounded outwards.
 std::string fitted_text(const Crossing& c) {
   const double margin = std::max((c.high - c.low) / 2, 1e-12);
-  const int places = std::max(0, -static_cast<int>(std::floor(std::log10(margin))));
-  return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", c.at, places, c.low, places, c.high, places);
+  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(margin))));
+  return fmt::format("{} [{}, {}]", fixed_text(c.at, places),
+                     fixed_text(c.low, places, Rounding::down),
+                     fixed_text(c.high, places, Rounding::up));
 }
 
 /// The side on which a bracket has no end, "" if it has both.

@@ -15,9 +15,14 @@ TEST(CrossingSentence, SaysEachOutcome) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
   const auto say = [&](sim::Crossing c) { return sim::crossing_sentence(axis, c); };
   EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}),
-            "frame loss crosses 1 % at receiver.range_m = 7.9 [7.6, 8.2] m");
+            "frame loss crosses 1 % at receiver.range_m = 7.88 [7.60, 8.20] m");
   EXPECT_EQ(say({Kind::fitted, 78.8, 65, 91}),
             "frame loss crosses 1 % at receiver.range_m = 79 [65, 91] m");
+  EXPECT_EQ(say({Kind::fitted, 12.2149, 12.2086, 12.2204}),
+            "frame loss crosses 1 % at receiver.range_m = 12.2149 [12.2086, 12.2204] m");
+  EXPECT_EQ(say({Kind::fitted, 12.21, 12.1349, 12.2851}),
+            "frame loss crosses 1 % at receiver.range_m = 12.210 [12.134, 12.286] m")
+      << "rounded outwards";
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}),
             "frame loss crosses 1 % between receiver.range_m = 7 .. 8 m, two neighbours in the "
             "sweep");
@@ -54,7 +59,7 @@ TEST(CrossingSentence, SaysEachOutcome) {
 TEST(CrossingWords, SayEachOutcomeInAList) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
   const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
-  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.9 [7.6, 8.2] m");
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.88 [7.60, 8.20] m");
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}), "between 7 and 8 m");
   EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
             "between 7 and 8 m, though 1.8 % cannot be ruled out at 7 m");
