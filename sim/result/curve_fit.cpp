@@ -1,17 +1,14 @@
 #include "sim/result/curve_fit.hpp"
 
-#define ARMA_WARN_LEVEL 0  // a singular fit is an outcome here, not news for stderr
 #include <algorithm>
-#include <armadillo>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/special_functions/erf.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/result/bending_curve.hpp"
 #include "sim/result/isotonic.hpp"
 
 namespace sim {
@@ -144,91 +141,70 @@ Crossing bracket(const Observations& all, double level, double ci_level) {
   return {Kind::bracketed, middle_of(step_of(all, level)), low, high};
 }
 
-struct Fit {
-  arma::vec coefficients;  // logit(loss) = c0 + c1 x
-  arma::mat covariance;
-  arma::vec loss;  // at the points
+/// As many as are looked at by a curve, those about the step: of more the work grows with the cube,
+/// and those far from the level say little of where it is passed.
+Observations about_step(const Observations& all, double level) {
+  constexpr std::ptrdiff_t most = 100;
+  const std::ptrdiff_t surplus = std::max<std::ptrdiff_t>(0, std::ssize(all) - most);
+  const std::ptrdiff_t step = &step_of(all, level).first - all.data();
+  const auto begin = all.begin() + std::clamp<std::ptrdiff_t>(step - most / 2, 0, surplus);
+  return {begin, begin + (std::ssize(all) - surplus)};
+}
+
+/// The frames of a pool, how many of them were lost, and how many a curve expects.
+struct Pool {
+  LossCount count{};
+  double expected = 0;
+
+  bool is_large() const {
+    constexpr double enough = 5;  // for chi-square (Cochran 1954)
+    return std::min(expected, count.frames - expected) >= enough;
+  }
+  double deviance() const {
+    return 2 *
+           (log_likelihood(count, count.ratio()) - log_likelihood(count, expected / count.frames));
+  }
 };
 
-// Iteratively reweighted least squares (McCullagh & Nelder 1989, section 2.5), the covariance
-// widened by Pearson's dispersion where the points scatter more than binomially.
-std::optional<Fit> fit_logit(const arma::mat& x, const arma::vec& frames, const arma::vec& lost) {
-  Fit fit{arma::vec(2), arma::mat(2, 2), (lost + 0.5) / (frames + 1)};
-  arma::vec& loss = fit.loss;
-  for (int step = 0; step < 50; ++step) {
-    const arma::vec weights = frames % loss % (1 - loss);
-    const arma::vec response = arma::log(loss / (1 - loss)) + (lost - frames % loss) / weights;
-    const arma::mat information = x.t() * arma::diagmat(weights) * x;
-    if (!arma::inv_sympd(fit.covariance, information)) return std::nullopt;
-    const arma::vec next = fit.covariance * (x.t() * (weights % response));
-    if (!next.is_finite()) return std::nullopt;
-    const double change = step == 0 ? 1 : arma::norm(next - fit.coefficients) / arma::norm(next);
-    fit.coefficients = next;
-    loss = arma::clamp(1 / (1 + arma::exp(-x * next)), 1e-12, 1 - 1e-12);
-    if (change > 1e-9) continue;
-    const arma::vec misfit = arma::square(lost - frames % loss) / (frames % loss % (1 - loss));
-    const double freedom = std::max(1.0, static_cast<double>(lost.n_elem) - 2);
-    fit.covariance *= std::max(1.0, arma::accu(misfit) / freedom);
-    return fit;
-  }
-  return std::nullopt;
-}
-
-std::optional<Fit> fit_logit(const Observations& all, bool logarithmic) {
-  arma::mat x(all.size(), 2, arma::fill::ones);
-  arma::vec frames(all.size()), lost(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    x(i, 1) = logarithmic ? std::log(all[i].x) : all[i].x;
-    frames(i) = all[i].count.frames;
-    lost(i) = all[i].count.lost;
-  }
-  return fit_logit(x, frames, lost);
-}
-
-/// By the deviance (McCullagh & Nelder 1989, section 4.4.3). Points at which the fit expects no
-/// frame either lost or received lend it no freedom.
-bool fits(const Fit& fit, const Observations& all) {
+/// By the deviance (McCullagh & Nelder 1989, section 4.4.3) of neighbours taken together, so that
+/// of each pool some frames are expected to be lost and some to be received. What is left at an end
+/// is no pool.
+bool fits(const std::vector<double>& loss, const Observations& all) {
   double freedom = -2, deviance = 0;
+  Pool pool;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const LossCount& count = all[i].count;
-    const double expected = count.frames * fit.loss(i);
-    freedom += std::min(expected, count.frames - expected) > 0.5;
-    deviance += 2 * (log_likelihood(count, count.ratio()) - log_likelihood(count, fit.loss(i)));
+    pool.count.frames += all[i].count.frames;
+    pool.count.lost += all[i].count.lost;
+    pool.expected += all[i].count.frames * loss[i];
+    if (!pool.is_large()) continue;
+    ++freedom;
+    deviance += pool.deviance();
+    pool = {};
   }
   const boost::math::chi_squared by_chance(std::max(1.0, freedom));
   return cdf(complement(by_chance, std::max(0.0, deviance))) >= least_fit;
 }
 
-/// Whether so many frames are shortly before the crossing, where the fit expects a tenth of the
+/// Whether so many frames are shortly before the crossing, where the curve expects a tenth of the
 /// level or more, that they would rule the level out if none of them were lost: with fewer its
 /// place would be guessed from far greater losses.
-bool looked_for(const Fit& fit, const Observations& all, double level, double ci_level) {
+bool looked_for(const std::vector<double>& loss, const Observations& all, double level,
+                double ci_level) {
   double frames = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (level / 10 <= fit.loss(i) && fit.loss(i) < level) frames += all[i].count.frames;
+    if (level / 10 <= loss[i] && loss[i] < level) frames += all[i].count.frames;
   return frames >= std::log((1 - ci_level) / 2) / std::log1p(-level);
-}
-
-// The crossing on the fit's own axis, with its interval by the delta method.
-Crossing crossing_of(const Fit& fit, double level, double ci_level) {
-  const double slope = fit.coefficients(1);
-  const double at = (std::log(level / (1 - level)) - fit.coefficients(0)) / slope;
-  const double z = std::sqrt(2.0) * boost::math::erf_inv(ci_level);
-  if (std::abs(slope) < z * std::sqrt(fit.covariance(1, 1))) return {};
-  const arma::vec gradient{-1 / slope, -at / slope};
-  const double margin = z * std::sqrt(arma::as_scalar(gradient.t() * fit.covariance * gradient));
-  return {Kind::fitted, at, at - margin, at + margin};
 }
 
 /// Unclear where no fit can be trusted.
 Crossing fitted_crossing(const Observations& all, double level, double ci_level) {
   const bool logarithmic = std::ranges::all_of(all, [](const auto& o) { return o.x > 0; });
-  const std::optional<Fit> fit = fit_logit(all, logarithmic);
-  if (!fit || !fits(*fit, all) || !looked_for(*fit, all, level, ci_level)) return {};
-  Crossing c = crossing_of(*fit, level, ci_level);
-  if (logarithmic) c = {c.kind, std::exp(c.at), std::exp(c.low), std::exp(c.high)};
-  const auto [first, last] = std::minmax(all.front().x, all.back().x);
-  return first <= c.at && c.at <= last ? c : Crossing{};
+  std::vector<double> x;
+  for (const Observation& o : all) x.push_back(logarithmic ? std::log(o.x) : o.x);
+  const auto fit = curve_crossing(x, counts_of(all), level, ci_level);
+  if (!fit || !fits(fit->loss, all) || !looked_for(fit->loss, all, level, ci_level)) return {};
+  if (!logarithmic) return {Kind::fitted, fit->at, fit->low, fit->high};
+  return {Kind::fitted, std::exp(fit->at), std::exp(fit->low), std::exp(fit->high)};
 }
 
 }  // namespace
@@ -251,7 +227,7 @@ Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
   const bool sure_of_it = surely_crossed(all, level);
   if (separated(all)) return sure_of_it ? jump(all, level, result.ci_level) : Crossing{};
   const Crossing known = sure_of_it ? bracket(all, level, result.ci_level) : Crossing{};
-  const Crossing fitted = fitted_crossing(all, level, result.ci_level);
+  const Crossing fitted = fitted_crossing(about_step(all, level), level, result.ci_level);
   return fitted.kind == Kind::fitted ? fitted : known;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Where along a swept axis the frame loss crosses a level: binomial regression (logit link) against
-// the logarithm of the axis, or the axis itself if it is not positive. Where that does not fit the
+// Where along a swept axis the frame loss crosses a level: a curve that may bend
+// (sim/result/bending_curve.hpp) over the logarithm of the axis, or the axis itself if it is not
+// positive. Where that does not fit the
 // points, or has to guess the loss of so few frames, no more is said than what a rising loss allows
 // (sim/result/isotonic.hpp). What is not known is an outcome of its own, never an exception.
 #include "sim/result/result.hpp"
