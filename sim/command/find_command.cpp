@@ -155,6 +155,7 @@ class Finds {
     const Scenario scenario = point_scenario(ends_, at);
     const auto keep = [&](PointResult point, bool due) {
       point.coordinates = at;
+      point.rule = rule_of(scenario.stop);
       point.alarms = own_alarms(point);
       counted_[at] = std::move(point);
       if (due) keeper_.keep(result());

@@ -12,7 +12,6 @@ constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted
                                   "target_flr"};
 
 constexpr double usual_level = 0.95;
-constexpr double sure_level = 0.999;
 
 bool is_narrow(const Estimate& e, double relative) {
   return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;

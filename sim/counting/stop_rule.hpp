@@ -35,6 +35,9 @@ struct StopRule {
 /// Lost frames; weighted ones are worth as many as would say as much of both ratios.
 double worth_of_losses(const Tally& counted);
 
+/// The level of the interval that tells it.
+constexpr double sure_level = 0.999;
+
 /// On which side of a level a point's frame loss surely is.
 enum class Side { unknown, below, above };
 Side side_of(const Tally& counted, double flr);

@@ -33,6 +33,7 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
   const auto set = [&](const PointResult& counted) {
     result.points[i] = counted;
     result.points[i].coordinates = before.coordinates;
+    result.points[i].rule = rule;
   };
   EngineOptions engine{.threads = options.threads,
                        .first_trial = trials_of(shard, rule.max_frames).first,
@@ -55,13 +56,6 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
 bool is_interrupted(const ExperimentOptions& options) {
   const bool mine = options.interrupt != nullptr && *options.interrupt;
   return options.team != nullptr ? options.team->any(mine) : mine;
-}
-
-StopRule rule_of(const StopSettings& stop) {
-  return {.max_frames = static_cast<std::uint64_t>(stop.max_frames),
-          .max_frame_errors = static_cast<std::uint64_t>(stop.max_frame_errors),
-          .rel_ci = stop.rel_ci,
-          .target_flr = stop.target_flr};
 }
 
 bool has_theory(const LoadedScenario& scenario) {

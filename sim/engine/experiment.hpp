@@ -33,8 +33,6 @@ struct ExperimentOptions {
 /// Whether any member of the team was told to stop.
 bool is_interrupted(const ExperimentOptions& options);
 
-StopRule rule_of(const StopSettings& stop);
-
 /// Whether a receiver of the sweep is one that theory knows.
 bool has_theory(const LoadedScenario& scenario);
 

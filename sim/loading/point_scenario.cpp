@@ -200,6 +200,13 @@ Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number) {
   return point_scenario(loaded, point_coordinates(loaded.sweep, number));
 }
 
+StopRule rule_of(const StopSettings& stop) {
+  return {.max_frames = static_cast<std::uint64_t>(stop.max_frames),
+          .max_frame_errors = static_cast<std::uint64_t>(stop.max_frame_errors),
+          .rel_ci = stop.rel_ci,
+          .target_flr = stop.target_flr};
+}
+
 void check_all_points(const LoadedScenario& loaded) {
   const Setters setters = setters_of(loaded.sweep);
   const std::size_t n = count_points(loaded.sweep);

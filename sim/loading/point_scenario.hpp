@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/counting/stop_rule.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -15,6 +16,8 @@ Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>&
 
 /// The same by the point's number, counted from 0, as of --point; throws if there is no such point.
 Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number);
+
+StopRule rule_of(const StopSettings& stop);
 
 /// Throw unless every point of the sweep holds.
 void check_all_points(const LoadedScenario& loaded);

@@ -11,6 +11,7 @@
 #include "sim/report/report_table.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/text_table.hpp"
+#include "sim/result/point_loss.hpp"
 
 namespace sim {
 namespace {
@@ -40,7 +41,7 @@ std::vector<std::string> row_of(const ExperimentResult& result, const PointResul
   row.push_back(decibel_text(point.operating.snr_db));
   row.push_back(std::to_string(point.tally.n_frames));
   row.push_back(std::to_string(point.tally.n_frames_lost));
-  row.push_back(estimate_text(frame_loss_ratio(point.tally, result.ci_level)));
+  row.push_back(estimate_text(frame_loss_of(point, result.ci_level)));
   row.push_back(std::to_string(point.tally.n_bit_errors));
   row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
   if (theory) row.push_back(theory_text(point.operating.ber_theory));

@@ -12,6 +12,7 @@
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/estimate_text.hpp"
 #include "sim/result/place_text.hpp"
+#include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/text/unit_text.hpp"
 
@@ -39,7 +40,9 @@ std::string size_of(const ExperimentResult& result) {
   if (is_weighted(result))
     more = ", as drawn by importance sampling";
   else if (points == 1)
-    more = ": frame loss ratio " + estimate_text(frame_loss_ratio(all, result.ci_level));
+    more = ": frame loss ratio " +
+           estimate_text(
+               frame_loss_of(*std::ranges::find_if(result.points, measured), result.ci_level));
   return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
                      points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
                      more);
@@ -94,7 +97,7 @@ std::string where_it_fails(const ExperimentResult& result) {
   return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
                               rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
                               place.empty() ? "" : "at " + place + ", ",
-                              loss_in_percent(frame_loss_ratio(point->tally, result.ci_level)),
+                              loss_in_percent(frame_loss_of(*point, result.ci_level)),
                               noise_note(point->operating)));
 }
 

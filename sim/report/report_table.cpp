@@ -11,6 +11,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/text_table.hpp"
 #include "sim/result/alarms.hpp"
+#include "sim/result/point_loss.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/rounded_text.hpp"
 
@@ -32,6 +33,13 @@ std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
 }
 
 constexpr const char* alarm_sign = "!!";
+
+std::string target_note(const ExperimentResult& result) {
+  if (std::ranges::none_of(result.points, may_stop_by_target)) return "";
+  return "frame loss ratios are median-unbiased and their intervals allow for a stop by "
+         "target_flr; "
+         "lost over frames is `flr` in the file\n";
+}
 
 template <class Flag>
 std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* sign) {
@@ -61,7 +69,7 @@ std::string table_row(const std::vector<Axis>& axes, const PointResult& point, d
   texts.push_back(std::to_string(point.tally.n_bit_errors));
   texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
   if (theory) texts.push_back(theory_text(point.operating.ber_theory));
-  texts.push_back(estimate_text(frame_loss_ratio(point.tally, ci_level)));
+  texts.push_back(estimate_text(frame_loss_of(point, ci_level)));
   texts.push_back(real_time_factor(point));
   texts.push_back(known ? closing_text(point) : "-");
   return table_line(columns_of(axes, theory), texts);
@@ -92,7 +100,7 @@ std::string mark_notes(const ExperimentResult& result) {
     alarming |= p.alarms;
   }
   return raised_notes(validity_limits(), outside, outside_sign) +
-         raised_notes(alarms(), alarming, alarm_sign);
+         raised_notes(alarms(), alarming, alarm_sign) + target_note(result);
 }
 
 namespace {

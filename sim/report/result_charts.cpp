@@ -11,6 +11,7 @@
 #include "sim/report/estimate_text.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_maps.hpp"
+#include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
 
 namespace sim {
@@ -35,13 +36,17 @@ struct Ratio {
   const char* title;
   const char* label;
   std::optional<double> level;
-  Estimate (*estimate)(const Tally&, double level);
+  Estimate (*estimate)(const PointResult&, double level);
   double OperatingPoint::*theory;  // null where there is none
 };
 
+Estimate bit_errors_of(const PointResult& point, double level) {
+  return bit_error_ratio(point.tally, level);
+}
+
 constexpr Ratio ratios[] = {
-    {"Bit errors", "bit error ratio (BER)", {}, bit_error_ratio, &OperatingPoint::ber_theory},
-    {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_ratio, nullptr}};
+    {"Bit errors", "bit error ratio (BER)", {}, bit_errors_of, &OperatingPoint::ber_theory},
+    {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_of, nullptr}};
 
 Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ratio) {
   Chart chart{.title = ratio.title,
@@ -53,7 +58,7 @@ Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ra
   for (const PointResult& point : result.points) {
     if (!measured(point)) continue;
     const double x = point.coordinates[over];
-    const Estimate estimate = ratio.estimate(point.tally, result.ci_level);
+    const Estimate estimate = ratio.estimate(point, result.ci_level);
     ChartCurve& curve =
         curve_of(chart, curve_name(result.axes, over, point, false), CurveKind::measured);
     if (!std::isnan(estimate.value)) curve.points.push_back(chart_point(x, estimate));
@@ -90,7 +95,7 @@ std::vector<Chart> result_charts(const ExperimentResult& result) {
 std::vector<HeatMap> result_maps(const ExperimentResult& result) {
   std::vector<MapValue> losses;
   for (const PointResult& point : result.points) {
-    const Estimate loss = frame_loss_ratio(point.tally, result.ci_level);
+    const Estimate loss = frame_loss_of(point, result.ci_level);
     losses.push_back({loss.value, estimate_text(loss)});
   }
   return swept_maps(result.axes, losses, "Map of frame loss", "frame loss ratio");

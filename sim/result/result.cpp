@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/result/point_loss.hpp"
 #include "sim/text/digest.hpp"
 
 namespace sim {
@@ -16,6 +17,11 @@ using Ratio = Estimate (*)(const Tally&, double);
 template <Ratio ratio_of, double Estimate::*member>
 double rate(const PointResult& p, double ci_level) {
   return ratio_of(p.tally, ci_level).*member;
+}
+
+template <double Estimate::*member>
+double loss(const PointResult& p, double ci_level) {
+  return frame_loss_of(p, ci_level).*member;
 }
 
 template <double OperatingPoint::*member>
@@ -73,8 +79,8 @@ const std::array column_table{
            &Tally::n_frames_undetected},
     Column{"n_frames_false", "1", "frames accepted though none was sent", &Tally::n_frames_false},
     Column{"flr", "1", "frame loss ratio", rate<frame_loss_ratio, &Estimate::value>},
-    Column{"flr_ci_low", "1", flr_low, rate<frame_loss_ratio, &Estimate::low>},
-    Column{"flr_ci_high", "1", flr_high, rate<frame_loss_ratio, &Estimate::high>},
+    Column{"flr_ci_low", "1", flr_low, loss<&Estimate::low>},
+    Column{"flr_ci_high", "1", flr_high, loss<&Estimate::high>},
     Column{"uer", "1", "undetected frame error ratio",
            rate<undetected_error_ratio, &Estimate::value>},
     Column{"uer_ci_low", "1", uer_low, rate<undetected_error_ratio, &Estimate::low>},

@@ -23,6 +23,7 @@ struct PointResult {
   OperatingPoint operating{};
   Tally tally{};
   StopReason stop = StopReason::max_frames;
+  StopRule rule{};              // of its scenario
   double elapsed_s = 0;         // wall clock
   double simulated_s = 0;       // of the link's own time
   std::uint64_t n_samples = 0;  // waveform samples simulated

@@ -1,5 +1,6 @@
 #include "sim/result/unfinished.hpp"
 
+#include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -12,8 +13,11 @@ ExperimentResult unfinished(const LoadedScenario& scenario, const std::string& c
   result.seed = static_cast<std::uint64_t>(scenario.base.simulation.seed);
   result.axes = scenario.sweep;
   result.points.resize(count_points(scenario.sweep));
-  for (std::size_t i = 0; i < result.points.size(); ++i)
-    result.points[i].coordinates = point_coordinates(scenario.sweep, i);
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    PointResult& point = result.points[i];
+    point.coordinates = point_coordinates(scenario.sweep, i);
+    point.rule = rule_of(point_scenario(scenario, point.coordinates).stop);
+  }
   return result;
 }
 

@@ -123,14 +123,11 @@ TEST(HeldIntervals, MeasuredOfCounts) {
   held::expect_to_hold({"BER", bursts + "--rel-ci 0.2"}, experiment(by_width, false));
 }
 
-// A target stops where chance went one way, so intervals hold the truth less often than they say
-// (sim/README.md).
-TEST(SequentialCoverage, MeasuredStoppedByATargetTheyHoldLessOften) {
-  for (const double target : {0.02, 0.07, 0.13, 0.2, 0.5}) {
-    const Coverage c = coverage({.max_frames = 5000, .target_flr = target});
-    EXPECT_GE(c.ber, 0.93) << target;
-    EXPECT_GE(c.flr, 0.92) << target;
-  }
+// A target stops where chance went one way, of which the interval of frame loss knows
+// (stopped_loss_test.cpp) and that of BER does not.
+TEST(SequentialCoverage, MeasuredStoppedByATarget) {
+  for (const double target : {0.02, 0.07, 0.13, 0.2, 0.5})
+    EXPECT_GE(coverage({.max_frames = 5000, .target_flr = target}).ber, 0.93) << target;
 }
 
 }  // namespace
