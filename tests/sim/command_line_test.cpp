@@ -25,6 +25,7 @@ TEST_F(CommandLine, RefusesWhatItCannotRead) {
       "with its result");
   expect_refused({"help", "rnu"}, bad_input, "rnu (no such command) did you mean run?");
   expect_refused({"rnu"}, bad_input, "rnu (no such command) did you mean run?");
+  expect_refused({"rnu", "--help"}, bad_input, "rnu (no such command) did you mean run?");
   expect_refused({"run"}, bad_input, "SCENARIO is required (wrong usage) see cosys-sim run --help");
   expect_refused({"run", "s.toml", "--thread", "2"}, bad_input,
                  "--thread (run has no such option) did you mean --threads?");
