@@ -5,13 +5,13 @@
 
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <new>
 #include <string>
 
 #include "sim/command/command_line.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/shell_text.hpp"
+#include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
 
 namespace {
@@ -40,7 +40,7 @@ void occupy_closed_streams() {
 }
 
 int fail(const std::string& line, sim::ExitCode code) {
-  if (code != sim::ExitCode::reader_gone) std::cerr << "cosys-sim: " << line << "\n";
+  if (code != sim::ExitCode::reader_gone) sim::say("cosys-sim: " + line + "\n");
   return static_cast<int>(code);
 }
 

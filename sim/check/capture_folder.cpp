@@ -19,17 +19,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view name_begin = "cosys-check.";
+constexpr std::string_view name_begin = "cosys-sim-captures.";
 
 Descriptor opened(const fs::path& folder) {
   return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-bool lock(const Descriptor& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
+bool is_unlocked(const Descriptor& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
 
-bool is_own(const Descriptor& folder) {
+/// Waits for who holds it at the moment. A file system without locks has none.
+void lock(const Descriptor& folder) {
+  while (::flock(folder.get(), LOCK_EX) != 0 && errno == EINTR) continue;
+}
+
+/// As mkdtemp makes them for this user.
+bool is_own(const fs::path& path, const Descriptor& folder) {
+  constexpr std::size_t drawn = 6;  // letters
   struct stat status {};
-  return ::fstat(folder.get(), &status) == 0 && status.st_uid == ::geteuid();
+  return path.filename().string().size() == name_begin.size() + drawn &&
+         ::fstat(folder.get(), &status) == 0 && status.st_uid == ::geteuid() &&
+         (status.st_mode & 0777U) == 0700U;
 }
 
 bool is_gone(const Descriptor& folder) {
@@ -44,17 +53,9 @@ void remove_left_over(const fs::path& in) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     if (!entry->path().filename().string().starts_with(name_begin)) continue;
     const Descriptor folder = opened(entry->path());
-    if (folder.is_open() && is_own(folder) && lock(folder)) fs::remove_all(entry->path(), ignored);
+    if (folder.is_open() && is_own(entry->path(), folder) && is_unlocked(folder))
+      fs::remove_all(entry->path(), ignored);
   }
-}
-
-fs::path new_folder(const fs::path& in) {
-  std::string name = (in / (std::string(name_begin) + "XXXXXX")).string();
-  if (::mkdtemp(name.data()) != nullptr) return name;
-  throw Failure(ExitCode::environment,
-                fmt::format("cannot make a folder for captures in {} ({}) set TMPDIR to one that "
-                            "can be written",
-                            in.string(), std::strerror(errno)));
 }
 
 bool write_all(int to, std::string_view bytes) {
@@ -69,11 +70,15 @@ bool write_all(int to, std::string_view bytes) {
 }  // namespace
 
 CaptureFolder::CaptureFolder() {
-  const fs::path in = temporary_folder();
-  remove_left_over(in);
+  remove_left_over(temporary_folder());
   do {
-    path_ = new_folder(in);
+    path_ = new_temporary_folder(std::string(name_begin));
     folder_.emplace(opened(path_));
+    if (!folder_->is_open() && errno != ENOENT)
+      throw Failure(
+          ExitCode::environment,
+          fmt::format("cannot open {} ({}) free some files, or set TMPDIR to another folder",
+                      path_.string(), std::strerror(errno)));
     lock(*folder_);
   } while (is_gone(*folder_));  // another check took it for left over before it was locked
 }
@@ -90,9 +95,13 @@ fs::path CaptureFolder::write(const char* ending, const std::string& bytes) {
                                    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!file.is_open() && errno == EEXIST) continue;
     if (file.is_open() && write_all(file.get(), bytes)) return path_ / name;
-    throw Failure(ExitCode::environment,
-                  fmt::format("cannot write {} ({}) set TMPDIR to a place that has some space",
-                              (path_ / name).string(), std::strerror(errno)));
+    const int reason = errno;
+    remove(name);
+    throw Failure(
+        ExitCode::environment,
+        fmt::format("cannot write {} ({}) {}", (path_ / name).string(), std::strerror(reason),
+                    reason == ENOENT ? "let decoders leave the folder of captures there"
+                                     : "set TMPDIR to a place that has some space"));
   }
 }
 

@@ -56,11 +56,13 @@ pollfd wait_for(const std::optional<Descriptor>& descriptor, short event) {
   return {.fd = descriptor ? descriptor->get() : -1, .events = event, .revents = 0};
 }
 
-/// Ours, and another setting where there is one.
+/// Ours with another mark, or as it is where there is none: of two a shell keeps the last.
 std::vector<char*> environment_with(const std::string& setting) {
   std::vector<char*> all;
   if (!setting.empty()) all.push_back(const_cast<char*>(setting.c_str()));
-  for (char** one = environ; *one != nullptr; ++one) all.push_back(*one);
+  for (char** one = environ; *one != nullptr; ++one)
+    if (setting.empty() || !std::string_view(*one).starts_with(Warden::mark_name))
+      all.push_back(*one);
   all.push_back(nullptr);
   return all;
 }

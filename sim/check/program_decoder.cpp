@@ -171,12 +171,17 @@ class ProgramDecoder : public Decoder {
 
 class ProgramForEach : public ProgramDecoder {
  public:
-  using ProgramDecoder::ProgramDecoder;
+  ProgramForEach(const std::string& command, const ProgramSettings& settings)
+      : ProgramDecoder(command, settings),
+        folder_(command.find(in_braces(format())) == std::string::npos
+                    ? nullptr
+                    : std::make_unique<CaptureFolder>()),
+        warden_(folder_ ? folder_->path() : fs::path()) {}
 
   Decoded decode(const MarkedLine& line) const override {
     const std::string bytes = format().bytes(line);
-    if (command().find(in_braces(format())) == std::string::npos) return answer(command(), bytes);
-    const CaptureFile file(folder_, format().ending, bytes);
+    if (!folder_) return answer(command(), bytes);
+    const CaptureFile file(*folder_, format().ending, bytes);
     return answer(replaced(command(), in_braces(format()), shell_word(file.path().string())), "");
   }
 
@@ -194,8 +199,8 @@ class ProgramForEach : public ProgramDecoder {
     return failed(fault_of(waited, child, settings()));
   }
 
-  mutable CaptureFolder folder_;
-  Warden warden_{folder_.path()};
+  const std::unique_ptr<CaptureFolder> folder_;  // where the command reads files
+  const Warden warden_;
 };
 
 /// An answer so far: a first line that says how many bytes follow, and those that came.

@@ -1,15 +1,16 @@
 #include "sim/check/warden.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 
-#include <atomic>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <random>
 #include <set>
 #include <string_view>
 
@@ -23,10 +24,16 @@ namespace fs = std::filesystem;
 
 constexpr pid_t all_in_order = 0;
 
-/// Of a process of this user; empty for others'.
+/// Of a process of this user; empty for others', and where it cannot be read.
 std::string environment_of(const fs::path& process) {
-  std::ifstream file(process / "environ", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  const Descriptor file(::open((process / "environ").c_str(), O_RDONLY | O_CLOEXEC));
+  std::string all;
+  std::array<char, 4096> chunk;
+  for (;;) {
+    const ssize_t n = file.is_open() ? ::read(file.get(), chunk.data(), chunk.size()) : 0;
+    if (n <= 0) return all;
+    all.append(chunk.data(), static_cast<std::size_t>(n));
+  }
 }
 
 /// The mark, or one that goes on behind a point.
@@ -43,6 +50,13 @@ pid_t process_of(std::string_view name) {
   return error == std::errc() && rest == name.data() + name.size() ? number : 0;
 }
 
+/// Whether it was one that has the mark. By its descriptor, as its number may soon be another's.
+bool kill_if_marked(pid_t number, const fs::path& entry, const std::string& mark) {
+  const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, number, 0)));
+  return process.is_open() && has_mark(environment_of(entry), mark) &&
+         ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0) == 0;
+}
+
 /// How many had it.
 int kill_marked(const std::string& mark) {
   int found = 0;
@@ -51,7 +65,7 @@ int kill_marked(const std::string& mark) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const pid_t process = process_of(entry->path().filename().string());
     if (process == 0 || process == ::getpid()) continue;
-    if (has_mark(environment_of(entry->path()), mark)) found += ::kill(process, SIGKILL) == 0;
+    found += kill_if_marked(process, entry->path(), mark);
   }
   return found;
 }
@@ -72,7 +86,7 @@ void keep_apart(int from) {
   for (const int wish : {SIGINT, SIGTERM, SIGHUP}) std::signal(wish, SIG_IGN);
 }
 
-[[noreturn]] void watch(int from, const std::string& mark, const fs::path& folder) {
+[[noreturn]] void watch(int from, const std::string& mark, const fs::path& folder) noexcept {
   keep_apart(from);
   std::set<pid_t> groups;
   for (pid_t told = 0; ::read(STDIN_FILENO, &told, sizeof told) == sizeof told;) {
@@ -87,9 +101,10 @@ void keep_apart(int from) {
   ::_exit(0);
 }
 
-std::string mark_of_next() {
-  static std::atomic<int> made = 0;
-  return "COSYS_SIM_DECODER=" + std::to_string(::getpid()) + "." + std::to_string(++made);
+/// Nobody else's, in whatever container.
+std::string new_mark() {
+  std::random_device random;
+  return fmt::format("{}{:08x}{:08x}", Warden::mark_name, random(), random());
 }
 
 [[noreturn]] void fail(int error) {
@@ -100,7 +115,7 @@ std::string mark_of_next() {
 
 }  // namespace
 
-Warden::Warden(const fs::path& folder) : mark_(mark_of_next()), to_(-1) {
+Warden::Warden(const fs::path& folder) : mark_(new_mark()), to_(-1) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) fail(errno);
   const Descriptor from(ends[0]);

@@ -21,6 +21,8 @@ class Warden {
   /// Ends what programs left behind.
   ~Warden();
 
+  /// What marks begin with.
+  static constexpr const char* mark_name = "COSYS_SIM_DECODER=";
   /// A setting for the environment of a program that is to be watched, NAME=VALUE. By it processes
   /// are found that left their group. From any thread.
   std::string next_mark() const;

@@ -11,6 +11,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/report/experiment_run.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
@@ -115,18 +116,20 @@ ExitCode baseline_command(const BaselineRequest& request) {
                     .decoder = name,
                     .scenarios = {},
                     .points = {}};
+  Rows rows(false);
   for (const LoadedScenario& scenario : scenarios) {
     for (const JudgedPoint& point : judged_points(scenario)) {
       baseline.points.push_back(measure(point, *decoder, workers));
       baseline.points.back().scenario = baseline.scenarios.size();
       if (workers.interrupted()) return end_interrupted();
-      print(row_of(baseline.points.back(), old));
+      rows.print(row_of(baseline.points.back(), old));
       show_progress(request.quiet, "baseline", baseline.points.size(), points);
     }
     baseline.scenarios.push_back(scenario.text);
   }
   keep_finished(request.output,
                 [&](const std::filesystem::path& place) { write_baseline(place, baseline); });
+  rows.check();
   print(fmt::format("{} -> {}\n", name, request.output.string()));
   return ExitCode::done;
 }

@@ -12,6 +12,7 @@
 #include "sim/command/judging.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
+#include "sim/report/finished_result.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/text/shell_text.hpp"
 #include "sim/text/standard_output.hpp"
@@ -171,8 +172,12 @@ ExitCode check_command(const CheckRequest& request) {
                            .baseline_file = request.baseline,
                            .options = repeated_options(request),
                            .scenario_options = scenario_options(request.options)};
-  if (request.junit) write_file(*request.junit, check_junit(report));
-  print(request.json ? check_json(report) : check_text(report));
+  const auto answer = [&] { return request.json ? check_json(report) : check_text(report); };
+  if (request.junit)
+    keep_finished(
+        *request.junit, [&](const fs::path& place) { write_file(place, check_junit(report)); },
+        answer);
+  request.json ? print_json(answer()) : print(answer());
   return exit_code(verdict_of(checks));
 }
 

@@ -20,7 +20,7 @@ void print_message(const WireFrame& frame, bool json) {
   }
   nlohmann::json line = {{"outcome", frame.outcome}, {"message", message}};
   if (frame.start) line["time_s"] = frame.start->value;
-  print(line.dump() + "\n");
+  print_json(line.dump() + "\n");
 }
 
 void print_line(const DecodedCapture& decoded) {
@@ -54,7 +54,7 @@ ExitCode decode_one(const DecodeRequest& request) {
     say(fmt::format("cosys-sim: no {} message in {} characters\n", request.protocol,
                     decoded.characters));
   if (request.json)
-    print(line_as_json(decoded));
+    print_json(line_as_json(decoded));
   else
     print_line(decoded);
   const auto doubt = doubt_about(decoded);

@@ -137,7 +137,7 @@ ExitCode decode_table(const DecodeRequest& request) {
     ReadingProgress progress(fmt::format("capture {} of {}", i + 1, places.size()), true);
     const CaptureOutcome outcome = outcome_of(places[i], request, progress);
     progress.clear();
-    print(request.json ? outcome_as_json(outcome) : row_text(outcome, table));
+    request.json ? print_json(outcome_as_json(outcome)) : print(row_text(outcome, table));
     code = worse_of(code, outcome.code);
     unread += outcome.was_read() ? 0 : 1;
   }

@@ -196,18 +196,21 @@ ExitCode find_command(const FindRequest& request) {
   Keeper keeper(output, request.program);
   const std::atomic<bool>& interrupt = heed_stop_signals();
   Finds finds(request, over, scenario, keeper, interrupt);
+  const auto keep_all = [&](const ExperimentResult& result) {
+    keep_finished(
+        output, [&](const fs::path& place) { write_result(place, result, request.program); },
+        [&] { return to_json(result, finds.question()); });
+  };
   try {
     finds.run();
   } catch (const Failure&) {
-    keeper.keep(finds.result());
+    keep_all(finds.result());
     throw;
   }
   const ExperimentResult result = finds.result();
-  keep_finished(
-      output, [&](const fs::path& place) { write_result(place, result, request.program); },
-      [&] { return to_json(result, finds.question()); });
+  keep_all(result);
   if (request.json)
-    print(to_json(result, finds.question()) + "\n");
+    print_json(to_json(result, finds.question()) + "\n");
   else
     print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
           closing_lines(result, output, finds.question()));

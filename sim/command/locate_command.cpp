@@ -76,7 +76,7 @@ Location of_scenario(const LocateRequest& request) {
 ExitCode locate_command(const LocateRequest& request) {
   const bool is_scenario = request.readings.extension() == ".toml";
   const Location location = is_scenario ? of_scenario(request) : of_readings_file(request);
-  print(request.json ? location_json(location) : location_text(location));
+  request.json ? print_json(location_json(location)) : print(location_text(location));
   return location.outcome == LocateOutcome::located ? ExitCode::done : ExitCode::inconclusive;
 }
 

@@ -62,7 +62,7 @@ ExitCode list(const PartsRequest& request) {
   if (sheets.empty() && !request.search.empty())
     throw bad_input("--search " + request.search, "no part mentions it",
                     "leave it out to see all parts");
-  print(request.json ? parts_json(sheets) : parts_table(sheets));
+  request.json ? print_json(parts_json(sheets)) : print(parts_table(sheets));
   return ExitCode::done;
 }
 
@@ -72,7 +72,7 @@ ExitCode parts_command(const PartsRequest& request) {
   if (request.name.empty()) return list(request);
   for (const PartFile& part : named(request)) {
     const PartSheet sheet = read_part_sheet(part, Compare::yes);
-    print(request.json ? sheet_json(sheet) : sheet_text(sheet));
+    request.json ? print_json(sheet_json(sheet)) : print(sheet_text(sheet));
   }
   return ExitCode::done;
 }

@@ -101,14 +101,23 @@ void refuse_twice(const std::vector<fs::path>& results) {
   }
 }
 
-/// All of them, or none.
+/// Its page would take the place of one of its pictures.
+void refuse_same_place(const std::vector<PictureFile>& pictures, const fs::path& output) {
+  const auto place_of = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
+  for (const PictureFile& picture : pictures)
+    if (place_of(picture.place) == place_of(output))
+      throw bad_input("--output " + output.string(), "one of the pictures is to be written there",
+                      "choose another name");
+}
+
+/// All of them, or none where one cannot be written.
 void write_files(const std::vector<PictureFile>& all) {
   std::deque<NewFile> files;
   for (const auto& [place, bytes] : all) {
     files.emplace_back(place).write(bytes);
     files.back().close();
   }
-  take_places(files);
+  for (NewFile& file : files) file.take_place();
   for (const PictureFile& file : all) print(file.place.string() + "\n");
 }
 
@@ -126,6 +135,7 @@ ExitCode report_command(const ReportRequest& request) {
   const Page page = page_of(std::move(parts));
   auto files = picture_files(page, request.pictures);
   if (!files) return end_interrupted();
+  refuse_same_place(*files, request.output);
   make_folders(request.pictures);
   files->insert(files->begin(), PictureFile{request.output, page_as_html(page)});
   write_files(*files);

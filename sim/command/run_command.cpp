@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
@@ -70,11 +71,12 @@ void refuse_same_output(const RunRequest& request) {
 
 /// A row may have no place to go, such as a reader that has seen enough: that ends the run, but
 /// what was counted is kept.
-void print_row(const ExperimentResult& result, std::size_t point, bool theory, Keeper& keeper) {
+void print_row(const ExperimentResult& result, std::size_t point, bool theory,
+               const std::function<void(const ExperimentResult&)>& keep) {
   try {
     print(table_row(result.axes, result.points[point], result.ci_level, theory));
   } catch (const Failure&) {
-    keeper.keep(result);
+    keep(result);
     throw;
   }
 }
@@ -119,6 +121,11 @@ std::string plots(const RunRequest& request, const ExperimentResult& result) {
 
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
   Keeper keeper(run.output, request.program);
+  const auto keep_all = [&](const ExperimentResult& result) {
+    keep_finished(
+        run.output, [&](const fs::path& place) { write_result(place, result, request.program); },
+        [&] { return to_json(result); });
+  };
   ProgressLine progress(!request.quiet);
   const bool theory = has_theory(run.scenario);
   if (!request.json) print(table_header(run.scenario.sweep, theory));
@@ -129,16 +136,13 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
     if (keeper.is_due_at_end()) keeper.keep(result);
-    if (!request.json) print_row(result, point, theory, keeper);
+    if (!request.json) print_row(result, point, theory, keep_all);
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
-  keep_finished(
-      run.output, [&](const fs::path& place) { write_result(place, result, request.program); },
-      [&] { return to_json(result); });
+  keep_all(result);
   if (request.profile) say(profile_of(result));
-  print(request.json
-            ? to_json(result) + "\n"
-            : plots(request, result) + missing_lines(result) + closing_lines(result, run.output));
+  if (request.json) return print_json(to_json(result) + "\n");
+  print(plots(request, result) + missing_lines(result) + closing_lines(result, run.output));
 }
 
 // ---- experiments that are no links ----

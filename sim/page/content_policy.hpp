@@ -1,6 +1,6 @@
 #pragma once
-// What a browser may do with a page: run its own scripts and nothing else, load nothing, send
-// nothing. Whatever a text of a result turns out to be, no browser executes it.
+// What a browser may do with a page: run its own scripts and nothing else, and load nothing.
+// Whatever a text of a result turns out to be, no browser executes it.
 #include <string>
 #include <vector>
 

@@ -29,7 +29,7 @@ void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
       [&](const std::filesystem::path& place) { write_dataset(place, data, run.program); },
       [&] { return dataset_json(data); });
   rows.check();
-  if (run.json) return print(dataset_json(data) + "\n");
+  if (run.json) return print_json(dataset_json(data) + "\n");
   print(outside_notes(data));
   if (!details.empty()) print("\n" + details);
   print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));

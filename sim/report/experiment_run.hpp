@@ -24,7 +24,7 @@ struct ExperimentRun {
 /// more, what is measured is not given up: the failure waits for the result to be written.
 class Rows {
  public:
-  explicit Rows(const ExperimentRun& run) : silent_(run.json) {}
+  explicit Rows(bool silent) : silent_(silent) {}
   void print(const std::string& text);
   /// Throws what print could not.
   void check() const;

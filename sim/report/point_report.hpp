@@ -22,7 +22,7 @@ template <class Point, class Measure>
 void report_points(const ExperimentRun& run, const PointReport<Point>& report,
                    const Measure& measure) {
   const LoadedScenario& scenario = run.scenario;
-  Rows rows(run);
+  Rows rows(run.json);
   rows.print(report.header(scenario));
   const std::vector<Point> points =
       measure(OnPoint<Point>([&](const Point& point) { rows.print(report.row(scenario, point)); }));

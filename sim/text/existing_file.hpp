@@ -1,6 +1,5 @@
 #pragma once
-// What stands where a file shall be written. The program replaces files of its own of the same
-// kind; what else a user has there, named by mistake, must not be lost.
+// The ends of a file, by which those that the program wrote itself are known.
 #include <filesystem>
 #include <string>
 

@@ -85,7 +85,8 @@ NewFile::NewFile(const fs::path& place)
   beside_ += ending;
   refuse_what_is_no_file();
   remove_left_over(place_);
-  descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ =
+      ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail();
 }
 

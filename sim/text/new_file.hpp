@@ -16,11 +16,11 @@ struct OwnFiles {
   const char* name;  // "a result of cosys-sim"
 };
 
-/// Before the work of which the file is the result. Throws Failure(bad_input) where something with
-/// something in it stands that is not one of `own`, and as NewFile does where none can be written.
+/// Before the work of which the file is the result. Throws Failure(bad_input) where a file stands
+/// that is not empty and not one of `own`, and as NewFile does where none can be written.
 void check_place(const std::filesystem::path& place, const OwnFiles& own);
 
-/// The same for a file whose folder is made later.
+/// The first half of that, for a file whose folder is made later.
 void refuse_to_lose(const std::filesystem::path& place, const OwnFiles& own);
 
 /// The whole of a file.
@@ -54,8 +54,8 @@ class NewFile {
   bool in_place_ = false;
 };
 
-/// Files that belong together take their places in order. A kill leaves no file beside an older one
-/// that stood before another of them: what was there goes first, the last file's first.
+/// Files that belong together take their places in order. The old ones are removed before, last to
+/// first, so that a kill never leaves a new file beside an old one.
 void take_places(std::deque<NewFile>& files);
 
 }  // namespace sim

@@ -1,5 +1,7 @@
 #include "sim/text/standard_output.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -14,16 +16,28 @@ bool is_obeyed(unsigned char first, unsigned char second) {
   return first == 0xc2 && second >= 0x80 && second <= 0x9f;
 }
 
-std::string shown(std::string_view text) {
+/// The text with all of these characters written by `as`.
+template <class Written>
+std::string without_obeyed(std::string_view text, const Written& as) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
-    const bool is_c1 = i + 1 < text.size() && is_obeyed(c, static_cast<unsigned char>(text[i + 1]));
-    result += is_c1 || is_obeyed(c) ? '?' : text[i];
-    i += is_c1;
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    if (is_obeyed(c, next)) {
+      result += as(next);
+      ++i;
+    } else if (is_obeyed(c)) {
+      result += as(c);
+    } else {
+      result += text[i];
+    }
   }
   return result;
+}
+
+std::string shown(std::string_view text) {
+  return without_obeyed(text, [](unsigned char) { return "?"; });
 }
 
 }  // namespace
@@ -35,6 +49,10 @@ Failure unwritable_output(int error) {
 }
 
 void print(std::string_view text) { print_bytes(shown(text)); }
+
+void print_json(std::string_view text) {
+  print_bytes(without_obeyed(text, [](unsigned code) { return fmt::format("\\u{:04x}", code); }));
+}
 
 void print_bytes(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||

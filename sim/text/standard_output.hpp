@@ -16,6 +16,8 @@ Failure unwritable_output(int error);
 
 /// Text for people and other programs. Throws unwritable_output().
 void print(std::string_view text);
+/// The same for JSON, in whose strings such characters are escaped and not lost.
+void print_json(std::string_view text);
 /// The same for bytes as they are.
 void print_bytes(std::string_view bytes);
 

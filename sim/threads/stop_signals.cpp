@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <string_view>
@@ -18,7 +19,7 @@ static_assert(std::atomic<Clock::rep>::is_always_lock_free);
 std::atomic<bool> in_order = false;  // whether somebody looks at `stopping`
 std::atomic<bool> stopping = false;
 std::atomic<int> put_off = 0;
-std::atomic<Clock::rep> first_at = 0;
+std::atomic<Clock::rep> first_at = 0;  // 0: no signal yet
 
 void tell(std::string_view line) {
   [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, line.data(), line.size());
@@ -32,13 +33,20 @@ void begin_to_stop() {
   if (put_off == 0) end_now();
 }
 
-void on_signal(int) {
+void heed_wish() {
   const Clock::rep now = Clock::now().time_since_epoch().count();
-  if (!stopping.exchange(true)) {
-    first_at = now;
+  Clock::rep first = 0;
+  if (first_at.compare_exchange_strong(first, now)) {
+    stopping = true;
     return begin_to_stop();
   }
-  if (Clock::duration(now - first_at) > std::chrono::milliseconds(200)) end_now();
+  if (Clock::duration(now - first) > std::chrono::milliseconds(200)) end_now();
+}
+
+void on_signal(int) {
+  const int interrupted = errno;  // of what goes on behind it
+  heed_wish();
+  errno = interrupted;
 }
 
 void heed(int signal) {
@@ -57,6 +65,7 @@ void heed_signals() {
   if (std::signal(SIGHUP, SIG_IGN) != SIG_IGN) heed(SIGHUP);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, it would hide how decoders end
 }
 
 const std::atomic<bool>& heed_stop_signals() {

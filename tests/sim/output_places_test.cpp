@@ -140,8 +140,7 @@ TEST_F(OutputPlaces, ThatAreFullInTheEndLoseNothing) {
                                                      ".toml -q -o out.h5 --json 2>&1 | cat; "
                                                      "echo ${PIPESTATUS[0]}"});
     EXPECT_EQ(digest_in(said), digest_in(good.out));
-    EXPECT_TRUE(said.ends_with("; the finished result is on standard output, as JSON\n3\n"))
-        << said;
+    EXPECT_TRUE(said.ends_with("; what was counted is on standard output\n3\n")) << said;
   }
 }
 
@@ -157,8 +156,8 @@ TEST_F(OutputPlaces, ThatAreGoneInTheEndAreReplacedByTheTemporaryFolder) {
   ::unsetenv("TMPDIR");
   EXPECT_EQ(o.code, environment);
   ASSERT_EQ(std::distance(fs::directory_iterator(path("temporary")), {}), 1);
-  const fs::path kept = fs::directory_iterator(path("temporary"))->path();
-  EXPECT_TRUE(o.err.ends_with("; the finished result is in " + kept.string() + "\n")) << o.err;
+  const fs::path kept = fs::directory_iterator(path("temporary"))->path() / "out.h5";
+  EXPECT_TRUE(o.err.ends_with("; what was counted is in " + kept.string() + "\n")) << o.err;
   EXPECT_EQ(program({"report", kept.string(), "-o", "kept.html"}).code, 0);
 }
 

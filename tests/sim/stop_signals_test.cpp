@@ -5,9 +5,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 
 #include "gtest/gtest.h"
+#include "sim/text/new_file.hpp"
 
 namespace sim {
 namespace {
@@ -33,6 +38,16 @@ void put_off(int signal) {
     std::raise(signal);
   }
   std::fputs("done\n", stderr);
+}
+
+/// In the middle of a file: it takes its place, and nothing is left beside it.
+void write_through(const std::filesystem::path& place, int signal) {
+  heed_signals();
+  NewFile file(place);
+  file.write("begun, ");
+  std::raise(signal);
+  file.write("done");
+  file.take_place();
 }
 
 void raise_for_a_while() {
@@ -79,6 +94,19 @@ TEST(StopSignalsDeathTest, WhereNothingIsKeptTheFirstEndsAtOnce) {
 TEST(StopSignalsDeathTest, TheEndCanBePutOff) {
   EXPECT_EXIT(put_off(SIGTERM), testing::ExitedWithCode(130),
               "^cosys-sim: interrupted \\(by a signal\\)\ndone\n$");
+}
+
+TEST(StopSignalsDeathTest, AFileIsWrittenToItsEndBefore) {
+  std::string folder = (std::filesystem::temp_directory_path() / "cosys_signals.XXXXXX").string();
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  const std::filesystem::path place = std::filesystem::path(folder) / "file";
+  EXPECT_EXIT(write_through(place, SIGTERM), testing::ExitedWithCode(130),
+              "interrupted \\(by a signal\\)");
+  std::string text;
+  std::getline(std::ifstream(place), text);
+  EXPECT_EQ(text, "begun, done");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(StopSignalsDeathTest, ALaterOneEndsAtOnce) {
