@@ -85,13 +85,17 @@ TEST_F(HostileDecoder, ThatLeavesItsGroupIsEndedAfterItsTime) {
 // The warden may be killed too: by who kills all of a container, for want of memory.
 TEST_F(HostileDecoder, LeavesNothingThatTheNextCheckDoesNotRemove) {
   fs::create_directory(path("tmp/cosys-sim-captures.dead00"));
+  fs::permissions(path("tmp/cosys-sim-captures.dead00"), fs::perms::owner_all);
   write("tmp/cosys-sim-captures.dead00/1.edges", "0 1\n");
+  fs::create_directory(path("tmp/cosys-sim-captures.notes"));  // somebody's own
   fs::create_directory(path("tmp/cosys-sim-captures.alive0"));
+  fs::permissions(path("tmp/cosys-sim-captures.alive0"), fs::perms::owner_all);
   const int alive = ::open(path("tmp/cosys-sim-captures.alive0").c_str(), O_RDONLY | O_DIRECTORY);
   ASSERT_EQ(::flock(alive, LOCK_EX), 0);
   program(check("cat {edges} >/dev/null; exit 3"));
   EXPECT_FALSE(fs::exists(path("tmp/cosys-sim-captures.dead00")));
   EXPECT_TRUE(fs::exists(path("tmp/cosys-sim-captures.alive0")));
+  EXPECT_TRUE(fs::exists(path("tmp/cosys-sim-captures.notes")));
   ::close(alive);
 }
 
