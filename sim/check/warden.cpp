@@ -107,7 +107,7 @@ std::string new_mark() {
   return fmt::format("{}{:08x}{:08x}", Warden::mark_name, random(), random());
 }
 
-[[noreturn]] void fail(int error) {
+[[noreturn]] void cannot_start(int error) {
   throw Failure(ExitCode::environment, std::string("cannot start another process (") +
                                            std::strerror(error) +
                                            ") use fewer threads, or end other programs");
@@ -117,11 +117,11 @@ std::string new_mark() {
 
 Warden::Warden(const fs::path& folder) : mark_(new_mark()), to_(-1) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) fail(errno);
+  if (::pipe2(ends, O_CLOEXEC) != 0) cannot_start(errno);
   const Descriptor from(ends[0]);
   to_ = Descriptor(ends[1]);
   process_ = ::fork();
-  if (process_ < 0) fail(errno);
+  if (process_ < 0) cannot_start(errno);
   if (process_ == 0) watch(ends[0], mark_, folder);
 }
 

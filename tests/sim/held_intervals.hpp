@@ -42,7 +42,7 @@ inline int seeds_of(const Row& row) {
   return wanted == nullptr ? row.gate_seeds : std::atoi(wanted);
 }
 
-inline Count count(const Row& row, const Experiment& experiment) {
+inline Count tried_with_seeds(const Row& row, const Experiment& experiment) {
   Count counted;
   for (counted.seeds = 0; counted.seeds < seeds_of(row); ++counted.seeds) {
     const auto printed = experiment(static_cast<std::uint64_t>(counted.seeds) + 1);
@@ -63,7 +63,7 @@ inline void print(const Row& row, const Count& count) {
 /// The share that it held is what chance makes of one between `least` and `most`, but once in ten
 /// thousand tries.
 inline void expect_to_hold(const Row& row, const Experiment& experiment) {
-  const Count counted = count(row, experiment);
+  const Count counted = tried_with_seeds(row, experiment);
   print(row, counted);
   EXPECT_GT(counted.printed, 0) << row.setting;
   const auto chance = sim::clopper_pearson(counted.held, counted.printed, 0.9999);

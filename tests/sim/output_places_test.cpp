@@ -81,7 +81,7 @@ std::string digest_in(const std::string& text) {
   return at == std::string::npos ? "none in " + text : text.substr(at + key.size(), 32);
 }
 
-std::string words_of(const Writer& writer) {
+std::string text_of_command(const Writer& writer) {
   std::string text;
   for (const std::string& word : writer.command) text += word + " ";
   return text;
@@ -89,7 +89,7 @@ std::string words_of(const Writer& writer) {
 
 TEST_F(OutputPlaces, KeepWhatIsNotOurs) {
   for (const Writer& writer : writers()) {
-    SCOPED_TRACE(words_of(writer));
+    SCOPED_TRACE(text_of_command(writer));
     write(writer.place, "a thesis");
     expect_refused(writer.command, bad_input,
                    "cannot write " + writer.folder + writer.place + " (it exists and is not " +
@@ -102,7 +102,7 @@ TEST_F(OutputPlaces, KeepWhatIsNotOurs) {
 TEST_F(OutputPlaces, MayBeNoLinkThatLeadsNowhere) {
   for (const Writer& writer : writers())
     for (const std::string& target : Words{"nothing", writer.place}) {
-      SCOPED_TRACE(words_of(writer) + target);
+      SCOPED_TRACE(text_of_command(writer) + target);
       fs::create_symlink(target, path(writer.place));
       const Outcome o = program(writer.command);
       EXPECT_EQ(o.code, bad_input) << o.err;
@@ -119,7 +119,7 @@ TEST_F(OutputPlaces, MayBeNoLinkThatLeadsNowhere) {
 // As a full disk, or a limit of SIGXFSZ, which is no end without a word.
 TEST_F(OutputPlaces, ThatTakeNothingAreNamedAndNothingIsLeft) {
   for (const Writer& writer : writers()) {
-    SCOPED_TRACE(words_of(writer));
+    SCOPED_TRACE(text_of_command(writer));
     const std::set<std::string> before = files();
     const std::string said = limited("ulimit -f 0", writer.command);
     EXPECT_TRUE(said.starts_with("cosys-sim: cannot write ")) << said;

@@ -105,7 +105,7 @@ TEST(SequentialCoverage, MeasuredStoppedByTheWidthOfTheInterval) {
 }
 
 /// The interval of one experiment's counts.
-held::Experiment experiment(const StopRule& rule, bool frames) {
+held::Experiment counts_of_bursts(const StopRule& rule, bool frames) {
   return [=](std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const Tally tally = counted(rule, 1, random);
@@ -118,9 +118,9 @@ held::Experiment experiment(const StopRule& rule, bool frames) {
 TEST(HeldIntervals, MeasuredOfCounts) {
   const StopRule by_frames{.max_frames = 2000}, by_width{.max_frames = 1000000, .rel_ci = 0.2};
   const std::string bursts = "one frame of ten has a burst of ten wrong bits, ";
-  held::expect_to_hold({"frame loss", bursts + "-n 2000"}, experiment(by_frames, true));
-  held::expect_to_hold({"BER", bursts + "-n 2000"}, experiment(by_frames, false));
-  held::expect_to_hold({"BER", bursts + "--rel-ci 0.2"}, experiment(by_width, false));
+  held::expect_to_hold({"frame loss", bursts + "-n 2000"}, counts_of_bursts(by_frames, true));
+  held::expect_to_hold({"BER", bursts + "-n 2000"}, counts_of_bursts(by_frames, false));
+  held::expect_to_hold({"BER", bursts + "--rel-ci 0.2"}, counts_of_bursts(by_width, false));
 }
 
 // A target stops where chance went one way, of which the interval of frame loss knows

@@ -20,7 +20,7 @@ using sim::Estimate;
 using sim::StopRule;
 using sim::Tally;
 
-Tally tally_of(std::uint64_t frames, std::uint64_t lost) {
+Tally tally_with(std::uint64_t frames, std::uint64_t lost) {
   return {.n_frames = frames, .n_frames_lost = lost};
 }
 
@@ -44,7 +44,7 @@ std::vector<std::pair<End, double>> ends_at(const StopRule& rule, double p) {
         next[lost + static_cast<std::uint64_t>(k)] += probability * binomial(8, k, p);
     going_on.clear();
     for (const auto& [lost, probability] : next)
-      if (sim::stop_reason(rule, tally_of(frames, lost)))
+      if (sim::stop_reason(rule, tally_with(frames, lost)))
         ends.push_back({{frames, lost}, probability});
       else
         going_on[lost] = probability;
@@ -111,7 +111,7 @@ double probability_of_more(const StopRule& rule, const End& seen, double p) {
   std::uint64_t least = 0;  // lost, of the first
   double more = 0;
   const auto stops = [&](std::uint64_t frames, std::size_t i) {
-    return sim::stop_reason(rule, tally_of(frames, least + i)).has_value();
+    return sim::stop_reason(rule, tally_with(frames, least + i)).has_value();
   };
   for (std::uint64_t frames = 8; frames <= seen.frames; frames += 8) {
     std::vector<double> next(going_on.size() + 8);
@@ -142,7 +142,7 @@ TEST(StoppedLoss, ManyCountsTakenTogetherAreAsGoodAsSingleOnes) {
 }
 
 TEST(StoppedLoss, IsThatOfAPointWithATarget) {
-  sim::PointResult point{.tally = tally_of(80, 6)};
+  sim::PointResult point{.tally = tally_with(80, 6)};
   EXPECT_EQ(sim::frame_loss_of(point, 0.95).value, 6.0 / 80);
   point.rule = {.max_frames = 5000, .target_flr = 0.01};
   EXPECT_LT(sim::frame_loss_of(point, 0.95).value, 6.0 / 80);
@@ -151,7 +151,7 @@ TEST(StoppedLoss, IsThatOfAPointWithATarget) {
 }
 
 /// Losses drawn group by group until the rule stops.
-sim::PointResult counted(const StopRule& rule, double p, std::uint64_t seed) {
+sim::PointResult counted_to_stop(const StopRule& rule, double p, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::binomial_distribution<std::uint64_t> lost_of_group(8, p);
   sim::PointResult point{.rule = rule};
@@ -167,7 +167,7 @@ TEST(StoppedLoss, MeasuredEstimatesAreAsOftenAboveTheTruthAsBelow) {
   for (const double p : {0.05, 0.07, 0.14, 0.2}) {
     int below = 0;
     for (std::uint64_t seed = 1; seed <= 600; ++seed)
-      below += sim::frame_loss_of(counted(rule, p, seed), 0.95).value < p;
+      below += sim::frame_loss_of(counted_to_stop(rule, p, seed), 0.95).value < p;
     EXPECT_NEAR(below / 600.0, 0.5, 0.07) << p;
   }
 }
@@ -177,7 +177,7 @@ TEST(HeldIntervals, MeasuredOfTargets) {
   for (const double times : {0.5, 0.7, 1.0, 1.4, 2.0}) {
     const double truth = times * rule.target_flr;
     const auto experiment = [=](std::uint64_t seed) {
-      const Estimate loss = sim::frame_loss_of(counted(rule, truth, seed), 0.95);
+      const Estimate loss = sim::frame_loss_of(counted_to_stop(rule, truth, seed), 0.95);
       return held::Printed{loss.low, loss.high, truth};
     };
     held::expect_to_hold(
