@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sim {
@@ -83,9 +84,13 @@ ErrorEllipse ellipse_of(const PolygonMoments& m) {
 /// Half of how far the places lie apart, seen along a direction.
 double half_length(const std::vector<Position>& places, dsp::Radians direction) {
   const double x = std::cos(direction.value), y = std::sin(direction.value);
-  const auto along = [&](const Position& place) { return x * place.x + y * place.y; };
-  const auto [first, last] = std::ranges::minmax(places, {}, along);
-  return (along(last) - along(first)) / 2;
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const Position& place : places) {
+    const double along = x * place.x + y * place.y;
+    first = std::min(first, along);
+    last = std::max(last, along);
+  }
+  return (last - first) / 2;
 }
 
 }  // namespace
