@@ -7,7 +7,7 @@
 #include <random>
 
 #include "held_intervals.hpp"
-#include "sim/counting/student.hpp"
+#include "sim/counting/quantiles.hpp"
 
 namespace {
 

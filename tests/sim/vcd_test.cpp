@@ -10,8 +10,7 @@
 #include <sstream>
 
 #include "protocol/uart.hpp"
-#include "sim/capture/vcd_capture.hpp"
-#include "sim/failure.hpp"
+#include "vcd_reading.hpp"
 
 namespace sim {
 namespace {
@@ -27,46 +26,11 @@ std::string written(const std::vector<VcdWire>& wires, Seconds duration) {
   return out.str();
 }
 
-std::vector<NamedTrace> read(const std::string& text, const CaptureSettings& settings = {}) {
-  std::istringstream in(text);
-  CaptureFacts facts;
-  return read_whole(*open_vcd(in, "a.vcd", settings, facts));
-}
-
-CaptureSettings told(Seconds tick) { return {"", {}, "", {}, tick}; }
-CaptureSettings asked_for(const std::string& wire) { return {wire, {}, ""}; }
-
-/// A file with one wire `rx` of code `!` and this body.
-std::string one_wire(const std::string& body, const std::string& timescale = "1 us") {
-  return "$timescale " + timescale + " $end $var wire 1 ! rx $end $enddefinitions $end\n" + body;
-}
-
-std::vector<double> flips_to_ns(const LogicTrace& trace) {
-  std::vector<double> times;
-  for (const Seconds flip : trace.flips()) times.push_back(std::round(flip.value * 1e9) / 1e3);
-  return times;
-}
-
 LogicTrace at_us(bool initial, const std::vector<double>& flips, double end) {
   LogicTrace trace(initial);
   for (const double flip : flips) trace.flip_at(Seconds(flip * 1e-6));
   trace.observe_until(Seconds(end * 1e-6));
   return trace;
-}
-
-template <class Read>
-std::string vcd_failure(const Read& read) {
-  try {
-    read();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::bad_input);
-    return failure.what();
-  }
-  return "no failure";
-}
-
-std::string vcd_failure(const std::string& text) {
-  return vcd_failure([&] { read(text); });
 }
 
 // --- what is written
@@ -89,7 +53,7 @@ TEST(Vcd, RoundsToTheMicrosecondAndDropsWhatIsShorter) {
 
 TEST(Vcd, NothingIsWrittenFromTheEndOn) {
   const LogicTrace line = at_us(true, {5, 9, 12}, 12);
-  const auto back = read(written({{"rx", &line}}, Seconds(9e-6)));
+  const auto back = wires_in(written({{"rx", &line}}, Seconds(9e-6)));
   EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector<double>{5}));
   EXPECT_DOUBLE_EQ(back.at(0).trace.end().value, 9e-6);
 }
@@ -106,7 +70,7 @@ TEST(Vcd, ReadingUndoesWritingForAnyNumberOfWires) {
       traces.push_back(at_us(random() % 2 == 0, times, 0));
     }
     for (auto& trace : traces) wires.push_back({"w" + std::to_string(wires.size()), &trace});
-    const auto back = read(written(wires, Seconds(0.05)));
+    const auto back = wires_in(written(wires, Seconds(0.05)));
     ASSERT_EQ(back.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(back[i].name, wires[i].name);
@@ -122,18 +86,18 @@ TEST(Vcd, ReadingUndoesWritingForAnyNumberOfWires) {
 TEST(Vcd, ReadsAnyTimescale) {
   for (const auto& [timescale, tick_us] : std::map<std::string, double>{
            {"1us", 1}, {"1 us", 1}, {"10 ns", 0.01}, {"100\nns", 0.1}, {"2us", 2}, {"1 ms", 1e3}}) {
-    const auto back = read(one_wire("#0 1! #300 0! #700 1! #900", timescale));
+    const auto back = wires_in(file_of_one_wire("#0 1! #300 0! #700 1! #900", timescale));
     EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector{300 * tick_us, 700 * tick_us}))
         << timescale;
     EXPECT_NEAR(back.at(0).trace.end().value, 900e-6 * tick_us, 1e-12);
   }
-  EXPECT_DOUBLE_EQ(read(one_wire("#5", "1s")).at(0).trace.end().value, 5);
-  EXPECT_DOUBLE_EQ(read(one_wire("#5000", "1 ps")).at(0).trace.end().value, 5e-9);
-  EXPECT_DOUBLE_EQ(read(one_wire("#5000", "100fs")).at(0).trace.end().value, 5e-10);
+  EXPECT_DOUBLE_EQ(wires_in(file_of_one_wire("#5", "1s")).at(0).trace.end().value, 5);
+  EXPECT_DOUBLE_EQ(wires_in(file_of_one_wire("#5000", "1 ps")).at(0).trace.end().value, 5e-9);
+  EXPECT_DOUBLE_EQ(wires_in(file_of_one_wire("#5000", "100fs")).at(0).trace.end().value, 5e-10);
 }
 
 TEST(Vcd, SkipsWhatIsNoOneBitWire) {
-  const auto back = read(
+  const auto back = wires_in(
       "$date today $end $comment #5 $var $end $timescale 1us $end $scope module top $end\n"
       "$var real 64 r volts $end $var reg 8 v bus [7:0] $end $var event 1 e tick $end\n"
       "$var logic 1 a data [3] $end $scope module dut $end $var wire 1 a inner $end $upscope $end\n"
@@ -150,7 +114,7 @@ TEST(Vcd, SkipsWhatIsNoOneBitWire) {
 
 TEST(Vcd, UnknownLevelsKeepTheLastAndAnUnknownStartIsIdle) {
   const auto flips = [](const std::string& body) {
-    const auto trace = read(one_wire(body)).at(0).trace;
+    const auto trace = wires_in(file_of_one_wire(body)).at(0).trace;
     EXPECT_EQ(trace.initial(), body.find("#0 0!") != 0) << body;
     return flips_to_ns(trace);
   };
@@ -170,15 +134,15 @@ TEST(Vcd, TheNineValuesOfVhdlAreLevelsOrSayNothing) {
       for (const std::string high : {"1", "H", "h"}) {
         const std::string body = "#0 " + nothing + "! " + high + "! #5 " + low + "! #6 " + nothing +
                                  "! #7 b" + nothing + " ! #9 b" + high + " !";
-        const auto trace = read(one_wire(body)).at(0).trace;
+        const auto trace = wires_in(file_of_one_wire(body)).at(0).trace;
         EXPECT_TRUE(trace.initial()) << body;
         EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{5, 9})) << body;
       }
 }
 
 TEST(Vcd, ADumpThatIsSwitchedOffSaysNothing) {
-  EXPECT_EQ(flips_to_ns(read(one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
-                                      "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
+  EXPECT_EQ(flips_to_ns(wires_in(file_of_one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
+                                                  "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
                             .at(0)
                             .trace),
             (std::vector<double>{5, 9}));
@@ -186,7 +150,7 @@ TEST(Vcd, ADumpThatIsSwitchedOffSaysNothing) {
 
 // Scopy and migen.
 TEST(Vcd, ABlankMayPartAValueFromItsCode) {
-  const auto both = read(
+  const auto both = wires_in(
       "$timescale 1 us $end $var wire 1 $ a $end $var wire 1 # b $end $enddefinitions $end\n"
       "#0 1 $ 0 # #5 0 $\n#7\n1\n#\n#9 1\t$ #12");
   EXPECT_EQ(flips_to_ns(both.at(0).trace), (std::vector<double>{5, 9}));
@@ -194,17 +158,21 @@ TEST(Vcd, ABlankMayPartAValueFromItsCode) {
 }
 
 TEST(Vcd, TimesMayHaveAFraction) {
-  const auto trace = read(one_wire("#0.000 1! #12.5 0! #31666.667 1! #40000.")).at(0).trace;
+  const auto trace =
+      wires_in(file_of_one_wire("#0.000 1! #12.5 0! #31666.667 1! #40000.")).at(0).trace;
   EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{12.5, 31666.667}));
   EXPECT_DOUBLE_EQ(trace.end().value, 0.04);
 }
 
 TEST(Vcd, AMissingTimescaleMayBeTold) {
   const std::string bare = "$var wire 1 ! rx $end $enddefinitions $end\n#0 1! #5 0! #7";
-  EXPECT_EQ(flips_to_ns(read(bare, told(Seconds(1e-6))).at(0).trace), (std::vector<double>{5}));
-  EXPECT_EQ(flips_to_ns(read(bare, told(Seconds(1e-3))).at(0).trace), (std::vector<double>{5e3}));
-  EXPECT_EQ(flips_to_ns(read(one_wire("#0 1! #5 0!"), told(Seconds(1))).at(0).trace),
-            (std::vector<double>{5e6}))
+  EXPECT_EQ(flips_to_ns(wires_in(bare, with_tick(Seconds(1e-6))).at(0).trace),
+            (std::vector<double>{5}));
+  EXPECT_EQ(flips_to_ns(wires_in(bare, with_tick(Seconds(1e-3))).at(0).trace),
+            (std::vector<double>{5e3}));
+  EXPECT_EQ(
+      flips_to_ns(wires_in(file_of_one_wire("#0 1! #5 0!"), with_tick(Seconds(1))).at(0).trace),
+      (std::vector<double>{5e6}))
       << "what is told holds, as --sample-rate does";
 }
 
@@ -212,111 +180,12 @@ TEST(Vcd, AnExtendedDumpIsRefusedByName) {
   const std::string why = " (an extended VCD says who drives a port) dump it with $dumpvars";
   EXPECT_EQ(vcd_failure(std::string("$timescale 1ns $end\n$var port 1 <0 rx $end\n")),
             "'$var port' in a.vcd:2" + why);
-  EXPECT_EQ(vcd_failure(one_wire("#0\n$dumpports\npD 6 6 <0\n")), "$dumpports in a.vcd:3" + why);
-}
-
-// --- names
-
-/// The names of wires, and of each the time of its flip.
-std::string names_and_flips(const std::string& text, const std::string& asked = "") {
-  std::string line;
-  for (const NamedTrace& wire : read(text, asked_for(asked)))
-    line += wire.name + "@" + std::to_string(std::lround(flips_to_ns(wire.trace).at(0))) + " ";
-  return line;
-}
-
-std::string scoped(const std::string& variables) {
-  return "$timescale 1 us $end\n$scope module top $end\n" + variables +
-         "$upscope $end $enddefinitions $end\n#0 1! 1\" 1# #1 0! #2 0\" #3 0#";
-}
-
-TEST(Vcd, AWireHasEachOfItsNames) {
-  const std::string text = scoped(
-      "$var wire 1 ! uart_line $end $scope module dut $end $var wire 1 ! rx $end "
-      "$var wire 1 \" tx $end $upscope $end $var wire 1 # tx_n $end\n");
-  EXPECT_EQ(names_and_flips(text), "uart_line@1 rx@1 tx@2 tx_n@3 ");
-  EXPECT_EQ(names_and_flips(text, "rx"), names_and_flips(text));
-  EXPECT_EQ(names_and_flips(text, "top.dut.rx"), names_and_flips(text) + "top.dut.rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.tx_n"), names_and_flips(text) + "top.tx_n@3 ");
-  EXPECT_EQ(names_and_flips(text, "dut.rx"), names_and_flips(text) + "dut.rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "dut.tx_n"), names_and_flips(text));  // no such wire
-  EXPECT_EQ(names_and_flips(text, "ut.rx"), names_and_flips(text));
-}
-
-TEST(Vcd, WiresOfOneNameAreToldApartByTheirPlaces) {
-  const std::string text = scoped(
-      "$var wire 1 ! rx $end $scope module dut $end $var wire 1 \" rx $end "
-      "$scope module pad $end $var wire 1 \" rx $end $upscope $end "
-      "$upscope $end $var wire 1 # tx $end\n");
-  EXPECT_EQ(names_and_flips(text), "top.rx@1 top.dut.rx@2 tx@3 rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.dut.pad.rx"), names_and_flips(text) + "top.dut.pad.rx@2 ");
-}
-
-TEST(Vcd, APlaceIsThatOfAVectorOfOneBitToo) {
-  const std::string text = scoped(
-      "$scope module dut $end $var wire 1 ! rx [0:0] $end $upscope $end $var wire 1 # tx[1:0] "
-      "$end $var wire 1 \" en $end\n");
-  for (const std::string place : {"top.dut.rx", "dut.rx", "dut.rx[0:0]"})
-    EXPECT_EQ(names_and_flips(text, place), "rx[0:0]@1 tx[1:0]@3 en@2 " + place + "@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.tx"), "rx[0:0]@1 tx[1:0]@3 en@2 ");
-}
-
-TEST(Vcd, WiresOfOneNameAndPlaceAreListedAsDeclared) {
-  EXPECT_EQ(names_and_flips("$timescale 1 us $end $var wire 1 ! rx $end $var wire 1 \" rx $end "
-                            "$upscope $end $enddefinitions $end #0 1! 1\" #1 0! #2 0\""),
-            "rx@1 rx@2 ");
-}
-
-// Each name of each wire, in random designs: its flip is that of its code.
-TEST(Vcd, NamesLeadToTheirCodesInAnyDesign) {
-  Random random(24);
-  for (int round = 0; round < 300; ++round) {
-    std::string text = "$timescale 1 us $end\n", place;
-    std::map<std::string, std::size_t> code_of;   // by the place
-    std::map<std::string, std::size_t> first_of;  // by the name alone
-    for (auto n = 1 + random() % 20; n > 0; --n) {
-      const std::string name(1, static_cast<char>('a' + random() % 4));
-      const auto kind = random() % 4;
-      if (kind == 0) {
-        text += "$scope module s" + name + " $end\n";
-        place += "s" + name + ".";
-      } else if (kind == 1 && !place.empty()) {
-        text += "$upscope $end\n";
-        place.resize(place.size() - 3);
-      } else if (const auto code = random() % 6; code_of.try_emplace(place + name, code).second) {
-        text +=
-            "$var wire 1 " + std::string(1, static_cast<char>('!' + code)) + " " + name + " $end\n";
-        first_of.try_emplace(name, code);
-      }
-    }
-    text += "$enddefinitions $end\n#0\n";
-    for (std::size_t code = 0; code < 6; ++code)
-      if (std::ranges::any_of(code_of, [&](const auto& one) { return one.second == code; }))
-        text += "#" + std::to_string(code + 1) + " 0" + static_cast<char>('!' + code) + "\n";
-    const auto flip_of = [&](const std::string& wire) {
-      const auto wires = read(text, asked_for(wire));
-      const auto found = std::ranges::find(wires, wire, &NamedTrace::name);
-      return found == wires.end() ? -1.0 : flips_to_ns(found->trace).at(0);
-    };
-    for (const auto& [place_of, code] : code_of) first_of[place_of] = code;
-    for (const auto& [wire, code] : first_of)
-      EXPECT_EQ(flip_of(wire), static_cast<double>(code) + 1) << wire << " of\n" << text;
-    std::map<std::string, std::set<std::size_t>> codes_of;  // by the end of the place
-    for (const auto& [place_of, code] : code_of)
-      for (auto dot = place_of.find('.'); dot != std::string::npos;
-           dot = place_of.find('.', dot + 1))
-        codes_of[place_of.substr(dot + 1)].insert(code);
-    for (const auto& [wire, codes] : codes_of) {
-      if (first_of.contains(wire)) continue;
-      EXPECT_EQ(flip_of(wire), codes.size() == 1 ? static_cast<double>(*codes.begin()) + 1 : -1)
-          << wire << " of\n"
-          << text;
-    }
-  }
+  EXPECT_EQ(vcd_failure(file_of_one_wire("#0\n$dumpports\npD 6 6 <0\n")),
+            "$dumpports in a.vcd:3" + why);
 }
 
 TEST(Vcd, ALateFirstTimeGivesTheInitialLevel) {
-  const auto trace = read(one_wire("#1000 0! #1500 1!")).at(0).trace;
+  const auto trace = wires_in(file_of_one_wire("#1000 0! #1500 1!")).at(0).trace;
   EXPECT_FALSE(trace.initial());
   EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{1500}));
 }
@@ -334,26 +203,26 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
   contains("PK\x03\x04 zip", "'PK\\x03\\x04' in a.vcd:1 (not a VCD declaration)");
   contains("$enddefinitions $end",
            "no $timescale in a.vcd:1 (times have no unit without it) say --time-unit 1us");
-  contains(one_wire("", "us"), "timescale 'us'");
-  contains(one_wire("", "1 lightyear"), "timescale '1lightyear'");
-  contains(one_wire("", "0 us"), "timescale '0us'");
-  contains(one_wire("", "-1 us"), "timescale '-1us'");
-  contains(one_wire("", "4294967297 us"), "timescale");
-  contains(one_wire("\n#5 1!\n#abc"), "time '#abc' in a.vcd:4");
-  contains(one_wire("#-5"), "time '#-5' in a.vcd:2");
-  contains(one_wire("#"), "time '#' in a.vcd:2");
-  contains(one_wire("#99999999999999999999999"), "more than 30 years");
+  contains(file_of_one_wire("", "us"), "timescale 'us'");
+  contains(file_of_one_wire("", "1 lightyear"), "timescale '1lightyear'");
+  contains(file_of_one_wire("", "0 us"), "timescale '0us'");
+  contains(file_of_one_wire("", "-1 us"), "timescale '-1us'");
+  contains(file_of_one_wire("", "4294967297 us"), "timescale");
+  contains(file_of_one_wire("\n#5 1!\n#abc"), "time '#abc' in a.vcd:4");
+  contains(file_of_one_wire("#-5"), "time '#-5' in a.vcd:2");
+  contains(file_of_one_wire("#"), "time '#' in a.vcd:2");
+  contains(file_of_one_wire("#99999999999999999999999"), "more than 30 years");
   for (const char* time : {"#1e5", "#1.5x", "#.5", "#nan", "#0x9", "#1,5"})
-    contains(one_wire(time),
+    contains(file_of_one_wire(time),
              std::string("time '") + time + "' in a.vcd:2 (it must be # and a numb");
-  contains(one_wire("#18446744073709551615"), "more than 30 years");
-  contains(one_wire("#9 0!\n#5 1!"), "time #5 in a.vcd:3 (it is before");
-  contains(one_wire("#5 1?"), "value of '?' in a.vcd:2 (no $var declares it)");
-  contains(one_wire("#5 b2 !"), "'b2' in a.vcd:2 (not a VCD value change)");
-  contains(one_wire("#5 b !"), "'b' in a.vcd:2 (not a VCD value change)");
-  contains(one_wire("#5 q!"), "'q!' in a.vcd:2 (not a VCD value change)");
-  contains(one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
-  contains(one_wire("#5 $comment 1!"), "$end is missing");
+  contains(file_of_one_wire("#18446744073709551615"), "more than 30 years");
+  contains(file_of_one_wire("#9 0!\n#5 1!"), "time #5 in a.vcd:3 (it is before");
+  contains(file_of_one_wire("#5 1?"), "value of '?' in a.vcd:2 (no $var declares it)");
+  contains(file_of_one_wire("#5 b2 !"), "'b2' in a.vcd:2 (not a VCD value change)");
+  contains(file_of_one_wire("#5 b !"), "'b' in a.vcd:2 (not a VCD value change)");
+  contains(file_of_one_wire("#5 q!"), "'q!' in a.vcd:2 (not a VCD value change)");
+  contains(file_of_one_wire(std::string(10000, '1')), "a word of over 4096 characters in a.vcd:2");
+  contains(file_of_one_wire("#5 $comment 1!"), "$end is missing");
   std::istringstream garbage("garbage");
   CaptureFacts facts;
   EXPECT_EQ(vcd_failure([&] { open_vcd(garbage, "a\nb.vcd", {}, facts); }),
@@ -365,7 +234,7 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
 // it is whole beyond doubt.
 TEST(Vcd, IsReadUpToWhereItIsCut) {
   const auto flips = [](const std::string& changes) {
-    return flips_to_ns(read(one_wire("#1 1!\n#5 0!\n#9 1!\n" + changes)).at(0).trace);
+    return flips_to_ns(wires_in(file_of_one_wire("#1 1!\n#5 0!\n#9 1!\n" + changes)).at(0).trace);
   };
   const std::vector<double> two{5, 9}, three{5, 9, 12};
   for (const char* cut :
@@ -375,8 +244,8 @@ TEST(Vcd, IsReadUpToWhereItIsCut) {
   const std::string text =
       "$timescale 1 ns $end $var wire 1 ! a $end $var wire 1 !! b $end $enddefinitions $end\n"
       "#1 1! 1!! #5 0";
-  EXPECT_TRUE(read(text + "!").at(0).trace.flips().empty()) << "of which wire?";
-  EXPECT_EQ(read(text + "!\n").at(0).trace.flips().size(), 1U);
+  EXPECT_TRUE(wires_in(text + "!").at(0).trace.flips().empty()) << "of which wire?";
+  EXPECT_EQ(wires_in(text + "!\n").at(0).trace.flips().size(), 1U);
 }
 
 TEST(Vcd, TimescalesThatContradictAreRefused) {
@@ -385,8 +254,9 @@ TEST(Vcd, TimescalesThatContradictAreRefused) {
       "1!\n";
   EXPECT_TRUE(vcd_failure(text).starts_with(
       "timescale '1ns' in a.vcd:1 (another one stands before it) say --time-unit 1us"));
-  EXPECT_EQ(read(text, told(Seconds(1e-9))).size(), 1U);
-  EXPECT_EQ(read(one_wire("#5 1!", "0 ps"), told(Seconds(1e-9))).size(), 1U) << "Verilator's";
+  EXPECT_EQ(wires_in(text, with_tick(Seconds(1e-9))).size(), 1U);
+  EXPECT_EQ(wires_in(file_of_one_wire("#5 1!", "0 ps"), with_tick(Seconds(1e-9))).size(), 1U)
+      << "Verilator's";
 }
 
 TEST(Vcd, VectorsMayBeWideAndAreSaid) {
@@ -416,7 +286,7 @@ TEST(Vcd, AVectorElsewhereDoesNotHideTheWire) {
       "0!\n";
   CaptureSettings settings;
   settings.wire = "rx";
-  EXPECT_EQ(read(text, settings).at(0).trace.flips().size(), 1U);
+  EXPECT_EQ(wires_in(text, settings).at(0).trace.flips().size(), 1U);
 }
 
 TEST(Vcd, GarbageIsReadOrRefusedButNeverCrashes) {
@@ -439,7 +309,7 @@ TEST(Vcd, GarbageIsReadOrRefusedButNeverCrashes) {
       if (kind == 3) text.erase(at, random() % 20);
     }
     try {
-      for (const auto& wire : read(text)) {
+      for (const auto& wire : wires_in(text)) {
         protocol::receive_mid_bit(wire.trace, Hertz(600));
         protocol::receive_atmega(wire.trace, Hertz(600));
       }
