@@ -13,6 +13,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/text/temporary_folder.hpp"
+#include "sim/text/write_all.hpp"
 
 namespace sim {
 namespace {
@@ -56,15 +57,6 @@ void remove_left_over(const fs::path& in) {
     if (folder.is_open() && is_own(entry->path(), folder) && is_unlocked(folder))
       fs::remove_all(entry->path(), ignored);
   }
-}
-
-bool write_all(int to, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(to, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) return false;
-    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
 }
 
 }  // namespace

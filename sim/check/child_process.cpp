@@ -13,19 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "sim/failure.hpp"
-
 namespace sim {
 namespace {
 
 constexpr std::size_t most_words = 4096;
 constexpr int pause_ms = 50;  // between looks at whether all shall stop
-
-[[noreturn]] void fail(int error) {
-  throw Failure(ExitCode::environment, std::string("cannot start another program (") +
-                                           std::strerror(error) +
-                                           ") use fewer threads, or end other programs");
-}
 
 /// Ours does not wait; theirs is an end like any other.
 struct Pipe {
@@ -33,7 +25,7 @@ struct Pipe {
 
   static Pipe make(bool we_write) {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) fail(errno);
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw no_more_processes(errno);
     Pipe pipe{Descriptor(ends[we_write ? 1 : 0]), Descriptor(ends[we_write ? 0 : 1])};
     ::fcntl(pipe.ours.get(), F_SETFL, O_NONBLOCK);
     return pipe;
@@ -111,14 +103,14 @@ void ChildProcess::start(const std::string& command, const int (&ends)[3]) {
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     pid_ = -1;
-    fail(error);
+    throw no_more_processes(error);
   }
   if (warden_ != nullptr) warden_->begin(pid_);
   process_.emplace(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
   if (process_->is_open()) return;
   const int refused = errno;
   kill_all();
-  fail(refused);
+  throw no_more_processes(refused);
 }
 
 Waited ChildProcess::run(ChildTask task, std::string& output) {

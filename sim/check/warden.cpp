@@ -14,7 +14,6 @@
 #include <set>
 #include <string_view>
 
-#include "sim/failure.hpp"
 #include "sim/text/list_text.hpp"
 
 namespace sim {
@@ -107,21 +106,21 @@ std::string new_mark() {
   return fmt::format("{}{:08x}{:08x}", Warden::mark_name, random(), random());
 }
 
-[[noreturn]] void cannot_start(int error) {
-  throw Failure(ExitCode::environment, std::string("cannot start another process (") +
-                                           std::strerror(error) +
-                                           ") use fewer threads, or end other programs");
-}
-
 }  // namespace
+
+Failure no_more_processes(int error) {
+  return {ExitCode::environment,
+          fmt::format("cannot start another program ({}) use fewer threads, or end other programs",
+                      std::strerror(error))};
+}
 
 Warden::Warden(const fs::path& folder) : mark_(new_mark()), to_(-1) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) cannot_start(errno);
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw no_more_processes(errno);
   const Descriptor from(ends[0]);
   to_ = Descriptor(ends[1]);
   process_ = ::fork();
-  if (process_ < 0) cannot_start(errno);
+  if (process_ < 0) throw no_more_processes(errno);
   if (process_ == 0) watch(ends[0], mark_, folder);
 }
 

@@ -8,9 +8,13 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/failure.hpp"
 #include "sim/serial/descriptor.hpp"
 
 namespace sim {
+
+/// Why the machine starts no more processes, by its errno.
+Failure no_more_processes(int error);
 
 class Warden {
  public:

@@ -186,8 +186,7 @@ std::vector<Run> prepare(const RunRequest& request, Team* team) {
   if (request.plan) return runs;
   if (speaks(team)) {
     make_output_folder(request);
-    for (const Run& run : runs)
-      runner_of(run.scenario) != nullptr ? check_output(run.output) : check_writable(run.output);
+    for (const Run& run : runs) check_writable(run.output);
   }
   for (Run& run : runs) {
     if (runner_of(run.scenario) != nullptr) continue;

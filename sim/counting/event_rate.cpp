@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 
-#include "sim/counting/student.hpp"
+#include "sim/counting/quantiles.hpp"
 
 namespace sim {
 namespace {

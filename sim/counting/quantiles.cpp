@@ -1,4 +1,4 @@
-#include "sim/counting/student.hpp"
+#include "sim/counting/quantiles.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>

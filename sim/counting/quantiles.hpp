@@ -1,12 +1,12 @@
 #pragma once
-// Student's t: what an interval takes in place of the normal where a spread is known from a few.
+// How many standard errors wide an interval is to either side.
 
 namespace sim {
 
-/// Half the width, in standard errors, of a two-sided interval of this level.
+/// Of this two-sided level, where the spread is known from as few values (Student's t).
 double student_quantile(double degrees_of_freedom, double level);
 
-/// The same where the spread is known.
+/// Where it is known.
 double normal_quantile(double level);
 
 }  // namespace sim

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/counting/student.hpp"
+#include "sim/counting/quantiles.hpp"
 
 namespace sim {
 namespace {

@@ -3,11 +3,12 @@
 #define ARMA_WARN_LEVEL 0  // a singular fit is an outcome here, not news for stderr
 #include <algorithm>
 #include <armadillo>
-#include <boost/math/special_functions/erf.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <tuple>
+
+#include "sim/counting/quantiles.hpp"
 
 namespace sim {
 namespace {
@@ -186,7 +187,7 @@ std::optional<CurveCrossing> curve_crossing(const std::vector<double>& x, const 
   constexpr double edge = 1e-4;
   if (!(share > edge && share < 1 - edge)) return std::nullopt;
 
-  const double quantile = 2 * std::pow(boost::math::erf_inv(ci_level), 2);  // of chi-square
+  const double quantile = std::pow(normal_quantile(ci_level), 2);  // of chi-square
   const double allowed = curves.misfit(at) + quantile;
   CurveCrossing crossing{at, 0, 0, curves.loss()};
   const auto before = end_of_interval(curves, allowed, at, x.front() - span / 4);

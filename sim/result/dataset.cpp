@@ -159,10 +159,6 @@ void write_dataset(const std::filesystem::path& path, const Dataset& data,
   write_file(path, image_of(data, program));
 }
 
-void check_output(const std::filesystem::path& path) {
-  check_place(path, {is_result_of_run, "a result of cosys-sim"});
-}
-
 std::string dataset_json(const Dataset& data) {
   Json json{{"title", data.title},
             {"experiment", data.experiment},

@@ -62,13 +62,10 @@ std::string value_text(const Dataset::Dimension& dimension, std::size_t i);
 /// How many cells it has at each point: those of its dimensions behind the axes.
 std::size_t cells_a_point(const Dataset& data, const Dataset::Variable& variable);
 
-/// As a result file for xarray and others (netCDF-4 on HDF5). Replaces only what check_output()
-/// lets pass.
+/// As a result file for xarray and others (netCDF-4 on HDF5), at a place that check_writable() let
+/// pass.
 void write_dataset(const std::filesystem::path& path, const Dataset& data,
                    const ProgramInfo& program);
-
-/// Throws where the path cannot be written to, or holds something else than a result.
-void check_output(const std::filesystem::path& path);
 
 std::string dataset_json(const Dataset& data);
 

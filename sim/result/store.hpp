@@ -13,8 +13,8 @@ namespace sim {
 void write_result(const std::filesystem::path& path, const ExperimentResult& result,
                   const ProgramInfo& program);
 
-/// To be called before a run: throws the Failure that write_result would throw for this place, and
-/// refuses to replace a file that is no result.
+/// To be called before a run of any experiment: throws the Failure that writing its result would
+/// throw for this place, and refuses to replace a file that is no result.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace sim

@@ -1,6 +1,5 @@
 #include "sim/serial/line_output.hpp"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,30 +14,13 @@
 
 #include "sim/failure.hpp"
 #include "sim/text/standard_output.hpp"
+#include "sim/text/write_all.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::size_t most_waiting = std::size_t{1} << 20U;
 constexpr std::chrono::seconds patience(1);
-
-/// A file that another process made non-blocking is waited for, too.
-bool is_for_later(int descriptor) {
-  if (errno == EINTR) return true;
-  if (errno != EAGAIN) return false;
-  pollfd one{.fd = descriptor, .events = POLLOUT, .revents = 0};
-  ::poll(&one, 1, -1);
-  return true;
-}
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n < 0 && !is_for_later(descriptor)) return false;
-    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
 
 }  // namespace
 

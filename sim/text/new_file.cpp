@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sim/failure.hpp"
+#include "sim/text/write_all.hpp"
 
 namespace sim {
 namespace {
@@ -96,11 +97,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) fail();
-    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
+  if (!write_all(descriptor_, bytes)) fail();
 }
 
 void NewFile::close() {
