@@ -74,7 +74,7 @@ held::Experiment bracketed(const DrawnSweep& sweep) {
 }
 
 void expect_fitted_to_hold(const std::string& setting, const DrawnSweep& sweep) {
-  held::expect_to_hold({"range fitted to a sweep", setting, 12, 0.93, 0.985}, fitted(sweep));
+  held::expect_to_hold({"range fitted to a sweep", setting, 6, 0.93, 0.985}, fitted(sweep));
 }
 
 /// Of frames of 169 bits in Gaussian noise, along Eb/N0 in dB, as scenarios/theory_decision.toml
