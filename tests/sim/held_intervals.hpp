@@ -2,6 +2,7 @@
 // How often the intervals that the program prints hold the truth: an experiment is repeated with
 // other seeds, and a row of the table of held intervals (sim/README.md) is printed. In the gate
 // each row has a few seeds, with COSYS_SEEDS=1000 so many (tests/held_intervals).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -56,8 +57,9 @@ inline Count tried_with_seeds(const Row& row, const Experiment& experiment) {
 }
 
 inline void print(const Row& row, const Count& count) {
-  std::cout << "| " << row.interval << " | " << row.setting << " | " << count.held << " of "
-            << count.printed << " | " << count.below << ", " << count.above << " |\n";
+  std::cout << fmt::format("| {} | {} | {} of {} | {:.1f} % | {}, {} |\n", row.interval,
+                           row.setting, count.held, count.printed, 100 * count.share(), count.below,
+                           count.above);
 }
 
 /// The share that it held is what chance makes of one between `least` and `most`, but once in ten
