@@ -8,6 +8,7 @@
 
 #include "program.hpp"
 #include "protocol/cosys.hpp"
+#include "sanitized.hpp"
 
 namespace {
 
@@ -95,10 +96,13 @@ class SigrokLayouts : public CommandLine {
   std::mt19937_64 random_{47};
 };
 
+int wanted_captures() {
+  if (const char* told = std::getenv("COSYS_SIGROK_CAPTURES")) return std::atoi(told);
+  return sim::test::is_set("COSYS_WEEKLY") ? 30 : 10;
+}
+
 TEST_F(SigrokLayouts, MeasuredAgainstItsUartDecoder) {
-  const char* told = std::getenv("COSYS_SIGROK_CAPTURES");
-  const int captures = told != nullptr ? std::atoi(told) : 30;
-  for (int i = 0; i < captures && !HasFailure(); ++i) {
+  for (int i = 0; i < wanted_captures() && !HasFailure(); ++i) {
     const Sampled sampled = drawn();
     make_session(sampled);
     const protocol::Bytes sent = protocol::cosys_encode(sampled.message);
