@@ -3,6 +3,7 @@
 #define ARMA_WARN_LEVEL 0  // a singular fit is an outcome here, not news for stderr
 #include <algorithm>
 #include <armadillo>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
@@ -13,11 +14,13 @@
 namespace sim {
 namespace {
 
-/// How much a curve bends: while logit(loss) rises by one, the deviation of its slope's change over
-/// the mean slope; assumed. logit of a Gaussian's tail bends by 0.18 at 1 %, of frames of bits in
-/// Gaussian noise by 0.12, of TSSP4056 at the end of its reach by 0.13. Curves that bend less get
-/// wider intervals than they need, of those that bend more the counts tell.
-constexpr double bend = 0.2;
+/// How much a curve may bend: while logit(loss) rises by one, the deviation of its slope's change
+/// over the mean slope; assumed. logit of a Gaussian's tail bends by 0.18 at 1 %, of frames of bits
+/// in Gaussian noise by 0.12, of TSSP4056 at the end of its reach by 0.13; where a loss leaves its
+/// floor it bends by about one. Curves that bend less than the first get wider intervals than they
+/// need, of the others the counts tell. Where they tell of the last, nothing is known of the curve
+/// between points.
+constexpr std::array bends{0.2, 0.8, 3.2};
 
 /// Deviation of the mean slope, in logits over the whole sweep: as good as free.
 constexpr double steepest = 1000;
@@ -44,28 +47,32 @@ class CurvesThrough {
     }
   }
 
-  /// Straight lines alone without it. The variance that the slope gains along x.
-  void set_bend(double slope) { wiener_ = std::pow(bend, 2) * std::pow(std::abs(slope), 3); }
-
-  /// -2 log(likelihood) of the likeliest through the level at this place: Laplace's method for
-  /// Gaussian processes (Rasmussen & Williams 2006, section 3.4), its steps halved where they would
-  /// lead downhill. Not a number where there is none.
-  double misfit(double place) {
-    from_place_ = x_ - place;
-    const arma::mat covariance = covariance_here();
-    State now = beginning(covariance);
-    for (int step = 0; step < 100; ++step) {
-      const std::optional<arma::vec> aim = newton(now.rise, covariance);
-      if (!aim) return std::numeric_limits<double>::quiet_NaN();
-      const double before = now.likelihood;
-      now = best_on_the_way(now, *aim, covariance);
-      if (now.likelihood - before < 1e-7) break;
-    }
-    likeliest_ = now;
-    return -2 * now.likelihood;
+  /// Straight lines alone without it.
+  void set_slope(double mean) {
+    wiener_.clear();
+    for (const double bend : bends)
+      wiener_.push_back(std::pow(bend, 2) * std::pow(std::abs(mean), 3));
   }
 
-  /// Of the curve that was found last: its slope where it passes the level, the loss at the points.
+  /// -2 log(likelihood) of all that pass the level at this place, of the bend of which it is most.
+  /// Not a number where there is none.
+  double misfit(double place) {
+    from_place_ = x_ - place;
+    std::optional<State> best;
+    for (const double wiener : wiener_) {
+      const std::optional<State> next = likeliest_of(covariance_here(wiener));
+      if (!next || (best && !(next->evidence > best->evidence))) break;
+      best = next;
+      is_wild_ = wiener == wiener_.back();
+    }
+    if (!best) return std::numeric_limits<double>::quiet_NaN();
+    likeliest_ = *best;
+    return -2 * best->evidence;
+  }
+
+  /// Of the curve that was found last: whether it bends more than can be told, its slope where it
+  /// passes the level, the loss at the points.
+  bool is_wild() const { return is_wild_; }
   double slope() const { return line_ * arma::dot(likeliest_.dual, from_place_); }
   std::vector<double> loss() const {
     return arma::conv_to<std::vector<double>>::from(loss_at(likeliest_.rise));
@@ -76,10 +83,28 @@ class CurvesThrough {
     arma::vec dual;         // of it the covariance makes the rise
     arma::vec rise;         // logits above the level
     double likelihood = 0;  // with that of the curve itself
+    double evidence = 0;    // logarithm of the likelihood of all curves of its kind together
   };
 
+  /// Laplace's method for Gaussian processes (Rasmussen & Williams 2006, section 3.4), its steps
+  /// halved where they would lead downhill.
+  std::optional<State> likeliest_of(const arma::mat& covariance) const {
+    State now = beginning(covariance);
+    for (int step = 0; step < 100; ++step) {
+      const std::optional<arma::vec> aim = newton(now.rise, covariance);
+      if (!aim) return std::nullopt;
+      const double before = now.likelihood;
+      now = best_on_the_way(now, *aim, covariance);
+      if (now.likelihood - before < 1e-7) break;
+    }
+    double log_determinant = 0, sign = 0;
+    arma::log_det(log_determinant, sign, system_of(weight_at(now.rise), covariance));
+    now.evidence = now.likelihood - log_determinant / 2;  // their equation 3.32
+    return now;
+  }
+
   State state(const arma::vec& dual, const arma::mat& covariance) const {
-    State s{dual, covariance * dual, 0};
+    State s{dual, covariance * dual, 0, 0};
     s.likelihood = likelihood_of(level_ + s.rise, frames_, lost_) - arma::dot(dual, s.rise) / 2;
     return s;
   }
@@ -96,27 +121,36 @@ class CurvesThrough {
 
   /// From the place on the process runs to either side on its own (Rasmussen & Williams 2006,
   /// equation 6.28).
-  arma::mat covariance_here() const {
+  arma::mat covariance_here(double wiener) const {
     const arma::vec& u = from_place_;
     arma::mat covariance = line_ * u * u.t();
     for (std::size_t i = 0; i < u.n_elem; ++i)
       for (std::size_t j = 0; j < u.n_elem; ++j) {
         if (u(i) * u(j) <= 0) continue;
         const auto [near, far] = std::minmax({std::abs(u(i)), std::abs(u(j))});
-        covariance(i, j) += wiener_ * near * near * (3 * far - near) / 6;
+        covariance(i, j) += wiener * near * near * (3 * far - near) / 6;
       }
     return covariance;
   }
 
-  std::optional<arma::vec> newton(const arma::vec& rise, const arma::mat& covariance) const {
+  arma::vec weight_at(const arma::vec& rise) const {
     const arma::vec loss = loss_at(rise);
-    const arma::vec weight = frames_ % loss % (1 - loss), root = arma::sqrt(weight);
-    const arma::vec pull = weight % rise + lost_ - frames_ % loss;
+    return frames_ % loss % (1 - loss);
+  }
+  static arma::mat system_of(const arma::vec& weight, const arma::mat& covariance) {
+    const arma::vec root = arma::sqrt(weight);
     arma::mat system = covariance % (root * root.t());
     system.diag() += 1;
-    arma::vec solved;
+    return system;
+  }
+
+  std::optional<arma::vec> newton(const arma::vec& rise, const arma::mat& covariance) const {
+    const arma::vec weight = weight_at(rise), root = arma::sqrt(weight);
+    const arma::vec pull = weight % rise + lost_ - frames_ % loss_at(rise);
     const arma::vec right = root % (covariance * pull);
-    if (!arma::solve(solved, system, right, arma::solve_opts::likely_sympd)) return std::nullopt;
+    arma::vec solved;
+    if (!arma::solve(solved, system_of(weight, covariance), right, arma::solve_opts::likely_sympd))
+      return std::nullopt;
     return pull - root % solved;
   }
 
@@ -130,11 +164,12 @@ class CurvesThrough {
   }
 
   arma::vec x_, frames_, lost_;
-  double level_;       // as a logit
-  double line_;        // variance of the slope
-  double wiener_ = 0;  // variance that it gains along x
+  double level_;                   // as a logit
+  double line_;                    // variance of the slope
+  std::vector<double> wiener_{0};  // variance that it may gain along x
   arma::vec from_place_;
   State likeliest_;
+  bool is_wild_ = false;
 };
 
 /// Among the points.
@@ -181,7 +216,7 @@ std::optional<CurveCrossing> curve_crossing(const std::vector<double>& x, const 
                                             double level, double ci_level) {
   CurvesThrough curves(x, counts, level);
   curves.misfit(likeliest_place(curves, x));
-  curves.set_bend(curves.slope());
+  curves.set_slope(curves.slope());
   const double at = likeliest_place(curves, x), span = x.back() - x.front();
   const double share = (at - x.front()) / span;  // of the way
   constexpr double edge = 1e-4;
@@ -189,6 +224,7 @@ std::optional<CurveCrossing> curve_crossing(const std::vector<double>& x, const 
 
   const double quantile = std::pow(normal_quantile(ci_level), 2);  // of chi-square
   const double allowed = curves.misfit(at) + quantile;
+  if (curves.is_wild()) return std::nullopt;
   CurveCrossing crossing{at, 0, 0, curves.loss()};
   const auto before = end_of_interval(curves, allowed, at, x.front() - span / 4);
   const auto behind = end_of_interval(curves, allowed, at, x.back() + span / 4);

@@ -15,9 +15,9 @@ struct CurveCrossing {
 };
 
 /// Of points along x in either direction; at least two. The interval are the places at which the
-/// likelihood of the likeliest curve through the level is not surely less. Nothing where the curve
-/// does not pass the level among the points, or where no end of the interval is found less than a
-/// quarter of their span beyond them.
+/// likelihood of all curves through the level is not surely less. Nothing where the curve
+/// bends more than the counts can tell, where it does not pass the level among the points, or where
+/// no end of the interval is found less than a quarter of their span beyond them.
 std::optional<CurveCrossing> curve_crossing(const std::vector<double>& x, const LossCounts& counts,
                                             double level, double ci_level);
 

@@ -175,9 +175,9 @@ double shoulder(double x) {
 }
 
 // The steep end would draw a logit curve behind the shoulder, the more surely wrong the fewer
-// frames there are to contradict it.
+// frames there are to contradict it. (Of more frames: range_held_test.cpp.)
 TEST(Crossing, MeasuredIntervalCoversTheTruthOfAShoulder) {
-  for (const std::uint64_t frames : {8U, 24U, 60U, 120U, 400U, 2000U}) {
+  for (const std::uint64_t frames : {8U, 24U, 60U, 120U}) {
     int covered = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
       const auto c = sim::frame_loss_crossing(drawn_sweep(shoulder_ranges, shoulder, seed, frames));
