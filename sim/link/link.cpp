@@ -13,6 +13,7 @@
 #include "sim/link/disturbance.hpp"
 #include "sim/link/importance_link.hpp"
 #include "sim/link/matched.hpp"
+#include "sim/link/sampled_theory.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/scenario/fidelity.hpp"
@@ -175,6 +176,9 @@ Link make_link(const Scenario& scenario) {
     link.operating.ber_theory = matched->ber;
     if (fidelity_of(s.simulation) == Fidelity::decision)
       link.decisions = make_decision_link(link, matched->output);
+    else if (std::isfinite(matched->ber))
+      link.operating.ber_sampled =
+          sampled_ber(link.chain, matched->design, link.device_baud, link.bytes);
     if (method_of(s.simulation) == Method::importance)
       link.importance = make_importance_link(matched->output);
   } else if (method_of(s.simulation) == Method::importance) {

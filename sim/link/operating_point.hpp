@@ -10,7 +10,8 @@ struct OperatingPoint {
   double snr_db = 0;            // behind the band-pass, in its noise bandwidth
   double snr_bandwidth_hz = 0;  // that bandwidth
   double ebn0_db = 0;           // average-energy convention
-  double ber_theory = std::numeric_limits<double>::quiet_NaN();  // of a matched receiver
+  double ber_theory = std::numeric_limits<double>::quiet_NaN();   // of a matched receiver
+  double ber_sampled = std::numeric_limits<double>::quiet_NaN();  // of its waveform's samples
 };
 
 }  // namespace sim

@@ -34,6 +34,19 @@ std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
 
 constexpr const char* alarm_sign = "!!";
 
+/// How many errors more than theory the samples should make, at the point where that is most.
+std::string theory_note(const ExperimentResult& result) {
+  double most = 0;
+  for (const PointResult& p : result.points) {
+    const double more = p.operating.ber_sampled / p.operating.ber_theory - 1;
+    if (measured(p) && std::abs(more) > std::abs(most)) most = more;
+  }
+  if (std::abs(most) < 0.001) return "";
+  return fmt::format(
+      "in theory all bits are alike; sampled they are not, and make up to {:.1f} % {} errors\n",
+      100 * std::abs(most), most > 0 ? "more" : "fewer");
+}
+
 std::string target_note(const ExperimentResult& result) {
   if (std::ranges::none_of(result.points, may_stop_by_target)) return "";
   return "frame loss ratios are median-unbiased and their intervals allow for a stop by "
@@ -100,7 +113,7 @@ std::string mark_notes(const ExperimentResult& result) {
     alarming |= p.alarms;
   }
   return raised_notes(validity_limits(), outside, outside_sign) +
-         raised_notes(alarms(), alarming, alarm_sign) + target_note(result);
+         raised_notes(alarms(), alarming, alarm_sign) + target_note(result) + theory_note(result);
 }
 
 namespace {

@@ -20,7 +20,8 @@ Estimate sure_ber(const PointResult& p) { return bit_error_ratio(p.tally, surely
 bool above_half(const PointResult& p) { return sure_ber(p).low > 0.5; }
 
 bool contradicts_theory(const PointResult& p) {
-  const double theory = p.operating.ber_theory;  // NaN if there is none
+  const double sampled = p.operating.ber_sampled;  // NaN of decisions, which are all alike
+  const double theory = std::isnan(sampled) ? p.operating.ber_theory : sampled;  // NaN: none
   return theory < sure_ber(p).low || theory > sure_ber(p).high;
 }
 

@@ -1,11 +1,13 @@
 #include "sim/trial/matched_proposal.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "sim/link/importance_link.hpp"
+#include "sim/link/sampled_theory.hpp"
 #include "sim/trial/exposed_bits.hpp"
 
 namespace sim {
@@ -17,9 +19,9 @@ using Statistic = channel::IdealDesign::Statistic;
 /// cos(pi / 16) of the threshold cover all beyond it.
 constexpr int envelope_directions = 16;
 
-/// Levels are lower than the nominal ones by this, in standard deviations: what a bit measures
-/// differs by up to .3 % from bit to bit, as a slot is not a whole number of carrier cycles.
-constexpr double slack = 0.1;
+/// Levels are lower than those worked out by this, in standard deviations: a bit's noise differs by
+/// up to .3 % from bit to bit, as a slot is not a whole number of carrier cycles.
+constexpr double slack = 0.05;
 
 /// Beyond this, noise is so rare (1e-149) that sums of squared weights would underflow.
 constexpr double highest_matched_level = 26;
@@ -27,6 +29,7 @@ constexpr double highest_matched_level = 26;
 /// A carrier over a slot, its cosine and its sine, of unit length each.
 struct Tones {
   Eigen::VectorXf cosine, sine;
+  double length;  // that the cosine had
 
   Tones(const channel::SlotSamples& slot, double cycles_per_sample, double phase)
       : cosine(slot.end - slot.begin), sine(slot.end - slot.begin) {
@@ -35,6 +38,7 @@ struct Tones {
       cosine[i - slot.begin] = static_cast<float>(std::cos(2 * std::numbers::pi * turns));
       sine[i - slot.begin] = static_cast<float>(std::sin(2 * std::numbers::pi * turns));
     }
+    length = static_cast<double>(cosine.norm());
     cosine.normalize();
     sine.normalize();
   }
@@ -45,6 +49,7 @@ class MatchedBuilder {
   MatchedBuilder(const Link& link, std::uint32_t phase)
       : link_(link),
         cycles_per_sample_(link.chain.carrier.step * 0x1p-32),
+        start_(phase * 0x1p-32),
         phase_(channel::fundamental_phase(link.chain.carrier, phase) * 0x1p-32) {}
 
   void add(const ExposedBit& bit) {
@@ -53,8 +58,9 @@ class MatchedBuilder {
     const channel::SlotSamples slot =
         channel::slot_samples({bit.begin, bit.end}, link_.chain.sample_rate);
     const Tones tones(slot, cycles_per_sample_, phase_);
+    const double amplitude = bit.light ? amplitude_of(bit, slot, tones) : 0;
     const bool ring = !bit.light && link_.ideal->statistic == Statistic::envelope;
-    const double level = bit.light ? (output.amplitude - threshold) / output.deviation_lit
+    const double level = bit.light ? (amplitude - threshold) / output.deviation_lit
                                    : threshold / output.deviation_dark;
     if (ring)
       add_ring(slot.begin, tones, bit.share, level);
@@ -65,6 +71,23 @@ class MatchedBuilder {
   Proposal take() { return {std::move(readings_), spots_, std::move(coefficients_)}; }
 
  private:
+  /// Of a bit that is light, with dark ones beside it, as its samples have it: at some carriers it
+  /// differs by 2 % with their phase (sim/link/sampled_theory.hpp).
+  double amplitude_of(const ExposedBit& bit, const channel::SlotSamples& slot,
+                      const Tones& tones) const {
+    const double begin = dsp::cycles(bit.begin, link_.chain.sample_rate);
+    const double end = dsp::cycles(bit.end, link_.chain.sample_rate);
+    double in_phase = 0;
+    for (std::int64_t i = slot.begin; i < slot.end; ++i) {
+      const double from = std::max(static_cast<double>(i), begin);
+      const double to = std::min(static_cast<double>(i + 1), end);
+      in_phase += carrier_light(link_.chain.carrier, start_ + cycles_per_sample_ * from,
+                                start_ + cycles_per_sample_ * to) *
+                  static_cast<double>(tones.cosine[i - slot.begin]);
+    }
+    return 2 * in_phase * tones.length / static_cast<double>(slot.end - slot.begin);
+  }
+
   std::span<const float> kept(const Eigen::VectorXf& tone) {
     return coefficients_.emplace_back(tone.begin(), tone.end());
   }
@@ -97,7 +120,7 @@ class MatchedBuilder {
   }
 
   const Link& link_;
-  double cycles_per_sample_, phase_;
+  double cycles_per_sample_, start_, phase_;  // phase_: of the fundamental
   std::vector<std::vector<float>> coefficients_;
   Readings readings_;
   std::vector<WeakSpot> spots_;

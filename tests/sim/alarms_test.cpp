@@ -40,6 +40,8 @@ TEST(Alarms, TheoryIsThatOfTheReceiver) {
   EXPECT_EQ(names_of(p), "");
   p.operating.ber_theory = 0.12;
   EXPECT_EQ(names_of(p), "theory");
+  p.operating.ber_sampled = 0.1;
+  EXPECT_EQ(names_of(p), "");
 }
 
 // Q(sqrt(2)) = 0.079 at 0 dB with 3 dB to spare: of 200 frames without an error there are too many.

@@ -1,0 +1,21 @@
+#pragma once
+// The bit error ratio of a matched receiver that hears the samples of a waveform. The closed forms
+// (sim/link/theory.hpp) have bits that are all alike; of samples they are not: a bit is no whole
+// number of carrier cycles, its edges fall between samples, and at a carrier that divides the
+// sample rate harmonics fall on it. A bit measures more or less of the light by its phase, and
+// where it measures less there are more errors than where it measures more there are fewer.
+#include "channel/chain.hpp"
+#include "protocol/uart.hpp"
+
+namespace sim {
+
+/// Light of a square carrier between two phases in cycles, over those of a sample: that of a sample
+/// which lasts from one to the other.
+double carrier_light(const channel::CarrierDesign& carrier, double from, double to);
+
+/// Mean over carrier phases and over where bits begin between samples, for the bits of `bytes` with
+/// those beside them.
+double sampled_ber(const channel::ChainDesign& chain, const channel::IdealDesign& receiver,
+                   dsp::Hertz baud, const protocol::Bytes& bytes);
+
+}  // namespace sim
