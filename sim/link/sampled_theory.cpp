@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int draws = 256;
+/// Samples that are looked at, and bits of which they are.
+constexpr double most_samples = 5e5, longest_bit = 2.5e5;
+constexpr int fewest_draws = 16, most_draws = 256;
 
 /// Cycles of light of a square carrier from phase 0 to phase p >= 0.
 double lit_cycles(double p, double duty) {
@@ -115,6 +118,8 @@ double sampled_ber(const channel::ChainDesign& chain, const channel::IdealDesign
                    dsp::Hertz baud, const protocol::Bytes& bytes) {
   const BitKinds kinds(bytes);
   const double length = chain.sample_rate / baud;
+  if (length > longest_bit) return std::numeric_limits<double>::quiet_NaN();
+  const int draws = std::clamp(static_cast<int>(most_samples / length), fewest_draws, most_draws);
   double sum = 0;
   for (int i = 0; i < draws; ++i) {
     // Even in two dimensions: phases in steps, places by the golden ratio.

@@ -9,12 +9,13 @@
 
 namespace sim {
 
-/// Light of a square carrier between two phases in cycles, over those of a sample: that of a sample
-/// which lasts from one to the other.
+/// Light of a square carrier from one phase to another, in cycles from 0 on: the share in a
+/// sample's mean, in mW/m2, of the time in which the phase goes from one to the other.
 double carrier_light(const channel::CarrierDesign& carrier, double from, double to);
 
-/// Mean over carrier phases and over where bits begin between samples, for the bits of `bytes` with
-/// those beside them.
+/// Mean over carrier phases and over where bits begin between samples, for the bits of `bytes`, not
+/// empty, with those beside them. There are no other lights, and the receiver has the sender's
+/// baud. Not a number for bits of more than 250 000 samples; it takes a tenth of a second at most.
 double sampled_ber(const channel::ChainDesign& chain, const channel::IdealDesign& receiver,
                    dsp::Hertz baud, const protocol::Bytes& bytes);
 

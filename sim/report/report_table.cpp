@@ -34,12 +34,14 @@ std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
 
 constexpr const char* alarm_sign = "!!";
 
-/// How many errors more than theory the samples should make, at the point where that is most.
+/// How many errors more than theory the samples should make: of the points where bits failed, that
+/// where it is most.
 std::string theory_note(const ExperimentResult& result) {
   double most = 0;
   for (const PointResult& p : result.points) {
     const double more = p.operating.ber_sampled / p.operating.ber_theory - 1;
-    if (measured(p) && std::abs(more) > std::abs(most)) most = more;
+    const bool has_failed = bit_error_ratio(p.tally, result.ci_level).value > 0;
+    if (has_failed && std::isfinite(more) && std::abs(more) > std::abs(most)) most = more;
   }
   if (std::abs(most) < 0.001) return "";
   return fmt::format(

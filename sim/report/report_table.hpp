@@ -27,8 +27,8 @@ std::string theory_text(double ber);
 /// range ("! carrier"), and alarms ("!! weights").
 std::string closing_text(const PointResult& point);
 
-/// A line for each kind of mark in the table: what "! near" or "!! half" means; empty if there is
-/// none.
+/// A line for each kind of mark in the table: what "! near" or "!! half" means; what a target does
+/// to the ratios, and how far theory is from the samples. Empty if there is none of these.
 std::string mark_notes(const ExperimentResult& result);
 
 /// What became of lost frames, all points together: "56 frames lost: nothing heard 12, ..."; empty

@@ -59,11 +59,11 @@ class CurvesThrough {
   double misfit(double place) {
     from_place_ = x_ - place;
     std::optional<State> best;
-    for (const double wiener : wiener_) {
-      const std::optional<State> next = likeliest_of(covariance_here(wiener));
+    for (std::size_t i = 0; i < wiener_.size(); ++i) {
+      const std::optional<State> next = likeliest_of(covariance_here(wiener_[i]));
       if (!next || (best && !(next->evidence > best->evidence))) break;
       best = next;
-      is_wild_ = wiener == wiener_.back();
+      best->is_wild = i + 1 == bends.size();
     }
     if (!best) return std::numeric_limits<double>::quiet_NaN();
     likeliest_ = *best;
@@ -72,7 +72,7 @@ class CurvesThrough {
 
   /// Of the curve that was found last: whether it bends more than can be told, its slope where it
   /// passes the level, the loss at the points.
-  bool is_wild() const { return is_wild_; }
+  bool is_wild() const { return likeliest_.is_wild; }
   double slope() const { return line_ * arma::dot(likeliest_.dual, from_place_); }
   std::vector<double> loss() const {
     return arma::conv_to<std::vector<double>>::from(loss_at(likeliest_.rise));
@@ -84,6 +84,7 @@ class CurvesThrough {
     arma::vec rise;         // logits above the level
     double likelihood = 0;  // with that of the curve itself
     double evidence = 0;    // logarithm of the likelihood of all curves of its kind together
+    bool is_wild = false;   // its kind bends most
   };
 
   /// Laplace's method for Gaussian processes (Rasmussen & Williams 2006, section 3.4), its steps
@@ -97,14 +98,15 @@ class CurvesThrough {
       now = best_on_the_way(now, *aim, covariance);
       if (now.likelihood - before < 1e-7) break;
     }
-    double log_determinant = 0, sign = 0;
-    arma::log_det(log_determinant, sign, system_of(weight_at(now.rise), covariance));
+    double log_determinant = 0;
+    if (!arma::log_det_sympd(log_determinant, system_of(weight_at(now.rise), covariance)))
+      return std::nullopt;
     now.evidence = now.likelihood - log_determinant / 2;  // their equation 3.32
     return now;
   }
 
   State state(const arma::vec& dual, const arma::mat& covariance) const {
-    State s{dual, covariance * dual, 0, 0};
+    State s{.dual = dual, .rise = covariance * dual};
     s.likelihood = likelihood_of(level_ + s.rise, frames_, lost_) - arma::dot(dual, s.rise) / 2;
     return s;
   }
@@ -169,7 +171,6 @@ class CurvesThrough {
   std::vector<double> wiener_{0};  // variance that it may gain along x
   arma::vec from_place_;
   State likeliest_;
-  bool is_wild_ = false;
 };
 
 /// Among the points.
@@ -178,7 +179,7 @@ double likeliest_place(CurvesThrough& curves, const std::vector<double>& x) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double misfit = curves.misfit(x[i]);
-    if (misfit >= least) continue;
+    if (!(misfit < least)) continue;
     least = misfit;
     best = i;
   }
@@ -215,7 +216,8 @@ std::optional<double> end_of_interval(CurvesThrough& curves, double allowed, dou
 std::optional<CurveCrossing> curve_crossing(const std::vector<double>& x, const LossCounts& counts,
                                             double level, double ci_level) {
   CurvesThrough curves(x, counts, level);
-  curves.misfit(likeliest_place(curves, x));
+  if (x.front() == x.back() || std::isnan(curves.misfit(likeliest_place(curves, x))))
+    return std::nullopt;
   curves.set_slope(curves.slope());
   const double at = likeliest_place(curves, x), span = x.back() - x.front();
   const double share = (at - x.front()) / span;  // of the way

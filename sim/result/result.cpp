@@ -114,6 +114,8 @@ const std::array column_table{
            operating<&OperatingPoint::ebn0_db>},
     Column{"ber_theory", "1", "bit error ratio of a matched receiver in theory",
            operating<&OperatingPoint::ber_theory>},
+    Column{"ber_sampled", "1", "the same of the samples of its waveform",
+           operating<&OperatingPoint::ber_sampled>},
     Column{"outside_validity", "1", "limits of the models' validity that the point leaves",
            &PointResult::outside},
     Column{"alarms", "1", "why the counts are to be distrusted", &PointResult::alarms},

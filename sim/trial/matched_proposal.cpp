@@ -61,7 +61,7 @@ class MatchedBuilder {
     const double amplitude = bit.light ? amplitude_of(bit, slot, tones) : 0;
     const bool ring = !bit.light && link_.ideal->statistic == Statistic::envelope;
     const double level = bit.light ? (amplitude - threshold) / output.deviation_lit
-                                   : threshold / output.deviation_dark;
+                                   : (threshold - leak_of(bit, slot)) / output.deviation_dark;
     if (ring)
       add_ring(slot.begin, tones, bit.share, level);
     else
@@ -71,6 +71,18 @@ class MatchedBuilder {
   Proposal take() { return {std::move(readings_), spots_, std::move(coefficients_)}; }
 
  private:
+  /// What lit neighbours of a dark bit bring to it at most, by the samples that it shares with
+  /// them.
+  double leak_of(const ExposedBit& bit, const channel::SlotSamples& slot) const {
+    const double begin = dsp::cycles(bit.begin, link_.chain.sample_rate);
+    const double end = dsp::cycles(bit.end, link_.chain.sample_rate);
+    const double shared = std::max(0.0, begin - static_cast<double>(slot.begin)) +
+                          std::max(0.0, static_cast<double>(slot.end) - end);
+    const double lit_sample =
+        static_cast<double>(link_.chain.carrier.amplitude) * cycles_per_sample_;
+    return 2 * lit_sample * shared / static_cast<double>(slot.end - slot.begin);
+  }
+
   /// Of a bit that is light, with dark ones beside it, as its samples have it: at some carriers it
   /// differs by 2 % with their phase (sim/link/sampled_theory.hpp).
   double amplitude_of(const ExposedBit& bit, const channel::SlotSamples& slot,

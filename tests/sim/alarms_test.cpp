@@ -42,6 +42,8 @@ TEST(Alarms, TheoryIsThatOfTheReceiver) {
   EXPECT_EQ(names_of(p), "theory");
   p.operating.ber_sampled = 0.1;
   EXPECT_EQ(names_of(p), "");
+  std::swap(p.operating.ber_theory, p.operating.ber_sampled);
+  EXPECT_EQ(names_of(p), "theory");
 }
 
 // Q(sqrt(2)) = 0.079 at 0 dB with 3 dB to spare: of 200 frames without an error there are too many.
