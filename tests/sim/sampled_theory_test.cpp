@@ -13,6 +13,7 @@
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/report/report_table.hpp"
 #include "tests/sim/held_intervals.hpp"
 
 namespace sim {
@@ -46,6 +47,28 @@ TEST(SampledTheory, GrowsWithLightAndWithFewSamplesACycle) {
 
 TEST(SampledTheory, IsNotOfDecisions) {
   EXPECT_TRUE(std::isnan(link_at("4", {"simulation.fidelity=decision"}).operating.ber_sampled));
+}
+
+PointResult told_point(double theory, double sampled, std::uint64_t errors) {
+  PointResult point;
+  point.operating.ber_theory = theory;
+  point.operating.ber_sampled = sampled;
+  point.tally.n_frames = 100;
+  point.tally.n_bits = 17'000;
+  point.tally.n_bit_errors = errors;
+  return point;
+}
+
+// Where it is bright no bit fails, and no ratio of theories means anything.
+TEST(SampledTheory, IsToldOfPointsWhereBitsFailed) {
+  ExperimentResult result;
+  result.points = {told_point(1e-2, 1.01e-2, 170), told_point(1e-3, 1.03e-3, 17),
+                   told_point(1e-50, 1e-48, 0), told_point(0, 1e-300, 0)};
+  EXPECT_EQ(
+      mark_notes(result),
+      "in theory all bits are alike; sampled they are not, and make up to 3.0 % more errors\n");
+  result.points.erase(result.points.begin(), result.points.begin() + 2);
+  EXPECT_EQ(mark_notes(result), "");
 }
 
 Estimate importance_ber(const Link& link, std::uint64_t frames, double level) {
