@@ -15,7 +15,7 @@ double carrier_light(const channel::CarrierDesign& carrier, double from, double 
 
 /// Mean over carrier phases and over where bits begin between samples, for the bits of `bytes`, not
 /// empty, with those beside them. There are no other lights, and the receiver has the sender's
-/// baud. Not a number for bits of more than 250 000 samples; it takes a tenth of a second at most.
+/// baud. Looks at four million samples at most: not a number for bits of more than 250 000.
 double sampled_ber(const channel::ChainDesign& chain, const channel::IdealDesign& receiver,
                    dsp::Hertz baud, const protocol::Bytes& bytes);
 
