@@ -196,8 +196,12 @@ bool looked_for(const std::vector<double>& loss, const Observations& all, double
   return frames >= std::log((1 - ci_level) / 2) / std::log1p(-level);
 }
 
+/// Of fewer, nothing tells how the curve bends between them.
+constexpr std::size_t enough_points = 4;
+
 /// Unclear where no fit can be trusted.
 Crossing fitted_crossing(const Observations& all, double level, double ci_level) {
+  if (all.size() < enough_points) return {};
   const bool logarithmic = std::ranges::all_of(all, [](const auto& o) { return o.x > 0; });
   std::vector<double> x;
   for (const Observation& o : all) x.push_back(logarithmic ? std::log(o.x) : o.x);

@@ -209,12 +209,18 @@ TEST(Crossing, MeasuredIntervalCoversTheTruthOfAHeavyTail) {
 // The straight line misses 110 by a deviance of 5.2 (p = 0.02), but curves may bend as much; none
 // has the steps of a staircase.
 TEST(Crossing, IsFittedWhereTheCurveFits) {
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({6, 8, 10}, {2, 90, 500})).kind, Kind::fitted);
-  EXPECT_EQ(sim::frame_loss_crossing(sweep({6, 8, 10}, {2, 110, 500})).kind, Kind::fitted);
+  const std::vector<double> at{6, 8, 10, 12};
+  EXPECT_EQ(sim::frame_loss_crossing(sweep(at, {2, 90, 500, 900})).kind, Kind::fitted);
+  EXPECT_EQ(sim::frame_loss_crossing(sweep(at, {2, 110, 500, 900})).kind, Kind::fitted);
   const auto with_far_ones = sweep({1, 2, 3, 6, 8, 10, 40, 50}, {0, 0, 0, 2, 110, 500, 1000, 1000});
   EXPECT_EQ(sim::frame_loss_crossing(with_far_ones).kind, Kind::fitted);
   const auto staircase = sweep({5, 6, 7, 8, 9, 10}, {2, 5, 150, 160, 170, 999});
   EXPECT_EQ(sim::frame_loss_crossing(staircase).kind, Kind::bracketed);
+}
+
+// Of three points any curve may be through the middle one.
+TEST(Crossing, IsNotFittedToThreePoints) {
+  EXPECT_EQ(sim::frame_loss_crossing(sweep({6, 8, 10}, {2, 90, 500})).kind, Kind::bracketed);
 }
 
 // As many frames shortly before it as rule the level out if none of them is lost: 368 for 1 %.

@@ -102,7 +102,7 @@ held::Experiment bracketed(const DrawnSweep& sweep) {
 }
 
 void expect_fitted_to_hold(const std::string& setting, const DrawnSweep& sweep) {
-  held::expect_to_hold({"range fitted to a sweep", setting, 4, 0.93, 0.985}, fitted(sweep));
+  held::expect_to_hold({"range fitted to a sweep", setting, 8, 0.93, 0.985}, fitted(sweep));
 }
 
 /// Of frames of 169 bits in Gaussian noise, along Eb/N0 in dB, as scenarios/theory_decision.toml
@@ -146,6 +146,7 @@ TEST(HeldIntervals, MeasuredOfARangeInGaussianNoise) {
   expect_fitted_to_hold("decision, 9:0.1:14 dB, -n 2000", {decision_loss, 9, 0.1, 14, 2000});
   expect_fitted_to_hold("decision, 8:0.5:15 dB, -n 400", {decision_loss, 8, 0.5, 15, 400});
   expect_fitted_to_hold("decision, 8:1:14 dB, -n 1000", {decision_loss, 8, 1, 14, 1000});
+  expect_fitted_to_hold("decision, 10:1:13 dB, -n 1000", {decision_loss, 10, 1, 13, 1000});
   expect_fitted_to_hold("decision, 6:0.25:14 dB, -n 300, 10 %",
                         {decision_loss, 6, 0.25, 14, 300, 0.1});
   expect_fitted_to_hold("decision, 6:0.25:14 dB, -n 300, half lost",
@@ -168,6 +169,8 @@ TEST(HeldIntervals, MeasuredOfARangeOfOtherShapes) {
   expect_fitted_to_hold("TSOP34856, 0.5:0.1:2.3 m, -n 2000", {shoulder_loss, 0.5, 0.1, 2.3, 2000});
   expect_fitted_to_hold("TSOP34856, 0.6:0.2:2.2 m, -n 400", {shoulder_loss, 0.6, 0.2, 2.2, 400});
   expect_fitted_to_hold("TSOP34856, 0.6:0.2:2.2 m, -n 2000", {shoulder_loss, 0.6, 0.2, 2.2, 2000});
+  expect_fitted_to_hold("TSOP34856, 0.7:0.3:1.6 m, -n 1000", {shoulder_loss, 0.7, 0.3, 1.6, 1000});
+  expect_fitted_to_hold("floor of 0.4 %, 6:1:9, -n 1000", {floored_loss, 6, 1, 9, 1000});
   expect_fitted_to_hold("floor of 0.4 %, 5:0.2:12, -n 1000", {floored_loss, 5, 0.2, 12, 1000});
   expect_fitted_to_hold("floor of 0.4 %, 5:0.2:12, -n 10000", {floored_loss, 5, 0.2, 12, 10000});
 }
