@@ -48,7 +48,10 @@ class MpiTeam : public Team {
     return all != 0;
   }
 
-  void end_in_order() override { in_order_ = true; }
+  void end_in_order() override {
+    in_order_ = true;
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
 
   double largest(double mine) override {
     double all = 0;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "sim/failure.hpp"
+#include "sim/threads/stop_signals.hpp"
 
 namespace sim {
 
@@ -20,8 +21,10 @@ bool together(Team* team, const std::function<void()>& step) {
   }
   const int first = -static_cast<int>(team->largest(failure ? -team->rank() : -team->size()));
   if (first == team->size()) return true;
+  // The job's starter ends the other members as soon as the first has ended badly.
+  if (first != team->rank()) leave_stop_signals();
   team->end_in_order();
-  if (failure && first == team->rank()) std::rethrow_exception(failure);
+  if (first == team->rank()) std::rethrow_exception(failure);
   return false;
 }
 

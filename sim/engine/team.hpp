@@ -23,8 +23,8 @@ class Team {
   virtual std::vector<GroupResult> exchange(std::span<const GroupResult> mine) = 0;
   /// Whether it is true for any member.
   virtual bool any(bool mine) = 0;
-  /// All members are about to end, some of them by a failure. One that fails without that ends the
-  /// whole job at once.
+  /// All members are about to end, some of them by a failure; waits until all have said so. One
+  /// that fails without that ends the whole job at once.
   virtual void end_in_order() = 0;
   /// The largest of all members' numbers.
   virtual double largest(double mine) = 0;

@@ -73,6 +73,10 @@ const std::atomic<bool>& heed_stop_signals() {
   return stopping;
 }
 
+void leave_stop_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+}
+
 EndPutOff::EndPutOff() { ++put_off; }
 
 EndPutOff::~EndPutOff() {

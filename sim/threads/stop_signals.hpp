@@ -15,6 +15,10 @@ void heed_signals();
 /// that time is the same wish, said twice by a terminal and a watchdog.
 const std::atomic<bool>& heed_stop_signals();
 
+/// From now on these signals end the process without a word, as in any program: it has nothing more
+/// to do, and another one speaks for it.
+void leave_stop_signals();
+
 /// As long as one lives a signal that would end the process at once waits: a file that is being
 /// written takes its place, or goes away, before. The second signal does not wait.
 class EndPutOff {

@@ -113,6 +113,18 @@ TEST(StopSignalsDeathTest, ALaterOneEndsAtOnce) {
   EXPECT_EXIT(raise_for_a_while(), testing::ExitedWithCode(130), "once more to stop at once");
 }
 
+TEST(StopSignalsDeathTest, OneThatLeavesThemEndsWithoutAWord) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto end = [=] {
+      heed_signals();
+      leave_stop_signals();
+      std::raise(signal);
+      std::_Exit(1);
+    };
+    EXPECT_EXIT(end(), testing::KilledBySignal(signal), "^$");
+  }
+}
+
 TEST(StopSignalsDeathTest, NohupHolds) {
   EXPECT_EXIT(hang_up_under_nohup(), testing::ExitedWithCode(0), "");
 }
