@@ -2,6 +2,8 @@
 // Runs of one point, shared out to threads by the lot.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -28,13 +30,15 @@ struct SharedRuns {
   std::uint32_t runs;
   std::uint32_t most_at_once;  // by a thread
   Workers workers;
+  std::uint32_t first = 0;  // number of the first run
 };
 
-/// Result: what runs first ... first + n - 1 gave.
+/// Result: what `n` runs from `first` on gave.
 template <class Result>
 class RunSharing {
  public:
   using Work = std::function<Result(std::uint32_t first, int n)>;
+  using Take = std::function<void(Result&&, std::uint32_t n)>;
 
   /// A lot is as many runs as may be done at once, and not so many that threads have none.
   RunSharing(const SharedRuns& shared, Work work)
@@ -45,38 +49,92 @@ class RunSharing {
         work_(std::move(work)),
         lots_((shared.runs + lot_ - 1) / lot_) {}
 
-  /// The lots in the order of their runs; after a stop those up to the first that was not finished.
-  /// Throws what a thread threw.
-  std::vector<Result> operator()() {
-    start_threads(
-        shared_.workers.threads, [&] { run_lots(); }, [&] { give_up(nullptr); })
-        .clear();  // waits for them
-    if (error_) std::rethrow_exception(error_);
-    std::vector<Result> finished;
-    for (std::optional<Result>& lot : lots_) {
-      if (!lot) break;
-      finished.push_back(std::move(*lot));
+  /// Gives the lots to `take` in the order of their runs, each as soon as those before it are
+  /// there; after a stop up to the first that was not finished. Calls `meanwhile` after that, ten
+  /// times a second at least. Both run in the calling thread. Throws what they or a thread threw.
+  void in_order(
+      const Take& take, const std::function<void()>& meanwhile = [] {}) {
+    working_ = shared_.workers.threads;
+    const auto threads = start_threads(
+        shared_.workers.threads, [&] { run_lots(); }, [&] { give_up(nullptr); });
+    const EndOfLots end(*this);
+    bool over = false;
+    while (!over) {
+      over = wait_a_moment();
+      while (std::optional<Lot> lot = take_next()) take(std::move(lot->result), lot->runs);
+      meanwhile();
     }
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  /// The lots, as in_order gives them.
+  std::vector<Result> operator()() {
+    std::vector<Result> finished;
+    in_order([&](Result&& lot, std::uint32_t) { finished.push_back(std::move(lot)); });
     return finished;
   }
 
  private:
+  struct Lot {
+    Result result;
+    std::uint32_t runs;
+  };
+
+  /// No thread begins another lot, whatever way their owner leaves.
+  struct EndOfLots {
+    explicit EndOfLots(RunSharing& lots) : all(lots) {}
+    EndOfLots(const EndOfLots&) = delete;
+    EndOfLots& operator=(const EndOfLots&) = delete;
+    ~EndOfLots() { all.give_up(nullptr); }
+    RunSharing& all;
+  };
+
+  std::uint32_t runs_of(std::uint32_t lot) const {
+    return std::min(lot_, shared_.runs - lot * lot_);
+  }
+
   void run_lots() {
     while (const auto lot = next()) {
       try {
-        const std::uint32_t first = *lot * lot_;
-        Result result = work_(first, static_cast<int>(std::min(lot_, shared_.runs - first)));
-        if (!shared_.workers.interrupted()) lots_[*lot] = std::move(result);
+        finish(*lot, work_(shared_.first + *lot * lot_, static_cast<int>(runs_of(*lot))));
       } catch (...) {
         give_up(std::current_exception());
       }
     }
+    const std::scoped_lock lock(mutex_);
+    --working_;
+    changed_.notify_one();
   }
 
   std::optional<std::uint32_t> next() {
     const std::scoped_lock lock(mutex_);
     if (next_ >= lots_.size() || shared_.workers.interrupted()) return std::nullopt;
     return next_++;
+  }
+
+  void finish(std::uint32_t lot, Result result) {
+    if (shared_.workers.interrupted()) return;
+    const std::scoped_lock lock(mutex_);
+    lots_[lot] = std::move(result);
+    if (lot == taken_) changed_.notify_one();
+  }
+
+  bool is_next_finished() const { return taken_ < lots_.size() && lots_[taken_].has_value(); }
+
+  /// Until a lot can be taken, or all threads are done (true).
+  bool wait_a_moment() {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::milliseconds(100),
+                      [this] { return working_ == 0 || is_next_finished(); });
+    return working_ == 0;
+  }
+
+  std::optional<Lot> take_next() {
+    const std::scoped_lock lock(mutex_);
+    if (!is_next_finished()) return std::nullopt;
+    Lot lot{*std::exchange(lots_[taken_], std::nullopt), runs_of(taken_)};
+    ++taken_;
+    return lot;
   }
 
   void give_up(const std::exception_ptr& error) {
@@ -90,7 +148,10 @@ class RunSharing {
   Work work_;
   std::vector<std::optional<Result>> lots_;
   std::mutex mutex_;
-  std::uint32_t next_ = 0;
+  std::condition_variable changed_;
+  std::uint32_t next_ = 0;   // lot to be begun next
+  std::uint32_t taken_ = 0;  // lots that were given away
+  int working_ = 0;          // threads
   std::exception_ptr error_;
 };
 

@@ -58,6 +58,49 @@ TEST(RunSharing, LeavesNoGapWhereALaterLotWasFinishedFirst) {
   EXPECT_TRUE(sharing().empty());
 }
 
+// Whoever takes them needs no lock, and has the first before the last is done.
+TEST(RunSharing, GivesLotsInOrderToTheCallingThreadWhileOthersGoOn) {
+  std::atomic<bool> first_taken = false;
+  RunSharing<Numbers> sharing({.runs = 20, .most_at_once = 2, .workers = {3}, .first = 7},
+                              [&](std::uint32_t first, int n) {
+                                while (first > 20 && !first_taken) std::this_thread::yield();
+                                return numbers(first, n);
+                              });
+  const auto caller = std::this_thread::get_id();
+  Numbers all;
+  std::uint32_t runs = 0;
+  sharing.in_order([&](Numbers&& lot, std::uint32_t n) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_EQ(lot.size(), n);
+    all.insert(all.end(), lot.begin(), lot.end());
+    runs += n;
+    first_taken = true;
+  });
+  EXPECT_EQ(all, numbers(7, 20));
+  EXPECT_EQ(runs, 20U);
+}
+
+TEST(RunSharing, CallsBackWhileALotTakesLong) {
+  std::atomic<int> calls = 0;
+  RunSharing<int> sharing({1, 1, {1}}, [&](std::uint32_t, int) {
+    while (calls < 3) std::this_thread::yield();
+    return 0;
+  });
+  sharing.in_order([](int, std::uint32_t) {}, [&] { ++calls; });
+  EXPECT_GE(calls, 3);
+}
+
+TEST(RunSharing, EndsSoonWhereALotIsNotTaken) {
+  std::atomic<int> done = 0;
+  RunSharing<int> sharing({1000, 1, {2}}, [&](std::uint32_t, int) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return ++done;
+  });
+  const auto refuse = [](int, std::uint32_t) { throw std::runtime_error("no more"); };
+  EXPECT_THROW(sharing.in_order(refuse), std::runtime_error);
+  EXPECT_LT(done, 1000);
+}
+
 TEST(RunSharing, ThrowsWhatAThreadThrewAndDoesNoMore) {
   int done = 0;
   RunSharing<int> sharing({1000, 1, {1}}, [&](std::uint32_t first, int) {
