@@ -138,8 +138,8 @@ FloorPlan plan_of(const StoredDataset& stored, std::size_t point,
                      "Devices (discs; rings where nothing was heard of them), the receiver's way, "
                      "and a dot where it was at the end of each message that it heard, beside the "
                      "way in the colour of the device"};
-  for (const Place& corner : way.corners()) plan.way.push_back({corner.x, corner.y});
-  const Place begin = way.at(dsp::Seconds(0));
+  for (const Pose2D& corner : way.corners()) plan.way.push_back({corner.x, corner.y});
+  const Pose2D begin = way.at(dsp::Seconds(0));
   plan.receivers.push_back({.at = {begin.x, begin.y}, .heading = begin.heading.value});
   plan.devices = marks_of(senders, DeviceCells(stored.data, "n_delivered", point));
   plan.dots = dots_of(heard_on_map(stored.data, point), senders, way);

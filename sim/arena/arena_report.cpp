@@ -128,7 +128,7 @@ std::string way_row(const ArenaPoint& point, const Way& way, std::size_t stretch
     ++counts[point.senders[heard.sender].name];
     ++frames;
   }
-  const Place place = way.at(dsp::Seconds((from + to) / 2));
+  const Pose2D place = way.at(dsp::Seconds((from + to) / 2));
   return table_line(
       way_columns(),
       {fmt::format("{:.1f} .. {:.1f}", from, to), fmt::format("{:.2f}", place.x),

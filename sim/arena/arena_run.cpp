@@ -159,7 +159,7 @@ SenderTally count_sender(const Witness& w, std::size_t sender, const std::vector
     count_airtime(w, sender, frame, fate, tally);
     if (fate != FrameFate::delivered) continue;
     if (tally.latency.n_runs_heard == 0) tally.latency.add(frame.end);
-    const Place place = w.arena.way.at(frame.end);
+    const Pose2D place = w.arena.way.at(frame.end);
     into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,
                           frame.end.value, place.x, place.y, frame.message});
   }

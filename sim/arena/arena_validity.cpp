@@ -20,7 +20,7 @@ Distances distances_in_reach(const Arena& arena, std::size_t sender) {
   Distances distances;
   for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
     if (light.irradiance[i] < arena.reach_mw_per_m2) continue;
-    const Place at = arena.way.at(light.step * static_cast<double>(i));
+    const Pose2D at = arena.way.at(light.step * static_cast<double>(i));
     const double metres = std::hypot(at.x - from.x_m, at.y - from.y_m);
     distances.nearest_m = std::min(distances.nearest_m, metres);
     distances.farthest_m = std::max(distances.farthest_m, metres);

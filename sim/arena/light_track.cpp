@@ -30,12 +30,12 @@ class LightField {
   }
 
   /// mW/m2 by the direct ray and the floor's image.
-  double mirrored(const Place& place) const {
+  double mirrored(const Pose2D& place) const {
     return sum(place, even_, [](const channel::ReceivedLight& light) { return light.total(); });
   }
 
   /// mW/m2 that the floor scatters.
-  double scattered(const Place& place) const {
+  double scattered(const Pose2D& place) const {
     return sum(place, scenario_.floor,
                [](const channel::ReceivedLight& light) { return light.diffuse; });
   }
@@ -44,7 +44,7 @@ class LightField {
   /// Bodies keep LED and module apart by this much along the floor.
   static constexpr double nearest_m = 0.03;
 
-  Place kept_apart(Place place) const {
+  Pose2D kept_apart(Pose2D place) const {
     const double dx = place.x - sender_.x_m, dy = place.y - sender_.y_m;
     const double distance = std::hypot(dx, dy);
     if (distance >= nearest_m) return place;
@@ -54,8 +54,8 @@ class LightField {
   }
 
   template <class Part>
-  double sum(const Place& wanted, const channel::Floor& floor, Part part) const {
-    const Place place = kept_apart(wanted);
+  double sum(const Pose2D& wanted, const channel::Floor& floor, Part part) const {
+    const Pose2D place = kept_apart(wanted);
     const channel::Pose receiver{.x = place.x,
                                  .y = place.y,
                                  .z = scenario_.receiver.height_mm * 1e-3,
@@ -154,7 +154,7 @@ LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way
   const LightField field(scenario, sender);
   LightTrack track{step, {}};
   if (way.duration() == Seconds(0)) {
-    const Place place = way.at(Seconds(0));
+    const Pose2D place = way.at(Seconds(0));
     track.irradiance = {static_cast<float>(field.mirrored(place) + field.scattered(place))};
     return track;
   }

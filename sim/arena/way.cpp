@@ -20,7 +20,9 @@ Radians turned(Radians from, Radians to) {
   return Radians(std::remainder(to.value - from.value, 2 * std::numbers::pi));
 }
 
-double distance_between(const Place& a, const Place& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double distance_between(const Pose2D& a, const Pose2D& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 std::vector<double> numbers_of(const char* key, const std::string& list) {
   if (list.empty()) return {};
@@ -59,7 +61,7 @@ Way::Way(const PathSettings& path) {
   now_.heading = dsp::degrees(looks[0]);
   for (std::size_t i = 1; i < points; ++i) {
     const Radians by = turned(now_.heading, dsp::degrees(looks[i]));
-    const Place next{x[i], y[i], now_.heading + by};
+    const Pose2D next{x[i], y[i], now_.heading + by};
     if (distance_between(now_, next) == 0)
       turn(next.heading, dsp::degrees(path.turn_deg_per_s));
     else
@@ -67,7 +69,7 @@ Way::Way(const PathSettings& path) {
   }
 }
 
-void Way::go(const Place& to, double speed_m_per_s) {
+void Way::go(const Pose2D& to, double speed_m_per_s) {
   add(to, Seconds(distance_between(now_, to) / speed_m_per_s));
 }
 
@@ -77,7 +79,7 @@ void Way::turn(Radians heading, Radians per_second) {
   add({now_.x, now_.y, now_.heading + by}, Seconds(std::abs(by / per_second)));
 }
 
-void Way::add(const Place& to, Seconds time) {
+void Way::add(const Pose2D& to, Seconds time) {
   const Seconds start = duration();
   const double before =
       legs_.empty() ? 0 : legs_.back().distance_before + distance_between(legs_.back().from, now_);
@@ -91,7 +93,7 @@ const Way::Leg* Way::leg_at(Seconds t) const {
   return next == legs_.begin() ? &legs_.front() : &*(next - 1);
 }
 
-Place Way::at(Seconds t) const {
+Pose2D Way::at(Seconds t) const {
   const Leg* leg = leg_at(t);
   if (leg == nullptr) return now_;
   const double share = share_of_way(leg->start, leg->end, t);
@@ -100,9 +102,9 @@ Place Way::at(Seconds t) const {
           Radians(between(leg->from.heading.value, leg->to.heading.value))};
 }
 
-std::vector<Place> Way::corners() const {
+std::vector<Pose2D> Way::corners() const {
   if (legs_.empty()) return {now_};
-  std::vector<Place> corners{legs_.front().from};
+  std::vector<Pose2D> corners{legs_.front().from};
   for (const Leg& leg : legs_) corners.push_back(leg.to);
   return corners;
 }

@@ -9,7 +9,7 @@
 
 namespace sim {
 
-struct Place {
+struct Pose2D {
   double x = 0, y = 0;  // m
   dsp::Radians heading;
 };
@@ -19,9 +19,9 @@ class Way {
   /// Throws bad_input where the lists do not fit together.
   explicit Way(const PathSettings& path);
 
-  Place at(dsp::Seconds t) const;
+  Pose2D at(dsp::Seconds t) const;
   /// Where it begins, turns and ends.
-  std::vector<Place> corners() const;
+  std::vector<Pose2D> corners() const;
   dsp::Seconds duration() const { return legs_.empty() ? dsp::Seconds(0) : legs_.back().end; }
   /// m along the way until then; turning on the spot is none.
   double distance(dsp::Seconds t) const;
@@ -30,16 +30,16 @@ class Way {
   /// Even motion from one place to another, or a turn.
   struct Leg {
     dsp::Seconds start, end;
-    Place from, to;
+    Pose2D from, to;
     double distance_before;
   };
 
-  void go(const Place& to, double speed_m_per_s);
+  void go(const Pose2D& to, double speed_m_per_s);
   void turn(dsp::Radians heading, dsp::Radians per_second);
-  void add(const Place& to, dsp::Seconds time);
+  void add(const Pose2D& to, dsp::Seconds time);
   const Leg* leg_at(dsp::Seconds t) const;
 
-  Place now_;  // where the legs so far lead
+  Pose2D now_;  // where the legs so far lead
   std::vector<Leg> legs_;
 };
 

@@ -67,7 +67,7 @@ TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
   std::vector<std::uint64_t> first_us(point.senders.size());
   for (std::size_t i = 0; i < point.heard.size(); ++i) {
     const HeardFrame& heard = point.heard[i];
-    const Place place = way.at(dsp::Seconds(heard.end_s));
+    const Pose2D place = way.at(dsp::Seconds(heard.end_s));
     EXPECT_EQ(heard.x_m, place.x);
     EXPECT_EQ(heard.y_m, place.y);
     EXPECT_GE(heard.start_s, 0);

@@ -70,7 +70,7 @@ TEST(ArenaLight, MeasuredALoneDeviceIsLostAsOftenAsOnALink) {
 // ---- along a way ----
 
 /// Total light of a sender at a place, straight from the geometry.
-double light_at(const Scenario& s, const Sender& sender, const Place& place) {
+double light_at(const Scenario& s, const Sender& sender, const Pose2D& place) {
   const auto axial = channel::axial_intensity(sender.emitter, sender.current, s.led.temperature_c);
   const channel::Pose receiver{.x = place.x,
                                .y = place.y,

@@ -16,7 +16,7 @@ double heading_deg(const Way& way, double t) {
 }
 
 void expect_at(const Way& way, double t, double x, double y, double degrees) {
-  const Place place = way.at(Seconds(t));
+  const Pose2D place = way.at(Seconds(t));
   EXPECT_NEAR(place.x, x, 1e-9) << t;
   EXPECT_NEAR(place.y, y, 1e-9) << t;
   EXPECT_NEAR(std::remainder(heading_deg(way, t) - degrees, 360), 0, 1e-9) << t;
@@ -109,7 +109,7 @@ TEST(Way, NeverJumps) {
   double length = 0;
   constexpr double step = 1e-3;
   for (double t = 0; t < way.duration().value; t += step) {
-    const Place a = way.at(Seconds(t)), b = way.at(Seconds(t + step));
+    const Pose2D a = way.at(Seconds(t)), b = way.at(Seconds(t + step));
     const double moved = std::hypot(b.x - a.x, b.y - a.y);
     EXPECT_LE(moved, 0.7 * step * (1 + 1e-9));
     EXPECT_LE(std::fabs(std::remainder(heading_deg(way, t + step) - heading_deg(way, t), 360)),
