@@ -19,13 +19,10 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
   return text + "\n" + way_table(point_scenario(scenario, point.coordinates), point);
 }
 
+constexpr PointReport<ArenaPoint> arena_report{arena_header, arena_row, details, arena_dataset};
+
 }  // namespace
 
-void run_arena_scenario(const ExperimentRun& run) {
-  report_points<ArenaPoint>(run, {arena_header, arena_row, details, arena_dataset},
-                            [&](const OnPoint<ArenaPoint>& on_point) {
-                              return run_arenas(run.scenario, run.workers, on_point);
-                            });
-}
+constinit const ExperimentEngine arena_engine = experiment_engine<arena_measurement, arena_report>;
 
 }  // namespace sim

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "channel/instruction_set.hpp"
 
@@ -25,27 +23,6 @@ std::vector<SenderFacts> facts_of(const Arena& arena) {
   return facts;
 }
 
-ArenaPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                     const Workers& workers) {
-  const Arena arena = make_arena(scenario, workers);
-  if (workers.interrupted()) return {.coordinates = coordinates};
-  ArenaPoint point = arena_point(arena, coordinates);
-  RunSharing<ArenaRuns> sharing(
-      shared_arena_runs(scenario, arena, workers),
-      [&](std::uint32_t first, int n) { return run_arena(arena, first, n, workers.interrupt); });
-  for (ArenaRuns& lot : sharing()) add_runs(point, std::move(lot));
-  return point;
-}
-
-/// Runs that each thread may do at once: as many as there are lanes, but all of them, at some 140
-/// bytes a character that devices send, are to take no more than 350 MB.
-std::uint32_t runs_that_fit(const Arena& arena, int threads) {
-  constexpr double most_characters = 2.5e6;
-  return static_cast<std::uint32_t>(std::clamp(most_characters / (characters(arena) * threads + 1),
-                                               1.0,
-                                               static_cast<double>(channel::trials_at_once())));
-}
-
 double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
   return static_cast<double>(airtime_us) * 1e-6 /
          (point.duration_s * static_cast<double>(point.tally.n_runs));
@@ -53,23 +30,22 @@ double share_of_time(const ArenaPoint& point, std::uint64_t airtime_us) {
 
 }  // namespace
 
-SharedRuns shared_arena_runs(const Scenario& scenario, const Arena& arena, const Workers& workers) {
-  return {.runs = static_cast<std::uint32_t>(scenario.arena.runs),
-          .most_at_once = runs_that_fit(arena, workers.threads),
-          .workers = workers};
+/// As many as there are lanes, but those of all threads, at some 140 bytes a character that devices
+/// send, are to take no more than 350 MB.
+std::uint32_t arena_runs_at_once(const Arena& arena, int threads) {
+  constexpr double most_characters = 2.5e6;
+  return static_cast<std::uint32_t>(std::clamp(most_characters / (characters(arena) * threads + 1),
+                                               1.0,
+                                               static_cast<double>(channel::trials_at_once())));
 }
 
-ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates) {
-  return {.coordinates = coordinates,
-          .senders = facts_of(arena),
-          .duration_s = arena.duration.value,
-          .reach_mw_per_m2 = arena.reach_mw_per_m2,
-          .outside = arena.outside};
-}
-
-void add_runs(ArenaPoint& point, ArenaRuns runs) {
-  point.tally += runs.tally;
-  std::ranges::move(runs.heard, std::back_inserter(point.heard));
+void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs) {
+  point.senders = facts_of(arena);
+  point.tally = runs.tally;
+  point.heard = runs.heard;
+  point.duration_s = arena.duration.value;
+  point.reach_mw_per_m2 = arena.reach_mw_per_m2;
+  point.outside = arena.outside;
 }
 
 Estimate frame_loss(const SenderTally& tally) {
@@ -94,9 +70,15 @@ double throughput(const ArenaPoint& point, const SenderTally& tally) {
 
 double pure_aloha(double load) { return load * std::exp(-2 * load); }
 
-std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const Workers& workers,
-                                   const OnPoint<ArenaPoint>& on_point) {
-  return run_points<ArenaPoint>(scenario, workers, on_point, run_point);
-}
+constinit const Measurement<Arena, ArenaRuns, ArenaPoint> arena_measurement{
+    .unreached =
+        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+          return ArenaPoint{.coordinates = coordinates};
+        },
+    .prepare = [](const Scenario& s, const Places&, const Workers& w) { return make_arena(s, w); },
+    .most_at_once = [](const Arena& arena, std::uint32_t,
+                       int threads) { return arena_runs_at_once(arena, threads); },
+    .run = run_arena,
+    .describe = describe_arena};
 
 }  // namespace sim

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/arena/arena_run.hpp"
-#include "sim/report/point_runs.hpp"
+#include "sim/engine/measurement.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -28,12 +28,10 @@ struct ArenaPoint {
   bool reached() const { return tally.n_runs > 0; }
 };
 
-/// The runs of a point, so many at once as memory allows.
-SharedRuns shared_arena_runs(const Scenario& scenario, const Arena& arena, const Workers& workers);
+/// Runs that each thread may do at once: as many as memory allows.
+std::uint32_t arena_runs_at_once(const Arena& arena, int threads);
 
-/// A point before its first run, and with runs added, which are to be in order.
-ArenaPoint arena_point(const Arena& arena, const std::vector<double>& coordinates);
-void add_runs(ArenaPoint& point, ArenaRuns runs);
+void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs);
 
 /// Lost of sent, with the interval of runs as clusters.
 Estimate frame_loss(const SenderTally& tally);
@@ -49,8 +47,6 @@ double throughput(const ArenaPoint& point, const SenderTally& tally);
 /// random, each of which is lost to any other that overlaps it.
 double pure_aloha(double load);
 
-/// All points of a scenario.
-std::vector<ArenaPoint> run_arenas(const LoadedScenario& scenario, const Workers& workers = {},
-                                   const OnPoint<ArenaPoint>& on_point = {});
+extern const Measurement<Arena, ArenaRuns, ArenaPoint> arena_measurement;
 
 }  // namespace sim

@@ -208,6 +208,12 @@ std::vector<dsp::LogicTrace> pins_without_slow_agc(const Arena& arena, DrawnRuns
 
 }  // namespace
 
+ArenaRuns& ArenaRuns::operator+=(const ArenaRuns& next) {
+  tally += next.tally;
+  heard.insert(heard.end(), next.heard.begin(), next.heard.end());
+  return *this;
+}
+
 ArenaRuns run_arena(const Arena& arena, std::uint32_t first, int n, const std::atomic<bool>* stop) {
   DrawnRuns runs{.dark = dsp::LogicTrace(true, arena.end)};
   for (int i = 0; i < n; ++i) draw(arena, first + static_cast<std::uint32_t>(i), runs);

@@ -13,6 +13,13 @@ namespace sim {
 struct ArenaRuns {
   ArenaTally tally;
   std::vector<HeardFrame> heard;  // by run and time
+
+  /// Adds the runs behind these.
+  ArenaRuns& operator+=(const ArenaRuns& next);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(tally, heard);
+  }
 };
 
 /// Runs first ... first + n - 1, at once as far as the processor has lanes. Worth nothing once

@@ -22,6 +22,10 @@ struct Latency {
   double mean_s() const;   // NaN if nothing was ever heard
   double worst_s() const;  // NaN too
   Latency& operator+=(const Latency& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_runs_heard, sum_us, worst_us);
+  }
 };
 
 /// Messages of one device that start within a run.
@@ -41,6 +45,11 @@ struct SenderTally {
   std::uint64_t lost() const { return sent() - (*this)[FrameFate::delivered]; }
 
   SenderTally& operator+=(const SenderTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(fate, n_in_reach, n_overlapped, n_captured, airtime_us, airtime_in_reach_us,
+            airtime_delivered_us, latency, losses);
+  }
 };
 
 /// A message that was delivered.
@@ -49,6 +58,11 @@ struct HeardFrame {
   double start_s = 0, end_s = 0;
   double x_m = 0, y_m = 0;  // of the receiver at its end
   std::string message{};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(run, sender, start_s, end_s, x_m, y_m, message);
+  }
 };
 
 struct ArenaTally {
@@ -59,6 +73,10 @@ struct ArenaTally {
   std::uint64_t n_false = 0;  // frames accepted that nobody sent
 
   ArenaTally& operator+=(const ArenaTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(senders, n_runs, losses, any, n_false);
+  }
 };
 
 }  // namespace sim

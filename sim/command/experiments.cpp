@@ -13,6 +13,7 @@
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_command.hpp"
 #include "sim/guard/guard_part.hpp"
+#include "sim/listening/listening_experiment.hpp"
 #include "sim/listening/listening_part.hpp"
 #include "sim/listening/listening_report.hpp"
 #include "sim/location/location_parts.hpp"
@@ -25,7 +26,7 @@ namespace {
 struct Experiment {
   std::string_view name;
   void (*check)(const LoadedScenario&);  // for what the keys alone do not show
-  RunExperiment run;
+  const ExperimentEngine* engine;
   ReportExperiment report;
 };
 
@@ -33,12 +34,12 @@ void nothing_more(const LoadedScenario&) {}
 
 constexpr std::array experiments{
     Experiment{"link", nothing_more, nullptr, nullptr},
-    Experiment{"arena", check_arena, run_arena_scenario, arena_part},
-    Experiment{"guard", check_guard, run_guard_scenario, guard_part},
-    Experiment{"sharedlink", check_exchange, run_exchange_scenario, exchange_part},
-    Experiment{"presence", nothing_more, run_presence_scenario, presence_part},
-    Experiment{"location", nothing_more, run_location_scenario, location_part},
-    Experiment{"listening", check_listening, run_listening_scenario, listening_part},
+    Experiment{"arena", check_arena, &arena_engine, arena_part},
+    Experiment{"guard", check_guard, &guard_engine, guard_part},
+    Experiment{"sharedlink", check_exchange, &exchange_engine, exchange_part},
+    Experiment{"presence", nothing_more, &presence_engine, presence_part},
+    Experiment{"location", nothing_more, &location_engine, location_part},
+    Experiment{"listening", check_listening, &listening_engine, listening_part},
 };
 
 const Experiment& experiment_of(const LoadedScenario& scenario) {
@@ -52,7 +53,9 @@ void check_experiment(const LoadedScenario& scenario) {
   experiment_of(scenario).check(scenario);
 }
 
-RunExperiment runner_of(const LoadedScenario& scenario) { return experiment_of(scenario).run; }
+const ExperimentEngine* engine_of(const LoadedScenario& scenario) {
+  return experiment_of(scenario).engine;
+}
 
 ReportExperiment reporter_of(const LoadedScenario& scenario) {
   return experiment_of(scenario).report;

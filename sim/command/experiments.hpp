@@ -14,10 +14,8 @@ namespace sim {
 /// its points.
 void check_experiment(const LoadedScenario& scenario);
 
-using RunExperiment = void (*)(const ExperimentRun&);
-
-/// Nothing for a link.
-RunExperiment runner_of(const LoadedScenario& scenario);
+/// Null for a link.
+const ExperimentEngine* engine_of(const LoadedScenario& scenario);
 
 /// What a result brings to a report; the name is that of its file.
 using ReportExperiment = ReportPart (*)(const std::string& name, const StoredDataset&);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "sim/command/commands.hpp"
 #include "sim/engine/engine.hpp"
@@ -112,13 +113,13 @@ LoadedScenario swept_over(const LoadedScenario& scenario, const std::string& key
 class Finds {
  public:
   Finds(const FindRequest& request, const Over& over, const LoadedScenario& scenario,
-        Keeper& keeper, const std::atomic<bool>& interrupt)
+        fs::path output, const std::atomic<bool>& interrupt)
       : request_(request),
         over_(over),
         scenario_(scenario),
         ends_(swept_over(scenario, over.key, {over.low, over.high})),
         theory_(has_theory(ends_)),
-        keeper_(keeper),
+        output_(std::move(output)),
         interrupt_(interrupt),
         axis_(static_cast<std::size_t>(std::ranges::find(ends_.sweep, over.key, &Axis::key) -
                                        ends_.sweep.begin())) {}
@@ -150,6 +151,10 @@ class Finds {
   }
 
  private:
+  void keep_result() {
+    keeper_.keep([&] { write_result(output_, result(), request_.program); });
+  }
+
   std::optional<Tally> count_at(Coordinates at, double value) {
     at[axis_] = value;
     const Scenario scenario = point_scenario(ends_, at);
@@ -158,7 +163,7 @@ class Finds {
       point.rule = rule_of(scenario.stop);
       point.alarms = own_alarms(point);
       counted_[at] = std::move(point);
-      if (due) keeper_.keep(result());
+      if (due) keep_result();
     };
     const EngineOptions engine{
         .threads = threads_for(request_.threads),
@@ -166,7 +171,7 @@ class Finds {
         .on_progress = [&](const PointResult& p) { keep(p, keeper_.is_due()); }};
     keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);
     if (!request_.json) print(table_row(ends_.sweep, counted_[at], 0.95, theory_));
-    if (keeper_.is_due_at_end()) keeper_.keep(result());
+    if (keeper_.is_due_at_end()) keep_result();
     if (interrupt_) return std::nullopt;
     return counted_[at].tally;
   }
@@ -176,7 +181,8 @@ class Finds {
   const LoadedScenario& scenario_;
   const LoadedScenario ends_;  // swept over both ends of the range
   const bool theory_;
-  Keeper& keeper_;
+  const fs::path output_;
+  Keeper keeper_;
   const std::atomic<bool>& interrupt_;
   const std::size_t axis_;
   std::map<Coordinates, PointResult> counted_;
@@ -193,9 +199,8 @@ ExitCode find_command(const FindRequest& request) {
   const Over over = over_of(request.over, scenario);
   const fs::path output = found_output(request);
   check_writable(output);
-  Keeper keeper(output, request.program);
   const std::atomic<bool>& interrupt = heed_stop_signals();
-  Finds finds(request, over, scenario, keeper, interrupt);
+  Finds finds(request, over, scenario, output, interrupt);
   const auto keep_all = [&](const ExperimentResult& result) {
     keep_finished(
         output, [&](const fs::path& place) { write_result(place, result, request.program); },

@@ -25,6 +25,7 @@
 #include "sim/result/unfinished.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/text/digest.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
 
@@ -81,14 +82,17 @@ void print_row(const ExperimentResult& result, std::size_t point, bool theory,
   }
 }
 
+bool is_gone_on_with(const RunRequest& request, const fs::path& output) {
+  std::error_code error;
+  return request.resume && fs::exists(output, error) && fs::file_size(output, error) > 0;
+}
+
 /// Nothing counted yet; or what the result file has, where there is one to go on with.
 ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenario,
                         const fs::path& output) {
   ExperimentResult result = unfinished(scenario, request.command);
   result.shards = {request.shard};
-  std::error_code error;
-  if (request.resume && fs::exists(output, error) && fs::file_size(output, error) > 0)
-    resume_from(output, request.program, result);
+  if (is_gone_on_with(request, output)) resume_from(output, request.program, result);
   return result;
 }
 
@@ -96,7 +100,8 @@ ExperimentResult so_far(const RunRequest& request, const LoadedScenario& scenari
 struct Run {
   LoadedScenario scenario;
   fs::path output;
-  ExperimentResult result;  // before its first trial, or what is gone on with
+  ExperimentResult result{};               // of a link: before its first trial, or gone on with
+  std::vector<std::string> checkpoints{};  // of other experiments: what is gone on with
 };
 
 /// Whether this process prints and writes.
@@ -120,7 +125,10 @@ std::string plots(const RunRequest& request, const ExperimentResult& result) {
 }
 
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
-  Keeper keeper(run.output, request.program);
+  Keeper keeper;
+  const auto keep = [&](const ExperimentResult& result) {
+    keeper.keep([&] { write_result(run.output, result, request.program); });
+  };
   const auto keep_all = [&](const ExperimentResult& result) {
     keep_finished(
         run.output, [&](const fs::path& place) { write_result(place, result, request.program); },
@@ -130,12 +138,12 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   const bool theory = has_theory(run.scenario);
   if (!request.json) print(table_header(run.scenario.sweep, theory));
   options.on_progress = [&](const Progress& p) {
-    progress.show(p);
-    if (keeper.is_due()) keeper.keep(p.result);
+    progress.show(status_of(p));
+    if (keeper.is_due()) keep(p.result);
   };
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
-    if (keeper.is_due_at_end()) keeper.keep(result);
+    if (keeper.is_due_at_end()) keep(result);
     if (!request.json) print_row(result, point, theory, keep_all);
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
@@ -148,25 +156,46 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
 // ---- experiments that are no links ----
 
 /// What such a run would not heed.
-void refuse_link_options(const RunRequest& request, const fs::path& scenario, const Team* team) {
-  const std::pair<bool, const char*> options[] = {
-      {request.resume, "--resume"}, {request.shard != Shard{}, "--shard"},
-      {request.plan, "--plan"},     {request.time_budget_s > 0, "--time-budget"},
-      {request.plot, "--plot"},     {request.profile, "--profile"},
-      {team != nullptr, "mpirun"}};
-  for (const auto& [given, name] : options)
-    if (given)
-      throw bad_input(fmt::format("{} with {}", name, scenario.string()),
-                      "only experiments of a link know it", "leave it out");
+void refuse_link_options(const RunRequest& request, const fs::path& scenario) {
+  const std::string where = " with " + scenario.string();
+  if (request.plot)
+    throw bad_input("--plot" + where, "only ratios of links are drawn as characters",
+                    "leave it out, and let cosys-sim report draw the result");
+  if (request.profile)
+    throw bad_input("--profile" + where, "it times the stages of a link's trial", "leave it out");
 }
 
-void run_other(const RunRequest& request, const Run& run, RunExperiment runner) {
-  runner({.scenario = run.scenario,
-          .output = run.output,
-          .command = request.command,
-          .program = request.program,
-          .workers = {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()},
-          .json = request.json});
+void run_other(const RunRequest& request, const Run& run, const ExperimentEngine& engine,
+               Team* team) {
+  engine.run(
+      {.scenario = run.scenario,
+       .output = run.output,
+       .command = request.command,
+       .program = request.program,
+       .workers = {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()},
+       .team = team,
+       .json = request.json,
+       .quiet = request.quiet,
+       .checkpoints = run.checkpoints,
+       .shards = {request.shard}});
+}
+
+/// Of one scenario.
+void refuse_options(const RunRequest& request, const Run& run) {
+  check_shard(run.scenario, request.shard);
+  if (engine_of(run.scenario) != nullptr) refuse_link_options(request, run.scenario.path);
+}
+
+/// What a run starts from.
+void set_start(const RunRequest& request, Run& run) {
+  if (request.time_budget_s > 0)
+    run.scenario = within_budget(request, run.scenario, heed_stop_signals());
+  if (engine_of(run.scenario) == nullptr) {
+    run.result = so_far(request, run.scenario, run.output);
+  } else if (is_gone_on_with(request, run.output)) {
+    run.checkpoints = {
+        checkpoint_to_resume(run.output, request.program, run.scenario, request.shard)};
+  }
 }
 
 /// Everything that can be refused before the first trial.
@@ -177,33 +206,19 @@ std::vector<Run> prepare(const RunRequest& request, Team* team) {
   refuse_same_output(request);
   std::vector<Run> runs;
   for (const fs::path& path : request.scenarios) {
-    runs.push_back({load_with(request.options, path), output_of(request, path), {}});
-    if (runner_of(runs.back().scenario) != nullptr)
-      refuse_link_options(request, path, team);
-    else
-      check_shard(runs.back().scenario, request.shard);
+    runs.push_back({load_with(request.options, path), output_of(request, path)});
+    refuse_options(request, runs.back());
   }
   if (request.plan) return runs;
   if (speaks(team)) {
     make_output_folder(request);
     for (const Run& run : runs) check_writable(run.output);
   }
-  for (Run& run : runs) {
-    if (runner_of(run.scenario) != nullptr) continue;
-    if (request.time_budget_s > 0)
-      run.scenario = within_budget(request, run.scenario, heed_stop_signals());
-    run.result = so_far(request, run.scenario, run.output);
-  }
+  for (Run& run : runs) set_start(request, run);
   return runs;
 }
 
-std::string farewell(const RunRequest& request, const std::vector<Run>& runs) {
-  const bool links =
-      std::ranges::none_of(runs, [](const Run& run) { return runner_of(run.scenario) != nullptr; });
-  if (!links)
-    return "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
-           "experiments "
-           "of a link can be resumed\n";
+std::string farewell(const RunRequest& request) {
   return fmt::format(
       "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
       "the same command with {}--resume goes on\n",
@@ -213,7 +228,10 @@ std::string farewell(const RunRequest& request, const std::vector<Run>& runs) {
 /// What the runs start from, for the members of a team to compare.
 std::string start_of(const std::vector<Run>& runs) {
   std::string text;
-  for (const Run& run : runs) text += run.scenario.text + result_digest(run.result);
+  for (const Run& run : runs) {
+    text += run.scenario.text + result_digest(run.result);
+    for (const std::string& checkpoint : run.checkpoints) text += digest_of(checkpoint);
+  }
   return text;
 }
 
@@ -263,15 +281,15 @@ ExitCode run_command(const RunRequest& request) {
   if (!agree(team.get(), start_of(runs))) return ExitCode::done;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
-    if (const RunExperiment runner = runner_of(run.scenario))
-      run_other(request, run, runner);
+    if (const ExperimentEngine* engine = engine_of(run.scenario))
+      run_other(request, run, *engine, team.get());
     else if (speaks(team.get()))
       run_scenario(request, run, options);
     else
       run_experiment(run.scenario, run.result, options);
   }
   if (!is_interrupted(options)) return ExitCode::done;
-  if (speaks(team.get())) say(farewell(request, runs));
+  if (speaks(team.get())) say(farewell(request));
   return ExitCode::interrupted;
 }
 

@@ -43,12 +43,14 @@ void add_run(CLI::App& app, RunRequest& request) {
   run.add_flag("--profile", request.profile,
                "say on stderr where the time went, stage by stage; looking costs some of it")
       ->excludes("--resume");
-  auto* plan = run.add_flag("--plan", request.plan,
-                            "say how many frames and how much time each point is expected to take, "
-                            "from a few trials of it, and stop there")
-                   ->excludes("--resume");
+  auto* plan =
+      run.add_flag("--plan", request.plan,
+                   "say how many frames or runs and how much time each point is expected to take, "
+                   "from a few trials of it, and stop there")
+          ->excludes("--resume");
   run.add_option("--time-budget", request.time_budget_s,
-                 "choose --max-frames so that a scenario takes about so long: 90s, 10min, 2h")
+                 "choose --max-frames (or how many runs) so that a scenario takes about so long: "
+                 "90s, 10min, 2h")
       ->type_name("TIME")
       ->transform(a_time())
       ->excludes("--max-frames")

@@ -7,36 +7,68 @@
 #include <string>
 #include <vector>
 
+#include "sim/command/experiments.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/plan.hpp"
 #include "sim/failure.hpp"
 #include "sim/report/plan_report.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
 
+namespace {
+
+std::vector<RunPilot> pilots_of(const ExperimentEngine& engine, const RunRequest& request,
+                                const LoadedScenario& scenario, const Shard& shard,
+                                const std::atomic<bool>& interrupt) {
+  return engine.pilots(scenario, shard,
+                       {.threads = threads_for(request.threads), .interrupt = &interrupt});
+}
+
+std::uint64_t units_within(const RunRequest& request, const LoadedScenario& scenario,
+                           const std::atomic<bool>& interrupt) {
+  if (const ExperimentEngine* engine = engine_of(scenario))
+    return runs_within(pilots_of(*engine, request, scenario, {}, interrupt), request.time_budget_s);
+  return frames_within(run_pilots(scenario, {}, threads_for(request.threads), interrupt),
+                       request.time_budget_s);
+}
+
+/// The key of how much of a point is simulated.
+std::string amount_of(const LoadedScenario& scenario) {
+  const auto kind =
+      std::ranges::find(experiment_kinds(), scenario.base.experiment, &ExperimentKind::name);
+  return kind->amount.empty() ? "stop.max_frames" : std::string(kind->amount);
+}
+
+}  // namespace
+
 bool print_plan(const RunRequest& request, const LoadedScenario& scenario,
                 const std::atomic<bool>& interrupt) {
   const int threads = threads_for(request.threads);
-  const std::vector<Pilot> pilots = run_pilots(scenario, request.shard, threads, interrupt);
-  print(plan_table(scenario.sweep, pilots, threads));
+  if (const ExperimentEngine* engine = engine_of(scenario))
+    print(plan_table(scenario.sweep,
+                     pilots_of(*engine, request, scenario, request.shard, interrupt), threads));
+  else
+    print(plan_table(scenario.sweep, run_pilots(scenario, request.shard, threads, interrupt),
+                     threads));
   return !interrupt;
 }
 
 LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario,
                              const std::atomic<bool>& interrupt) {
-  const std::string key = "stop.max_frames";
-  const auto is_of_frames = [&](const Axis& axis) { return axis.key == key; };
-  if (std::ranges::any_of(scenario.sweep, is_of_frames))
+  const std::string key = amount_of(scenario);
+  if (std::ranges::find(scenario.sweep, key, &Axis::key) != scenario.sweep.end())
     throw bad_input("--time-budget", key + " is swept in " + scenario.path.string(),
                     "leave one of the two out");
-  const std::vector<Pilot> pilots =
-      run_pilots(scenario, {}, threads_for(request.threads), interrupt);
+  const std::uint64_t units = units_within(request, scenario, interrupt);
   if (interrupt) return scenario;
-  const std::uint64_t frames = frames_within(pilots, request.time_budget_s);
   ScenarioOptions options = request.options;
-  options.overrides.push_back(fmt::format("{}={}", key, frames));
-  say(fmt::format("cosys-sim: {}: --max-frames {} chosen\n", scenario.path.string(), frames));
+  options.overrides.push_back(fmt::format("{}={}", key, units));
+  const bool link = engine_of(scenario) == nullptr;
+  say(fmt::format(
+      "cosys-sim: {}: {} chosen\n", scenario.path.string(),
+      link ? fmt::format("--max-frames {}", units) : fmt::format("--set {}={}", key, units)));
   return load_with(options, scenario.path);
 }
 

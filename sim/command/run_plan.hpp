@@ -11,8 +11,8 @@ namespace sim {
 bool print_plan(const RunRequest& request, const LoadedScenario& scenario,
                 const std::atomic<bool>& interrupt);
 
-/// `run --time-budget`: the scenario with as many frames a point as there is time for, or as it was
-/// if interrupted. Throws Failure(bad_input) where it sweeps that number.
+/// `run --time-budget`: the scenario with as many frames, runs or trials a point as there is time
+/// for, or as it was if interrupted. Throws Failure(bad_input) where it sweeps that number.
 LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario,
                              const std::atomic<bool>& interrupt);
 

@@ -21,6 +21,11 @@ class AgeCounts {
   std::uint64_t known() const { return known_; }
   std::uint64_t unknown() const { return unknown_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(counts_, known_, unknown_, sum_ms_);
+  }
+
  private:
   std::vector<std::uint64_t> counts_;
   std::uint64_t known_ = 0, unknown_ = 0;

@@ -21,6 +21,15 @@ std::optional<std::uint32_t> parse_count(std::string_view text, std::uint32_t mo
 
 std::uint64_t product(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} * b; }
 
+/// Of n that are counted in groups.
+TrialRange share_of(const Shard& shard, std::uint64_t n, std::uint64_t group) {
+  const std::uint64_t groups = (n + group - 1) / group;
+  const auto end_of = [&](std::uint32_t number) {
+    return std::min(n, groups * number / shard.count * group);
+  };
+  return {end_of(shard.number - 1), end_of(shard.number)};
+}
+
 }  // namespace
 
 std::optional<Shard> parse_shard(std::string_view text) {
@@ -72,13 +81,10 @@ bool are_all(std::vector<Shard> shards) {
 }
 
 TrialRange trials_of(const Shard& shard, std::uint64_t max_frames) {
-  constexpr std::uint64_t group = channel::lanes_per_group;
-  const std::uint64_t groups = (max_frames + group - 1) / group;
-  const auto end_of = [&](std::uint32_t number) {
-    return std::min(max_frames, groups * number / shard.count * group);
-  };
-  return {end_of(shard.number - 1), end_of(shard.number)};
+  return share_of(shard, max_frames, channel::lanes_per_group);
 }
+
+TrialRange runs_of(const Shard& shard, std::uint64_t runs) { return share_of(shard, runs, 1); }
 
 StopRule share_of(const StopRule& rule, const Shard& shard) {
   const TrialRange trials = trials_of(shard, rule.max_frames);

@@ -43,6 +43,9 @@ struct TrialRange {
 /// The shard's own trials out of max_frames: whole groups of eight, but for the last trials of all.
 TrialRange trials_of(const Shard& shard, std::uint64_t max_frames);
 
+/// The same of runs, which are counted one by one.
+TrialRange runs_of(const Shard& shard, std::uint64_t runs);
+
 /// When the shard has done its share of a point: its trials, or its share of the lost frames, of
 /// which all shards together then have what was asked for. The sum of their frames is distributed
 /// as it is when one run waits for all of them: waiting for e losses is waiting for e/N, N times.

@@ -43,6 +43,10 @@ struct ClusterSums {
   void add(std::uint64_t part_of_one, std::uint64_t whole_of_one);
   ClusterSums& operator+=(const ClusterSums& other);
   bool operator==(const ClusterSums&) const = default;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n, part, whole, part_squared, part_times_whole, whole_squared);
+  }
 };
 
 /// Part over whole where what is counted in a cluster may hang together, with Korn & Graubard's

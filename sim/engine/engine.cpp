@@ -164,15 +164,15 @@ class Pool {
 };
 
 /// The threads of a pool, which end soon whatever way their owner leaves.
-class Workers {
+class PoolThreads {
  public:
-  Workers(Pool& pool, int threads)
+  PoolThreads(Pool& pool, int threads)
       : pool_(pool),
         threads_(start_threads(
             threads, [&pool] { pool.work(); }, [&pool] { pool.interrupt(); })) {}
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
-  ~Workers() { pool_.interrupt(); }
+  PoolThreads(const PoolThreads&) = delete;
+  PoolThreads& operator=(const PoolThreads&) = delete;
+  ~PoolThreads() { pool_.interrupt(); }
 
  private:
   Pool& pool_;
@@ -199,7 +199,7 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
   const auto elapsed_s = [&] { return before.elapsed_s + watch.seconds(); };
   Pool pool(link, stop, options, before);
   {
-    const Workers workers(pool, options.threads);
+    const PoolThreads threads(pool, options.threads);
     while (!pool.wait_a_moment()) {
       if (options.interrupt != nullptr && *options.interrupt) pool.interrupt();
       if (options.on_progress)

@@ -8,6 +8,7 @@
 #include "sim/link/link.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/result/alarms.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/method.hpp"
 #include "sim/scenario/sweep.hpp"
 
@@ -51,6 +52,32 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
   describe(result.points[i], link);
 }
 
+void refuse_empty(const Shard& shard, std::uint64_t all, const std::string& unit,
+                  const std::string& enough) {
+  throw bad_input("--shard " + shards_text({shard}),
+                  fmt::format("of {} {} none is left for it", all, unit),
+                  fmt::format("use fewer shards or more {}{}", unit, enough));
+}
+
+void check_shard_of_link(const Scenario& point, const Shard& shard) {
+  const std::string problem = "--shard " + shards_text({shard});
+  const StopRule rule = rule_of(point.stop);
+  if (rule.rel_ci > 0 || rule.target_flr > 0)
+    throw bad_input(problem, "--rel-ci and --target-flr need the counts of all shards",
+                    "use --max-frames and --max-frame-errors, which can be shared out");
+  if (rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
+    throw bad_input(problem, "what weighted losses are worth cannot be shared out",
+                    "add --max-frame-errors 0");
+  if (share_of(rule, shard).max_frames == 0)
+    refuse_empty(shard, rule.max_frames, "frames", ", at least eight for each");
+}
+
+void check_shard_of_runs(const Scenario& point, const Shard& shard) {
+  const std::uint64_t runs = runs_asked_for(point);
+  const TrialRange range = runs_of(shard, runs);
+  if (range.first == range.last) refuse_empty(shard, runs, "runs", "");
+}
+
 }  // namespace
 
 bool is_interrupted(const ExperimentOptions& options) {
@@ -67,20 +94,10 @@ bool has_theory(const LoadedScenario& scenario) {
 
 void check_shard(const LoadedScenario& scenario, const Shard& shard) {
   if (shard == Shard{}) return;
-  const std::string problem = "--shard " + shards_text({shard});
-  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
-    const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, i));
-    const StopRule rule = rule_of(point.stop);
-    if (rule.rel_ci > 0 || rule.target_flr > 0)
-      throw bad_input(problem, "--rel-ci and --target-flr need the counts of all shards",
-                      "use --max-frames and --max-frame-errors, which can be shared out");
-    if (rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
-      throw bad_input(problem, "what weighted losses are worth cannot be shared out",
-                      "add --max-frame-errors 0");
-    if (share_of(rule, shard).max_frames == 0)
-      throw bad_input(problem, fmt::format("of {} frames none is left for it", rule.max_frames),
-                      "use fewer shards or more frames, at least eight for each");
-  }
+  const bool link = scenario.base.experiment == "link";
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i)
+    (link ? check_shard_of_link : check_shard_of_runs)(
+        point_scenario(scenario, point_coordinates(scenario.sweep, i)), shard);
 }
 
 void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {

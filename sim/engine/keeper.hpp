@@ -2,13 +2,11 @@
 // Keeps what is counted while a run goes on, so that no kill loses more than some seconds of it.
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
 #include "sim/failure.hpp"
-#include "sim/program_info.hpp"
-#include "sim/result/store.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -16,9 +14,6 @@ namespace sim {
 /// Writes a result file, at most for a twentieth of the time.
 class Keeper {
  public:
-  Keeper(std::filesystem::path output, ProgramInfo program)
-      : output_(std::move(output)), program_(std::move(program)) {}
-
   /// While a point is under way: once a second, or every ten seconds where writing is slow.
   bool is_due() const {
     return Clock::now() - last_ >= std::clamp<Clock::duration>(pause_, one, ten);
@@ -29,10 +24,10 @@ class Keeper {
   }
 
   /// Where it cannot be written at the moment, the run goes on and it is tried again.
-  void keep(const ExperimentResult& result) {
+  void keep(const std::function<void()>& write) {
     const auto began = Clock::now();
     try {
-      write_result(output_, result, program_);
+      write();
     } catch (const Failure& failure) {
       if (!std::exchange(told_, true))
         say(std::string("cosys-sim: ") + failure.what() + "; the run goes on and tries again\n");
@@ -45,8 +40,6 @@ class Keeper {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds one{1}, ten{10};
 
-  std::filesystem::path output_;
-  ProgramInfo program_;
   Clock::time_point last_ = Clock::now();
   Clock::duration pause_{0};
   bool told_ = false;  // that it cannot be written

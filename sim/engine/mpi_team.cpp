@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <type_traits>
+#include <utility>
 
 #include "sim/engine/team.hpp"
 #include "sim/failure.hpp"
@@ -39,6 +40,22 @@ class MpiTeam : public Team {
     const int bytes = static_cast<int>(mine.size_bytes());
     MPI_Allgather(mine.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, MPI_COMM_WORLD);
     return all;
+  }
+
+  std::vector<std::string> exchange(const std::string& mine) override {
+    std::vector<int> sizes(static_cast<std::size_t>(size_)), begins;
+    const int size = static_cast<int>(mine.size());
+    MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    int end = 0;
+    for (const int of_one : sizes) begins.push_back(std::exchange(end, end + of_one));
+    std::string all(static_cast<std::size_t>(end), '\0');
+    MPI_Allgatherv(mine.data(), size, MPI_BYTE, all.data(), sizes.data(), begins.data(), MPI_BYTE,
+                   MPI_COMM_WORLD);
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      parts.push_back(
+          all.substr(static_cast<std::size_t>(begins[i]), static_cast<std::size_t>(sizes[i])));
+    return parts;
   }
 
   bool any(bool mine) override {

@@ -94,4 +94,14 @@ std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds) {
   return good * group_size;
 }
 
+std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds) {
+  constexpr double most = 1e6;
+  double setup_s = 0, run_s = 0;
+  for (const RunPilot& pilot : pilots) {
+    setup_s += pilot.setup_s;
+    run_s += pilot.run_s;
+  }
+  return static_cast<std::uint64_t>(std::clamp((seconds - setup_s) / run_s, 1.0, most));
+}
+
 }  // namespace sim

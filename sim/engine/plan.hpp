@@ -7,6 +7,7 @@
 #include "sim/counting/shard.hpp"
 #include "sim/counting/stop_rule.hpp"
 #include "sim/counting/tally.hpp"
+#include "sim/engine/measurement.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -34,5 +35,8 @@ double expected_seconds(const std::vector<Pilot>& pilots);
 /// The largest limit of frames a point, in whole groups of eight, at least one group, with which
 /// all points together are expected to end within a time.
 std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds);
+
+/// Of other experiments the runs, at least one and a million at most, their keys' limit.
+std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds);
 
 }  // namespace sim

@@ -16,10 +16,8 @@ const std::string blank = "\r\033[K";  // the start of a terminal's line, emptie
 bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 /// Of the whole run, if each point takes as long as another.
-double share_of(const Progress& p) {
-  const double frames = static_cast<double>(p.result.points[p.point].tally.n_frames);
-  return (static_cast<double>(p.point) + frames / static_cast<double>(p.max_frames)) /
-         static_cast<double>(p.result.points.size());
+double share_of(const RunStatus& status) {
+  return (static_cast<double>(status.point) + status.share) / static_cast<double>(status.points);
 }
 
 std::string bar(double share) {
@@ -28,16 +26,31 @@ std::string bar(double share) {
   return fmt::format("[{:#<{}}{:-<{}}] {:.0f} %, ", "", full, "", cells - full, 100 * share);
 }
 
-std::string line_of(const Progress& p) {
-  const Tally& tally = p.result.points[p.point].tally;
-  const double ber = bit_error_ratio(tally, p.result.ci_level).value;
-  return fmt::format("point {} of {}: {} of at most {} frames, {} lost{}, BER {}", p.point + 1,
-                     p.result.points.size(), tally.n_frames, p.max_frames, tally.n_frames_lost,
-                     tally.is_weighted() ? " as drawn" : "",
-                     std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber));
+std::string line_of(const RunStatus& status) {
+  return fmt::format("point {} of {}: {}", status.point + 1, status.points, status.counted);
 }
 
 }  // namespace
+
+RunStatus status_of(const Progress& p) {
+  const Tally& tally = p.result.points[p.point].tally;
+  const double ber = bit_error_ratio(tally, p.result.ci_level).value;
+  return {.point = p.point,
+          .points = p.result.points.size(),
+          .share = static_cast<double>(tally.n_frames) / static_cast<double>(p.max_frames),
+          .counted =
+              fmt::format("{} of at most {} frames, {} lost{}, BER {}", tally.n_frames,
+                          p.max_frames, tally.n_frames_lost, tally.is_weighted() ? " as drawn" : "",
+                          std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber))};
+}
+
+RunStatus runs_status(std::size_t point, std::size_t points, std::uint64_t done,
+                      std::uint64_t all) {
+  return {.point = point,
+          .points = points,
+          .share = static_cast<double>(done) / static_cast<double>(all),
+          .counted = fmt::format("{} of {} runs", done, all)};
+}
 
 std::string time_left(double share, double elapsed_s) {
   constexpr double too_early_s = 2, too_little = 0.02;
@@ -54,15 +67,15 @@ ProgressLine::ProgressLine(bool shown)
 ProgressLine::ProgressLine(bool shown, std::chrono::milliseconds pause)
     : shown_(shown), terminal_(on_terminal()), pause_(pause) {}
 
-void ProgressLine::show(const Progress& progress) {
+void ProgressLine::show(const RunStatus& status) {
   if (!shown_) return;
   const auto now = Clock::now();
   if (now - last_ < pause_) return;
   last_ = now;
   drawn_ = terminal_;
-  const double share = share_of(progress);
+  const double share = share_of(status);
   const std::string line =
-      line_of(progress) + time_left(share, std::chrono::duration<double>(now - began_).count());
+      line_of(status) + time_left(share, std::chrono::duration<double>(now - began_).count());
   draw(terminal_ ? blank + bar(share) + line : line + "\n");
 }
 

@@ -2,6 +2,8 @@
 // The line on stderr that says how far a run is: rewritten in place on a terminal, behind a bar; a
 // plain line every few seconds elsewhere.
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "sim/engine/experiment.hpp"
@@ -11,13 +13,25 @@ namespace sim {
 /// ", about 3 min left" of a run of which this share took so long; empty while nobody can know.
 std::string time_left(double share, double elapsed_s);
 
+/// Where a run is.
+struct RunStatus {
+  std::size_t point = 0, points = 1;  // the one at hand, 0-based, of so many
+  double share = 0;                   // of that point
+  std::string counted;                // "120 of 200 runs"
+};
+
+/// Of a link: frames, losses, BER.
+RunStatus status_of(const Progress& progress);
+/// Of other experiments.
+RunStatus runs_status(std::size_t point, std::size_t points, std::uint64_t done, std::uint64_t all);
+
 class ProgressLine {
  public:
   /// Shows nothing unless `shown`; with the usual pauses between lines, or `pause`.
   explicit ProgressLine(bool shown);
   ProgressLine(bool shown, std::chrono::milliseconds pause);
 
-  void show(const Progress& progress);
+  void show(const RunStatus& status);
   /// Makes room for a line of results.
   void clear();
 

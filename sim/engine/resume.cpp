@@ -7,6 +7,7 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
+#include "sim/result/stored_dataset.hpp"
 #include "sim/result/stored_result.hpp"
 
 namespace sim {
@@ -17,22 +18,39 @@ void refuse(const std::filesystem::path& path, const std::string& why) {
                   "leave out --resume to start anew, or name another -o");
 }
 
+void refuse_other(const std::filesystem::path& path, const Origin& own, const Origin& other) {
+  const std::string why = mismatch(own, other);
+  if (!why.empty()) refuse(path, why);
+}
+
+void refuse_other_shards(const std::filesystem::path& path, const std::vector<Shard>& own,
+                         const std::vector<Shard>& other) {
+  if (other != own) refuse(path, "it has other trials: shard " + shards_text(other));
+}
+
 }  // namespace
 
 void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
                  ExperimentResult& result) {
   const NetcdfReader file(path);
-  const Origin own{NetcdfFile::format_version, program, result.seed, result.scenario_toml};
-  const std::string why = mismatch(own, origin_of(file));
-  if (!why.empty()) refuse(path, why);
+  refuse_other(path, {NetcdfFile::format_version, program, result.seed, result.scenario_toml},
+               origin_of(file));
   const std::vector<Shard> shards = result.shards;
   const bool whole =
       read_counts(file, result) && std::ranges::all_of(result.points, [](const PointResult& p) {
         return p.stop != StopReason::interrupted || is_resumable(p);
       });
   if (!whole) refuse(path, "its counts do not fit its digest: it is damaged");
-  if (result.shards != shards)
-    refuse(path, "it has other trials: shard " + shards_text(result.shards));
+  refuse_other_shards(path, shards, result.shards);
+}
+
+std::string checkpoint_to_resume(const std::filesystem::path& path, const ProgramInfo& program,
+                                 const LoadedScenario& scenario, const Shard& shard) {
+  const auto seed = static_cast<std::uint64_t>(scenario.base.simulation.seed);
+  refuse_other(path, {NetcdfFile::format_version, program, seed, scenario.text},
+               origin_of(NetcdfReader(path)));
+  refuse_other_shards(path, {shard}, read_dataset(path).data.shards);
+  return read_checkpoint(path);
 }
 
 }  // namespace sim

@@ -1,9 +1,12 @@
 #pragma once
 // Going on with what an interrupted run left in its result file.
 #include <filesystem>
+#include <string>
 
+#include "sim/counting/shard.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/result.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
@@ -12,5 +15,10 @@ namespace sim {
 /// trials that this program would have run in the same way can be gone on with.
 void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
                  ExperimentResult& result);
+
+/// The checkpoint that an interrupted run of another experiment than a link left in `path`, of
+/// those runs of a shard. Throws as resume_from.
+std::string checkpoint_to_resume(const std::filesystem::path& path, const ProgramInfo& program,
+                                 const LoadedScenario& scenario, const Shard& shard);
 
 }  // namespace sim

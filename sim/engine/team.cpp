@@ -1,5 +1,6 @@
 #include "sim/engine/team.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 
@@ -26,6 +27,14 @@ bool together(Team* team, const std::function<void()>& step) {
   team->end_in_order();
   if (first == team->rank()) std::rethrow_exception(failure);
   return false;
+}
+
+std::uint64_t next_share(std::uint64_t share, double seconds, std::uint64_t least,
+                         std::uint64_t most) {
+  constexpr double short_s = 0.25, long_s = 1;
+  if (seconds < short_s) return std::min(2 * share, most);
+  if (seconds > long_s) return std::max(share / 2, least);
+  return share;
 }
 
 bool agree(Team* team, const std::string& text) {

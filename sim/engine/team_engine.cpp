@@ -15,9 +15,6 @@
 namespace sim {
 namespace {
 
-// Between waves the members wait for the slowest, so waves are long against that, but not so long
-// that a user who interrupts must wait.
-constexpr double short_wave_s = 0.25, long_wave_s = 1;
 constexpr std::uint64_t largest_wave = 1 << 16;  // groups of a member
 
 /// Groups of a thread in the shortest wave: as many as the widest processors have lanes for, since
@@ -105,10 +102,8 @@ std::optional<StopReason> add_in_order(const std::vector<GroupResult>& all, cons
 }
 
 /// The share of the next wave, at most what is left for all.
-std::uint64_t next_share(const Wave& done, std::uint64_t members, double seconds) {
-  std::uint64_t share = done.share;
-  if (seconds < short_wave_s) share = std::min(2 * share, largest_wave);
-  if (seconds > long_wave_s) share = std::max(share / 2, least_share);
+std::uint64_t share_behind(const Wave& done, std::uint64_t members, double seconds) {
+  const std::uint64_t share = next_share(done.share, seconds, least_share, largest_wave);
   const std::uint64_t next = done.first + done.share * members;
   const std::uint64_t left = divided_up(done.end_trial, group_size) - next;
   return std::min(share, divided_up(left, members));
@@ -138,7 +133,7 @@ PointResult run_point_together(const Link& link, const StopRule& stop, const Eng
     const auto reason = add_in_order(team.exchange(mine), stop, sum);
     if (reason) return point(sum, *reason);
     if (options.on_progress) options.on_progress(point(sum, StopReason::interrupted));
-    const std::uint64_t share = next_share(wave, members, seconds);
+    const std::uint64_t share = share_behind(wave, members, seconds);
     wave.first += wave.share * members;
     wave.share = share;
   }

@@ -11,13 +11,12 @@ std::string details(const LoadedScenario&, const ExchangePoint& point) {
   return direction_table(point);
 }
 
+constexpr PointReport<ExchangePoint> exchange_report{exchange_header, exchange_row, details,
+                                                     exchange_dataset};
+
 }  // namespace
 
-void run_exchange_scenario(const ExperimentRun& run) {
-  report_points<ExchangePoint>(run, {exchange_header, exchange_row, details, exchange_dataset},
-                               [&](const OnPoint<ExchangePoint>& on_point) {
-                                 return run_exchanges(run.scenario, run.workers, on_point);
-                               });
-}
+constinit const ExperimentEngine exchange_engine =
+    experiment_engine<exchange_measurement, exchange_report>;
 
 }  // namespace sim

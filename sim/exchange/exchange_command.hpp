@@ -3,8 +3,6 @@
 
 namespace sim {
 
-/// Runs an exchange: tables on stdout, all of it in a file. What is finished when an interrupt
-/// comes is in both.
-void run_exchange_scenario(const ExperimentRun& run);
+extern const ExperimentEngine exchange_engine;
 
 }  // namespace sim

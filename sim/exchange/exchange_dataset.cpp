@@ -25,16 +25,16 @@ std::vector<T> by_direction(const std::vector<ExchangePoint>& points, const Read
   return values;
 }
 
-struct Column {
+struct CountColumn {
   VariableFacts facts;
   bool is_count;
   Read read;
 };
 
-std::vector<Column> columns() {
+std::vector<CountColumn> count_columns() {
   using T = DirectionTally;
   const auto count = [](const char* name, const char* what, std::uint64_t T::*member) {
-    return Column{
+    return CountColumn{
         {name, "1", what}, true, [=](const T& t) { return static_cast<double>(t.*member); }};
   };
   return {
@@ -154,7 +154,7 @@ Dataset exchange_dataset(const LoadedScenario& scenario, const std::string& comm
   std::vector<std::int64_t> outside;
   for (const ExchangePoint& p : points) outside.push_back(static_cast<std::int64_t>(p.outside));
   data.variables.push_back(outside_variable(std::move(outside)));
-  for (const Column& column : columns()) {
+  for (const CountColumn& column : count_columns()) {
     if (column.is_count)
       data.variables.push_back(
           {column.facts, true, {"sender"}, by_direction<std::int64_t>(points, column.read)});

@@ -1,33 +1,28 @@
 #include "sim/exchange/exchange_experiment.hpp"
 
 #include "channel/instruction_set.hpp"
-#include "sim/exchange/exchange.hpp"
 
 namespace sim {
 namespace {
 
-ExchangePoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                        const Workers& workers) {
-  if (workers.interrupted()) return {coordinates};
-  const Exchange exchange = make_exchange(scenario);
-  ExchangePoint point{coordinates, exchange.irradiance_mw_per_m2, exchange.reflected_mw_per_m2,
-                      exchange.outside};
-  RunSharing<ExchangeTally> sharing(
-      {.runs = static_cast<std::uint32_t>(scenario.exchange.runs),
-       .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
-       .workers = workers},
-      [&](std::uint32_t first, int n) {
-        return run_exchange(exchange, first, n, workers.interrupt);
-      });
-  for (const ExchangeTally& lot : sharing()) point.tally += lot;
-  return point;
+void describe_exchange(ExchangePoint& point, const Exchange& exchange, const ExchangeTally& tally) {
+  point.irradiance_mw_per_m2 = exchange.irradiance_mw_per_m2;
+  point.reflected_mw_per_m2 = exchange.reflected_mw_per_m2;
+  point.outside = exchange.outside;
+  point.tally = tally;
 }
 
 }  // namespace
 
-std::vector<ExchangePoint> run_exchanges(const LoadedScenario& scenario, const Workers& workers,
-                                         const OnPoint<ExchangePoint>& on_point) {
-  return run_points<ExchangePoint>(scenario, workers, on_point, run_point);
-}
+constinit const Measurement<Exchange, ExchangeTally, ExchangePoint> exchange_measurement{
+    .unreached =
+        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+          return ExchangePoint{.coordinates = coordinates};
+        },
+    .prepare = [](const Scenario& s, const Places&, const Workers&) { return make_exchange(s); },
+    .most_at_once = [](const Exchange&, std::uint32_t,
+                       int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
+    .run = run_exchange,
+    .describe = describe_exchange};
 
 }  // namespace sim

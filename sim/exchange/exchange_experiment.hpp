@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/engine/measurement.hpp"
+#include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_tally.hpp"
-#include "sim/report/point_runs.hpp"
 
 namespace sim {
 
@@ -17,9 +18,6 @@ struct ExchangePoint {
   bool reached() const { return tally.n_runs > 0; }
 };
 
-/// All points of a scenario.
-std::vector<ExchangePoint> run_exchanges(const LoadedScenario& scenario,
-                                         const Workers& workers = {},
-                                         const OnPoint<ExchangePoint>& on_point = {});
+extern const Measurement<Exchange, ExchangeTally, ExchangePoint> exchange_measurement;
 
 }  // namespace sim

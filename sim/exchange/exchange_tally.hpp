@@ -29,6 +29,12 @@ struct DirectionTally {
   /// Of all variables.
   AgeCounts age() const;
   DirectionTally& operator+=(const DirectionTally& other);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_sent, n_accepted, n_bits, n_bit_errors, n_asked, n_answered, n_timed_out, n_own,
+            own_damaged, rejected, losses, variable_ages);
+  }
 };
 
 struct ExchangeTally {
@@ -37,6 +43,10 @@ struct ExchangeTally {
   std::uint64_t n_runs = 0;
 
   ExchangeTally& operator+=(const ExchangeTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(direction, losses, n_runs);
+  }
 };
 
 /// Both directions together.

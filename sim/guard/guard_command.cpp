@@ -14,13 +14,10 @@ std::string details(const LoadedScenario& scenario, const GuardPoint& point) {
          way_table(point_scenario(scenario, point.arena.coordinates), point.arena);
 }
 
+constexpr PointReport<GuardPoint> guard_report{guard_header, guard_row, details, guard_dataset};
+
 }  // namespace
 
-void run_guard_scenario(const ExperimentRun& run) {
-  report_points<GuardPoint>(run, {guard_header, guard_row, details, guard_dataset},
-                            [&](const OnPoint<GuardPoint>& on_point) {
-                              return run_guards(run.scenario, run.workers, on_point);
-                            });
-}
+constinit const ExperimentEngine guard_engine = experiment_engine<guard_measurement, guard_report>;
 
 }  // namespace sim

@@ -3,8 +3,6 @@
 
 namespace sim {
 
-/// Runs a robo-guard: tables on stdout, all of it in a file. What is finished when an interrupt
-/// comes is in both.
-void run_guard_scenario(const ExperimentRun& run);
+extern const ExperimentEngine guard_engine;
 
 }  // namespace sim

@@ -1,11 +1,9 @@
 #include "sim/guard/guard_experiment.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "sim/arena/arena_run.hpp"
 #include "sim/guard/guard_check.hpp"
-#include "sim/guard/mirror.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
@@ -18,21 +16,21 @@ MirrorDesign mirror_design(const Scenario& scenario, const Arena& arena) {
           .delay = arena.delay};
 }
 
-struct GuardRuns {
-  ArenaRuns arena;
-  GuardTally tally;
-};
+Guard make_guard(const Scenario& scenario, const Places&, const Workers& workers) {
+  Guard guard{make_arena(scenario, workers), {}};
+  if (!workers.interrupted()) guard.design = mirror_design(scenario, guard.arena);
+  return guard;
+}
 
-GuardRuns run_lot(const Arena& arena, const MirrorDesign& design, std::uint32_t first, int n,
-                  const std::atomic<bool>* stop) {
-  GuardRuns runs{run_arena(arena, first, n, stop), {}};
+GuardRuns run_guard(const Guard& guard, std::uint32_t first, int n, const std::atomic<bool>* stop) {
+  GuardRuns runs{run_arena(guard.arena, first, n, stop), {}};
   for (std::uint32_t run = first; run < first + static_cast<std::uint32_t>(n); ++run) {
     const auto& all = runs.arena.heard;
     const auto begin = std::ranges::lower_bound(all, run, {}, &HeardFrame::run);
     const auto end = std::ranges::upper_bound(all, run, {}, &HeardFrame::run);
-    runs.tally += mirror(design, {begin, end},
-                         {.seed = arena.seed,
-                          .point = arena.point,
+    runs.tally += mirror(guard.design, {begin, end},
+                         {.seed = guard.arena.seed,
+                          .point = guard.arena.point,
                           .trial = run,
                           .purpose = static_cast<std::uint32_t>(Purpose::serial_line)},
                          stop);
@@ -40,21 +38,10 @@ GuardRuns run_lot(const Arena& arena, const MirrorDesign& design, std::uint32_t 
   return runs;
 }
 
-GuardPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                     const Workers& workers) {
-  const Arena arena = make_arena(scenario, workers);
-  if (workers.interrupted()) return {.arena = {.coordinates = coordinates}};
-  const MirrorDesign design = mirror_design(scenario, arena);
-  GuardPoint point{arena_point(arena, coordinates), design.variables, {}};
-  RunSharing<GuardRuns> sharing(shared_arena_runs(scenario, arena, workers),
-                                [&](std::uint32_t first, int n) {
-                                  return run_lot(arena, design, first, n, workers.interrupt);
-                                });
-  for (GuardRuns& lot : sharing()) {
-    add_runs(point.arena, std::move(lot.arena));
-    point.tally += lot.tally;
-  }
-  return point;
+void describe_guard(GuardPoint& point, const Guard& guard, const GuardRuns& runs) {
+  describe_arena(point.arena, guard.arena, runs.arena);
+  point.variables = guard.design.variables;
+  point.tally = runs.tally;
 }
 
 }  // namespace
@@ -65,9 +52,21 @@ MirrorTally together(const GuardPoint& point) {
   return sum;
 }
 
-std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const Workers& workers,
-                                   const OnPoint<GuardPoint>& on_point) {
-  return run_points<GuardPoint>(scenario, workers, on_point, run_point);
+GuardRuns& GuardRuns::operator+=(const GuardRuns& next) {
+  arena += next.arena;
+  tally += next.tally;
+  return *this;
 }
+
+constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
+    .unreached =
+        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+          return GuardPoint{.arena = {.coordinates = coordinates}};
+        },
+    .prepare = make_guard,
+    .most_at_once = [](const Guard& guard, std::uint32_t,
+                       int threads) { return arena_runs_at_once(guard.arena, threads); },
+    .run = run_guard,
+    .describe = describe_guard};
 
 }  // namespace sim

@@ -5,6 +5,7 @@
 
 #include "sim/arena/arena_experiment.hpp"
 #include "sim/guard/guard_tally.hpp"
+#include "sim/guard/mirror.hpp"
 
 namespace sim {
 
@@ -19,9 +20,26 @@ struct GuardPoint {
 /// Sum over the devices of a point.
 MirrorTally together(const GuardPoint& point);
 
-/// All points of a scenario. Throws bad_input where messages cannot be a SharedLink list: devices
-/// whose messages begin alike, characters that it cannot carry.
-std::vector<GuardPoint> run_guards(const LoadedScenario& scenario, const Workers& workers = {},
-                                   const OnPoint<GuardPoint>& on_point = {});
+/// A point ready for its runs.
+struct Guard {
+  Arena arena;
+  MirrorDesign design;
+};
+
+struct GuardRuns {
+  ArenaRuns arena;
+  GuardTally tally;
+
+  /// Adds the runs behind these.
+  GuardRuns& operator+=(const GuardRuns& next);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(arena, tally);
+  }
+};
+
+/// Preparing throws bad_input where messages cannot be a SharedLink list: devices whose messages
+/// begin alike, characters that it cannot carry.
+extern const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement;
 
 }  // namespace sim

@@ -15,6 +15,10 @@ struct MirrorTally {
   AgeCounts age;                 // of what the base station knows, from the message's start
 
   MirrorTally& operator+=(const MirrorTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_replaced, n_lost, n_known, age);
+  }
 };
 
 /// Of a run or more, besides what their arena counts.
@@ -24,6 +28,10 @@ struct GuardTally {
   std::uint64_t n_asked = 0, n_answered = 0, n_timed_out = 0;  // questions of the base station
 
   GuardTally& operator+=(const GuardTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(mirrors, n_sent, n_accepted, n_asked, n_answered, n_timed_out);
+  }
 };
 
 }  // namespace sim

@@ -6,7 +6,6 @@
 #include "sim/counting/event_rate.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
-#include "sim/listening/listening.hpp"
 #include "sim/scenario/places.hpp"
 
 namespace sim {
@@ -14,23 +13,12 @@ namespace {
 
 constexpr double ci_level = 0.95;
 
-ListeningPoint run_point(const Scenario& scenario, const std::vector<double>& coordinates,
-                         const Workers& workers) {
-  if (workers.interrupted()) return {coordinates};
-  const Listening listening = make_listening(scenario);
-  ListeningPoint point{.coordinates = coordinates,
-                       .operating = listening.judged.link.operating,
-                       .outside = listening.judged.link.outside};
-  RunSharing<ListeningTally> sharing(
-      {.runs = static_cast<std::uint32_t>(scenario.listening.runs),
-       .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
-       .workers = workers},
-      [&](std::uint32_t first, int n) {
-        return run_listening(listening, first, n, workers.interrupt);
-      });
-  for (const ListeningTally& lot : sharing()) point.tally += lot;
-  point.hours = hours_of(listening, point.tally.n_runs);
-  return point;
+void describe_listening(ListeningPoint& point, const Listening& listening,
+                        const ListeningTally& tally) {
+  point.operating = listening.judged.link.operating;
+  point.outside = listening.judged.link.outside;
+  point.hours = hours_of(listening, tally.n_runs);
+  point.tally = tally;
 }
 
 /// Of what a point's other lights have, `listening.air` has the defaults: these may be too fast.
@@ -65,9 +53,15 @@ void check_listening(const LoadedScenario& scenario) {
   }
 }
 
-std::vector<ListeningPoint> run_listenings(const LoadedScenario& scenario, const Workers& workers,
-                                           const OnPoint<ListeningPoint>& on_point) {
-  return run_points<ListeningPoint>(scenario, workers, on_point, run_point);
-}
+constinit const Measurement<Listening, ListeningTally, ListeningPoint> listening_measurement{
+    .unreached =
+        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+          return ListeningPoint{.coordinates = coordinates};
+        },
+    .prepare = [](const Scenario& s, const Places&, const Workers&) { return make_listening(s); },
+    .most_at_once = [](const Listening&, std::uint32_t,
+                       int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
+    .run = run_listening,
+    .describe = describe_listening};
 
 }  // namespace sim

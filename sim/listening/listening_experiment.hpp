@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/engine/measurement.hpp"
 #include "sim/link/operating_point.hpp"
+#include "sim/listening/listening.hpp"
 #include "sim/listening/listening_tally.hpp"
-#include "sim/report/point_runs.hpp"
 
 namespace sim {
 
@@ -28,9 +29,6 @@ struct ListeningPoint {
 /// Throws for what is wrong at any point of the sweep.
 void check_listening(const LoadedScenario& scenario);
 
-/// All points of a scenario.
-std::vector<ListeningPoint> run_listenings(const LoadedScenario& scenario,
-                                           const Workers& workers = {},
-                                           const OnPoint<ListeningPoint>& on_point = {});
+extern const Measurement<Listening, ListeningTally, ListeningPoint> listening_measurement;
 
 }  // namespace sim

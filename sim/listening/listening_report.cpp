@@ -59,11 +59,14 @@ std::string listening_row(const LoadedScenario& scenario, const ListeningPoint& 
   return table_line(columns_of(scenario), texts);
 }
 
-void run_listening_scenario(const ExperimentRun& run) {
-  report_points<ListeningPoint>(run, {listening_header, listening_row, nullptr, listening_dataset},
-                                [&](const OnPoint<ListeningPoint>& on_point) {
-                                  return run_listenings(run.scenario, run.workers, on_point);
-                                });
-}
+namespace {
+
+constexpr PointReport<ListeningPoint> listening_report{listening_header, listening_row, nullptr,
+                                                       listening_dataset};
+
+}  // namespace
+
+constinit const ExperimentEngine listening_engine =
+    experiment_engine<listening_measurement, listening_report>;
 
 }  // namespace sim

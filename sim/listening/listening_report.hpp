@@ -16,8 +16,6 @@ std::string listening_row(const LoadedScenario& scenario, const ListeningPoint& 
 Dataset listening_dataset(const LoadedScenario& scenario, const std::string& command,
                           const std::vector<ListeningPoint>& points);
 
-/// Runs a scenario: table on stdout, all of it in a file. What is finished when an interrupt comes
-/// is in both.
-void run_listening_scenario(const ExperimentRun& run);
+extern const ExperimentEngine listening_engine;
 
 }  // namespace sim

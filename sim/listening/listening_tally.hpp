@@ -28,6 +28,12 @@ struct ListeningTally {
     return *this;
   }
   bool operator==(const ListeningTally&) const = default;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_runs, n_frames, n_frames_ok, n_frames_undetected, n_frames_false, n_rejected,
+            n_characters, undetected_squared, false_squared);
+  }
 };
 
 }  // namespace sim

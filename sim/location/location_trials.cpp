@@ -7,71 +7,15 @@
 
 #include "sim/counting/skewed_mean.hpp"
 #include "sim/noise/addressed_normals.hpp"
+#include "sim/threads/run_sharing.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
 namespace {
 
-/// What one trial came to.
-struct Judged {
-  LocateOutcome outcome;
-  double squared_m2 = 0;  // of the error of a located one
-  bool covered = false, in_region = false;
-};
-
-/// In the order of the trials, so that sums are the same however they were shared out.
-using Lot = std::vector<Judged>;
-
 Estimate share_of(std::uint64_t part, std::uint64_t whole, double level) {
   const Interval ci = clopper_pearson(static_cast<double>(part), static_cast<double>(whole), level);
   return {ratio(part, whole), ci.low, ci.high};
-}
-
-LocationTrials summed(const std::vector<Lot>& lots, double level) {
-  LocationTrials result;
-  SkewedMean errors;
-  std::uint64_t in_region = 0;
-  for (const Lot& lot : lots)
-    for (const Judged& trial : lot) {
-      ++result.count.at(static_cast<std::size_t>(trial.outcome));
-      if (trial.outcome != LocateOutcome::located) continue;
-      errors.add(trial.squared_m2);
-      result.covered += trial.covered ? 1 : 0;
-      in_region += trial.in_region ? 1 : 0;
-    }
-  result.squared_um2 = errors.sum() * 1e12;
-  const Estimate square = errors.estimate(level);
-  result.rmse_m = {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
-  result.coverage = share_of(result.covered, errors.n(), level);
-  result.region_coverage = share_of(in_region, errors.n(), level);
-  return result;
-}
-
-/// Receivers and noiseless readings, ready for any number of trials.
-struct Bench {
-  explicit Bench(const LocationTrialsSettings& s)
-      : readings(noiseless_readings(s.locate.model, s.readings, s.truth)),
-        locator(s.locate, readings) {
-    locator.prepare(readings);
-  }
-  std::vector<Reading> readings;
-  Locator locator;
-};
-
-std::vector<Reading> drawn(const Bench& bench, const LocationTrialsSettings& s,
-                           std::uint32_t trial) {
-  return drawn_readings(bench.readings, {s.seed, s.point, trial});
-}
-
-Judged judged(const Bench& bench, const LocationTrialsSettings& s, std::uint32_t trial) {
-  const std::vector<Reading> readings = drawn(bench, s, trial);
-  const Location location = bench.locator.locate(readings);
-  if (location.outcome != LocateOutcome::located) return {location.outcome};
-  const LocatedPlace& best = location.places.front();
-  const double dx = best.at.at.x - s.truth.x, dy = best.at.at.y - s.truth.y;
-  return {location.outcome, dx * dx + dy * dy,
-          squared_deviations(*best.covariance, dx, dy) <= chi_square_95,
-          bench.locator.region_holds(location, readings, s.truth)};
 }
 
 }  // namespace
@@ -107,39 +51,82 @@ std::vector<Reading> drawn_readings(std::vector<Reading> noiseless, const TrialA
   return noiseless;
 }
 
-std::optional<LocationTrials> measure_location(const LocationTrialsSettings& s,
-                                               const Workers& workers) {
-  const Bench bench(s);
-  RunSharing<Lot> trials(shared_trials(s.trials, workers), [&](std::uint32_t first, int n) {
-    Lot lot;
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
-      lot.push_back(judged(bench, s, first + i));
-    return lot;
-  });
-  const std::vector<Lot> lots = trials();
-  if (lots.empty()) return std::nullopt;
-  LocationTrials result = summed(lots, s.level);
-  result.bound = cramer_rao_bound(s.locate.model, s.readings, s.truth, s.locate.intensity_unknown);
+LocationTally& LocationTally::operator+=(const LocationTally& next) {
+  trials.insert(trials.end(), next.trials.begin(), next.trials.end());
+  return *this;
+}
+
+LocationBench::LocationBench(const LocationTrialsSettings& settings)
+    : settings_(settings),
+      readings_(noiseless_readings(settings.locate.model, settings.readings, settings.truth)),
+      locator_(settings.locate, readings_),
+      bound_(cramer_rao_bound(settings.locate.model, settings.readings, settings.truth,
+                              settings.locate.intensity_unknown)) {
+  locator_.prepare(readings_);
+}
+
+std::vector<Reading> LocationBench::drawn(std::uint32_t trial) const {
+  return drawn_readings(readings_, {settings_.seed, settings_.point, trial});
+}
+
+LocationTrial LocationBench::judged(std::uint32_t trial) const {
+  const std::vector<Reading> readings = drawn(trial);
+  const Location location = locator_.locate(readings);
+  if (location.outcome != LocateOutcome::located) return {location.outcome};
+  const LocatedPlace& best = location.places.front();
+  const double dx = best.at.at.x - settings_.truth.x, dy = best.at.at.y - settings_.truth.y;
+  return {location.outcome, dx * dx + dy * dy,
+          squared_deviations(*best.covariance, dx, dy) <= chi_square_95,
+          locator_.region_holds(location, readings, settings_.truth)};
+}
+
+LocationTrials LocationBench::summed(const LocationTally& tally) const {
+  LocationTrials result;
+  result.bound = bound_;
+  SkewedMean errors;
+  std::uint64_t in_region = 0;
+  for (const LocationTrial& trial : tally.trials) {
+    ++result.count.at(static_cast<std::size_t>(trial.outcome));
+    if (trial.outcome != LocateOutcome::located) continue;
+    errors.add(trial.squared_m2);
+    result.covered += trial.covered ? 1 : 0;
+    in_region += trial.in_region ? 1 : 0;
+  }
+  const double level = settings_.level;
+  result.squared_um2 = errors.sum() * 1e12;
+  const Estimate square = errors.estimate(level);
+  result.rmse_m = {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
+  result.coverage = share_of(result.covered, errors.n(), level);
+  result.region_coverage = share_of(in_region, errors.n(), level);
   return result;
 }
 
+LocationTally run_location(const LocationBench& bench, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop) {
+  LocationTally tally;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !is_stopped(stop); ++i)
+    tally.trials.push_back(bench.judged(first + i));
+  return tally;
+}
+
 LocationTrials measure_location(const LocationTrialsSettings& s) {
-  return measure_location(s, {}).value();
+  const LocationBench bench(s);
+  return bench.summed(run_location(bench, 0, static_cast<int>(s.trials)));
 }
 
 Location locate_trial(const LocationTrialsSettings& s, std::uint32_t trial) {
-  const Bench bench(s);
-  const std::vector<Reading> readings = drawn(bench, s, trial);
-  Location location = bench.locator.locate(readings);
-  bench.locator.add_regions(location, readings);
+  const LocationBench bench(s);
+  const std::vector<Reading> readings = bench.drawn(trial);
+  Location location = bench.locator().locate(readings);
+  bench.locator().add_regions(location, readings);
   return location;
 }
 
 std::vector<Location> locate_first_trials(const LocationTrialsSettings& s, std::uint32_t trials) {
-  const Bench bench(s);
+  const LocationBench bench(s);
   std::vector<Location> locations;
   for (std::uint32_t trial = 0; trial < trials; ++trial)
-    locations.push_back(bench.locator.locate(drawn(bench, s, trial)));
+    locations.push_back(bench.locator().locate(bench.drawn(trial)));
   return locations;
 }
 

@@ -3,13 +3,13 @@
 // located again and again; the rms error beside the Cramer-Rao bound, and how often the 95 %
 // region and the ellipse of the covariance hold the truth.
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "sim/counting/statistics.hpp"
 #include "sim/location/locate.hpp"
-#include "sim/location/trial_sharing.hpp"
 
 namespace sim {
 
@@ -41,12 +41,51 @@ struct LocationTrials {
   double bound_m() const;
 };
 
-/// The same for any equal settings and number of threads; nothing if an interrupt came before any
-/// trial was done.
-std::optional<LocationTrials> measure_location(const LocationTrialsSettings& settings,
-                                               const Workers& workers);
+/// What one trial came to.
+struct LocationTrial {
+  LocateOutcome outcome = LocateOutcome::not_converged;
+  double squared_m2 = 0;  // of the error of a located one
+  bool covered = false, in_region = false;
 
-/// The same by one thread.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(outcome, squared_m2, covered, in_region);
+  }
+};
+
+/// In the order of their numbers: sums of errors depend on it in their last digits.
+struct LocationTally {
+  std::vector<LocationTrial> trials{};
+
+  LocationTally& operator+=(const LocationTally& next);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(trials);
+  }
+};
+
+/// Receivers and noiseless readings, ready for any number of trials.
+class LocationBench {
+ public:
+  explicit LocationBench(const LocationTrialsSettings& settings);
+
+  std::vector<Reading> drawn(std::uint32_t trial) const;
+  LocationTrial judged(std::uint32_t trial) const;
+  LocationTrials summed(const LocationTally& tally) const;
+  const Locator& locator() const { return locator_; }
+
+ private:
+  LocationTrialsSettings settings_;
+  std::vector<Reading> readings_;
+  Locator locator_;
+  std::optional<PositionCovariance> bound_;
+};
+
+/// Trials first ... first + n - 1; fewer after a stop.
+LocationTally run_location(const LocationBench& bench, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop = nullptr);
+
+/// All trials of the settings.
 LocationTrials measure_location(const LocationTrialsSettings& settings);
 
 struct TrialAddress {

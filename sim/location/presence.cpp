@@ -1,41 +1,16 @@
 #include "sim/location/presence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/location/presence_point.hpp"
+#include "sim/threads/run_sharing.hpp"
 
 namespace sim {
 namespace {
 
 /// Windows over which the closed form is averaged.
 constexpr int theory_windows = 512;
-
-/// What some trials gave, by the points of the ROC.
-struct Counts {
-  std::vector<std::uint64_t> false_alarms, detections;
-  std::uint64_t clipped = 0;
-  std::uint32_t trials = 0;
-
-  void add(const PresencePoint::Trial& trial, const std::vector<RocPoint>& roc) {
-    false_alarms.resize(roc.size());
-    detections.resize(roc.size());
-    for (std::size_t i = 0; i < roc.size(); ++i) {
-      false_alarms[i] += trial.without > roc[i].threshold ? 1 : 0;
-      detections[i] += trial.with > roc[i].threshold ? 1 : 0;
-    }
-    clipped += trial.clipped;
-    ++trials;
-  }
-};
-
-/// Worth nothing after an interrupt.
-Counts count(const PresencePoint& point, const std::vector<RocPoint>& roc, std::uint32_t first,
-             int n, const Workers& workers) {
-  Counts counts;
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !workers.interrupted(); ++i)
-    counts.add(point.trial(first + i), roc);
-  return counts;
-}
 
 std::vector<RocPoint> thresholds(const PresenceSettings& settings) {
   std::vector<RocPoint> roc;
@@ -60,43 +35,69 @@ void add_theory(const PresencePoint& point, Detector detector, PresenceResult& r
   }
 }
 
-void add_counts(const std::vector<Counts>& lots, double level, std::uint64_t samples_a_trial,
-                PresenceResult& result) {
-  std::uint64_t clipped = 0;
-  for (const Counts& lot : lots) {
-    for (std::size_t i = 0; i < result.roc.size(); ++i) {
-      result.roc[i].false_alarms += lot.false_alarms[i];
-      result.roc[i].detections += lot.detections[i];
-    }
-    clipped += lot.clipped;
-    result.trials += lot.trials;
-  }
-  for (RocPoint& roc : result.roc) {
-    roc.false_alarm = share(roc.false_alarms, result.trials, level);
-    roc.detection = share(roc.detections, result.trials, level);
-  }
-  result.clipped = ratio(clipped, result.trials * samples_a_trial);
-}
-
 }  // namespace
 
-std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
-                                               const Workers& workers) {
-  const PresencePoint point(settings);
-  PresenceResult result{.roc = thresholds(settings)};
-  RunSharing<Counts> trials(
-      shared_trials(settings.trials, workers),
-      [&](std::uint32_t first, int n) { return count(point, result.roc, first, n, workers); });
-  add_counts(trials(), settings.level, point.samples_drawn(), result);
-  if (result.trials == 0 && workers.interrupted()) return std::nullopt;
-  add_theory(point, settings.detector, result);
-  result.noise_v = point.deviation();
-  result.noise_over_step = result.noise_v / channel::adc_step(settings.meter);
+PresenceTally& PresenceTally::operator+=(const PresenceTally& other) {
+  trials += other.trials;
+  false_alarms.resize(std::max(false_alarms.size(), other.false_alarms.size()));
+  detections.resize(false_alarms.size());
+  for (std::size_t i = 0; i < other.false_alarms.size(); ++i) {
+    false_alarms[i] += other.false_alarms[i];
+    detections[i] += other.detections[i];
+  }
+  clipped += other.clipped;
+  return *this;
+}
+
+PresenceBench::PresenceBench(const PresenceSettings& settings)
+    : level_(settings.level),
+      point_(std::make_shared<PresencePoint>(settings)),
+      uncounted_{.roc = thresholds(settings)} {
+  add_theory(*point_, settings.detector, uncounted_);
+  uncounted_.noise_v = point_->deviation();
+  uncounted_.noise_over_step = uncounted_.noise_v / channel::adc_step(settings.meter);
+}
+
+PresenceTally PresenceBench::no_trials() const {
+  const std::vector<std::uint64_t> none(uncounted_.roc.size());
+  return {.false_alarms = none, .detections = none};
+}
+
+void PresenceBench::count(std::uint32_t number, PresenceTally& tally) const {
+  const PresencePoint::Trial trial = point_->trial(number);
+  for (std::size_t i = 0; i < uncounted_.roc.size(); ++i) {
+    tally.false_alarms[i] += trial.without > uncounted_.roc[i].threshold ? 1 : 0;
+    tally.detections[i] += trial.with > uncounted_.roc[i].threshold ? 1 : 0;
+  }
+  tally.clipped += trial.clipped;
+  ++tally.trials;
+}
+
+PresenceResult PresenceBench::result(const PresenceTally& tally) const {
+  PresenceResult result = uncounted_;
+  result.trials = tally.trials;
+  for (std::size_t i = 0; i < result.roc.size(); ++i) {
+    RocPoint& roc = result.roc[i];
+    roc.false_alarms = tally.false_alarms[i];
+    roc.detections = tally.detections[i];
+    roc.false_alarm = share(roc.false_alarms, result.trials, level_);
+    roc.detection = share(roc.detections, result.trials, level_);
+  }
+  result.clipped = ratio(tally.clipped, result.trials * point_->samples_drawn());
   return result;
 }
 
+PresenceTally run_presence(const PresenceBench& bench, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop) {
+  PresenceTally tally = bench.no_trials();
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n) && !is_stopped(stop); ++i)
+    bench.count(first + i, tally);
+  return tally;
+}
+
 PresenceResult measure_presence(const PresenceSettings& settings) {
-  return measure_presence(settings, {}).value();
+  const PresenceBench bench(settings);
+  return bench.result(run_presence(bench, 0, static_cast<int>(settings.trials)));
 }
 
 void check_presence(const PresenceSettings& settings) { const PresencePoint point(settings); }

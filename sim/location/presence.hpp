@@ -2,7 +2,9 @@
 // Presence: does a light meter notice a device by its light alone, without demodulating it? Windows
 // with and without the light are drawn and judged at thresholds of the closed form: probability of
 // detection against that of false alarm (ROC), counted and computed, for one operating point.
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +12,6 @@
 #include "channel/light_meter.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/location/detection_theory.hpp"
-#include "sim/location/trial_sharing.hpp"
 
 namespace sim {
 
@@ -54,17 +55,47 @@ struct PresenceResult {
   double clipped = 0;  // share of all samples
 };
 
-/// The same for any equal settings and number of threads; nothing if an interrupt came before any
-/// trial was done. Throws
-/// bad_input for a window that the message does not fill, and for a carrier that looks like steady
-/// light at this sample rate.
-std::optional<PresenceResult> measure_presence(const PresenceSettings& settings,
-                                               const Workers& workers);
+/// Of some trials, by the points of the ROC.
+struct PresenceTally {
+  std::uint32_t trials = 0;
+  std::vector<std::uint64_t> false_alarms{}, detections{};
+  std::uint64_t clipped = 0;  // samples
 
-/// The same by one thread.
+  PresenceTally& operator+=(const PresenceTally& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(trials, false_alarms, detections, clipped);
+  }
+};
+
+class PresencePoint;
+
+/// A point ready for any number of trials, with all that its closed form says.
+class PresenceBench {
+ public:
+  /// Throws bad_input for a window that the message does not fill, and for a carrier that looks
+  /// like steady light at this sample rate.
+  explicit PresenceBench(const PresenceSettings& settings);
+
+  /// What trials are added to.
+  PresenceTally no_trials() const;
+  void count(std::uint32_t trial, PresenceTally& tally) const;
+  PresenceResult result(const PresenceTally& tally) const;
+
+ private:
+  double level_;
+  std::shared_ptr<const PresencePoint> point_;
+  PresenceResult uncounted_;  // nothing counted yet
+};
+
+/// Trials first ... first + n - 1; fewer after a stop.
+PresenceTally run_presence(const PresenceBench& bench, std::uint32_t first, int n,
+                           const std::atomic<bool>* stop = nullptr);
+
+/// All trials of the settings.
 PresenceResult measure_presence(const PresenceSettings& settings);
 
-/// Throws as measure_presence.
+/// Throws as PresenceBench.
 void check_presence(const PresenceSettings& settings);
 
 }  // namespace sim

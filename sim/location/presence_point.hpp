@@ -15,7 +15,7 @@ namespace sim {
 
 class PresencePoint {
  public:
-  /// Throws as measure_presence. The settings must outlive this.
+  /// Throws as PresenceBench.
   explicit PresencePoint(const PresenceSettings& settings);
 
   struct Trial {
@@ -54,7 +54,7 @@ class PresencePoint {
   /// What the ADC makes of voltages and the noise that their mean has.
   Samples sampled(Samples volts, const float* normals) const;
 
-  const PresenceSettings& s_;
+  PresenceSettings s_;
   channel::GoertzelDetector goertzel_;
   double dark_volts_, deviation_;
   std::vector<channel::Burst> message_;  // light, in samples from the message's begin

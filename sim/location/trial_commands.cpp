@@ -1,41 +1,52 @@
 #include "sim/location/trial_commands.hpp"
 
-#include <utility>
-
-#include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
-#include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
 #include "sim/report/point_report.hpp"
 
 namespace sim {
 namespace {
 
-template <class Settings, class Result>
-void run_trials(const ExperimentRun& run, const Measurement<Settings, Result>& measurement,
-                const PointReport<TrialPoint<Settings, Result>>& report) {
-  auto points = points_to_measure(run.scenario, measurement, run.workers);
-  if (points.empty()) return conclude_without_points(run);
-  report_points(run, report, [&](const OnPoint<TrialPoint<Settings, Result>>& on_point) {
-    measure_points(points, measurement, run.workers, on_point);
-    return std::move(points);
-  });
+PresencePointRun unmeasured_presence(const Scenario& s, const Places& places,
+                                     const std::vector<double>& coordinates) {
+  return {coordinates, presence_settings(s, places)};
 }
+
+LocationPointRun unmeasured_location(const Scenario& s, const Places& places,
+                                     const std::vector<double>& coordinates) {
+  return {coordinates, location_settings(s, places)};
+}
+
+constexpr PointReport<PresencePointRun> presence_report{
+    presence_header, presence_row,
+    [](const LoadedScenario&, const PresencePointRun& point) { return roc_table(point); },
+    presence_dataset};
+constexpr PointReport<LocationPointRun> location_report{accuracy_header, accuracy_row, nullptr,
+                                                        accuracy_dataset};
 
 }  // namespace
 
-void run_presence_scenario(const ExperimentRun& run) {
-  run_trials<PresenceSettings, PresenceResult>(
-      run, {presence_settings, measure_presence},
-      {presence_header, presence_row,
-       [](const LoadedScenario&, const PresencePointRun& point) { return roc_table(point); },
-       presence_dataset});
-}
+constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> presence_measurement{
+    .unreached = unmeasured_presence,
+    .prepare = [](const Scenario& s, const Places& places,
+                  const Workers&) { return PresenceBench(presence_settings(s, places)); },
+    .most_at_once = trials_at_once<PresenceBench>,
+    .run = run_presence,
+    .describe = [](PresencePointRun& point, const PresenceBench& bench,
+                   const PresenceTally& tally) { point.result = bench.result(tally); }};
 
-void run_location_scenario(const ExperimentRun& run) {
-  run_trials<LocationTrialsSettings, LocationTrials>(
-      run, {location_settings, measure_location},
-      {accuracy_header, accuracy_row, nullptr, accuracy_dataset});
-}
+constinit const Measurement<LocationBench, LocationTally, LocationPointRun> location_measurement{
+    .unreached = unmeasured_location,
+    .prepare = [](const Scenario& s, const Places& places,
+                  const Workers&) { return LocationBench(location_settings(s, places)); },
+    .most_at_once = trials_at_once<LocationBench>,
+    .run = run_location,
+    .describe = [](LocationPointRun& point, const LocationBench& bench,
+                   const LocationTally& tally) { point.result = bench.summed(tally); }};
+
+constinit const ExperimentEngine presence_engine =
+    experiment_engine<presence_measurement, presence_report>;
+constinit const ExperimentEngine location_engine =
+    experiment_engine<location_measurement, location_report>;
 
 }  // namespace sim

@@ -1,11 +1,14 @@
 #pragma once
 // `cosys-sim run` of a scenario of presence or of location.
+#include "sim/location/accuracy_report.hpp"
+#include "sim/location/presence_report.hpp"
 #include "sim/report/experiment_run.hpp"
 
 namespace sim {
 
-/// Table to stdout, dataset to the output.
-void run_presence_scenario(const ExperimentRun& run);
-void run_location_scenario(const ExperimentRun& run);
+extern const Measurement<PresenceBench, PresenceTally, PresencePointRun> presence_measurement;
+extern const Measurement<LocationBench, LocationTally, LocationPointRun> location_measurement;
+
+extern const ExperimentEngine presence_engine, location_engine;
 
 }  // namespace sim

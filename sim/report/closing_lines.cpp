@@ -5,18 +5,15 @@
 #include "sim/report/report_table.hpp"
 
 namespace sim {
-namespace {
 
-std::string shards_note(const ExperimentResult& result) {
-  if (are_all(result.shards)) return "";
+std::string shards_note(const std::vector<Shard>& shards) {
+  if (are_all(shards)) return "";
   return fmt::format("shards {} of the trials: cosys-sim merge adds the others\n",
-                     shards_text(result.shards));
+                     shards_text(shards));
 }
 
-}  // namespace
-
 std::string missing_lines(const ExperimentResult& result) {
-  return unfinished_note(result) + shards_note(result);
+  return unfinished_note(result) + shards_note(result.shards);
 }
 
 std::string closing_lines(const ExperimentResult& result, const std::filesystem::path& kept_in,

@@ -2,11 +2,15 @@
 // What is said below a table of points.
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/result/ranking.hpp"
 #include "sim/result/result.hpp"
 
 namespace sim {
+
+/// Which trials of all these are; empty if none is missing.
+std::string shards_note(const std::vector<Shard>& shards);
 
 /// What was not counted of the experiment; empty if nothing is missing.
 std::string missing_lines(const ExperimentResult& result);

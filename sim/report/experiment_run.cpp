@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/closing_lines.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/report/outside_report.hpp"
 #include "sim/text/standard_output.hpp"
@@ -32,6 +33,7 @@ void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
   if (run.json) return print_json(dataset_json(data) + "\n");
   print(outside_notes(data));
   if (!details.empty()) print("\n" + details);
+  print(shards_note(data.shards));
   print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
 }
 

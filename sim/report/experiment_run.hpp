@@ -3,7 +3,10 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "sim/engine/measurement.hpp"
+#include "sim/engine/team.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -17,7 +20,21 @@ struct ExperimentRun {
   std::string command;  // as the user typed it
   ProgramInfo program;
   Workers workers{};
-  bool json = false;
+  Team* team = nullptr;  // each of whose members runs the same; the first speaks for all
+  bool json = false, quiet = false;
+  /// What was counted before, by files of the same scenario; the runs that the result has.
+  std::vector<std::string> checkpoints{};
+  std::vector<Shard> shards{{}};
+  bool counts_nothing = false;  // what was counted before is all: shards are merged
+
+  bool speaks() const { return team == nullptr || team->rank() == 0; }
+};
+
+/// What the commands ask of an experiment.
+struct ExperimentEngine {
+  void (*run)(const ExperimentRun&);
+  /// One for each point, for a shard; fewer if interrupted.
+  std::vector<RunPilot> (*pilots)(const LoadedScenario&, const Shard&, const Workers&);
 };
 
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any

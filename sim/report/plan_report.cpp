@@ -40,4 +40,24 @@ std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& 
                             duration_text(expected_seconds(pilots)), threads);
 }
 
+std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot>& pilots,
+                       int threads) {
+  std::vector<TextColumn> columns = axis_columns(axes);
+  columns.push_back({{"", "", "runs"}, number_width});
+  columns.push_back({{"", "", "time"}, number_width});
+  std::string text = table_head(columns);
+  std::uint64_t runs = 0;
+  double seconds = 0;
+  for (const RunPilot& pilot : pilots) {
+    std::vector<std::string> texts = coordinate_texts(axes, pilot.coordinates);
+    texts.push_back(std::to_string(pilot.runs));
+    texts.push_back(duration_text(pilot.seconds()));
+    text += table_line(columns, texts);
+    runs += pilot.runs;
+    seconds += pilot.seconds();
+  }
+  return text + fmt::format("{} point{}: {} runs, {} on {} threads\n", pilots.size(),
+                            pilots.size() == 1 ? "" : "s", runs, duration_text(seconds), threads);
+}
+
 }  // namespace sim

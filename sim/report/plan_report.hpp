@@ -12,6 +12,10 @@ namespace sim {
 std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& pilots,
                        int threads);
 
+/// Of experiments that are no links.
+std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot>& pilots,
+                       int threads);
+
 /// "0.25 s", "3 min 20 s", "2 h 5 min", "12 days".
 std::string duration_text(double seconds);
 

@@ -1,11 +1,13 @@
 #pragma once
-// How the points of an experiment are said while they are measured, and what is said and written
-// in the end.
+// A run of an experiment from its first row to its file: points are said while they are counted,
+// and kept in the file as they go.
 #include <string>
 #include <vector>
 
+#include "sim/engine/keeper.hpp"
+#include "sim/engine/progress_line.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/report/experiment_run.hpp"
-#include "sim/report/point_runs.hpp"
 
 namespace sim {
 
@@ -17,18 +19,84 @@ struct PointReport {
   Dataset (*dataset)(const LoadedScenario&, const std::string& command, const std::vector<Point>&);
 };
 
-/// `measure(on_point)` gives all points.
-template <class Point, class Measure>
-void report_points(const ExperimentRun& run, const PointReport<Point>& report,
-                   const Measure& measure) {
-  const LoadedScenario& scenario = run.scenario;
-  Rows rows(run.json);
-  rows.print(report.header(scenario));
-  const std::vector<Point> points =
-      measure(OnPoint<Point>([&](const Point& point) { rows.print(report.row(scenario, point)); }));
-  const bool single = report.details != nullptr && points.size() == 1 && points[0].reached();
-  conclude(run, rows, report.dataset(scenario, run.command, points),
-           single ? report.details(scenario, points[0]) : "");
+template <class Setup, class Tally, class Point>
+class PointRun {
+ public:
+  PointRun(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
+           const PointReport<Point>& report)
+      : run_(run),
+        report_(report),
+        counting_(kind, run.scenario),
+        rows_(run.json || !run.speaks()),
+        progress_(!run.quiet && run.speaks()) {
+    for (const std::string& checkpoint : run.checkpoints) counting_.add(checkpoint);
+  }
+
+  void operator()() {
+    rows_.print(report_.header(run_.scenario));
+    for (std::size_t i = 0; i < counting_.points().size(); ++i) {
+      take_point(i);
+      if (counting_.points()[i].reached()) end_point(i);
+    }
+    if (run_.speaks()) conclude(run_, rows_, dataset(), details());
+  }
+
+ private:
+  void take_point(std::size_t i) {
+    if (run_.counts_nothing) return counting_.describe(i, run_.workers.threads);
+    counting_.count(i, run_.shards.front(), {run_.workers, run_.team},
+                    [&](std::uint32_t done, std::uint32_t all) {
+                      progress_.show(runs_status(i, counting_.points().size(), done, all));
+                      if (!keeper_.is_due()) return;
+                      counting_.bring_up_to_date();
+                      keep();
+                    });
+    progress_.clear();
+  }
+
+  void end_point(std::size_t i) {
+    if (!run_.counts_nothing && keeper_.is_due_at_end()) keep();
+    rows_.print(report_.row(run_.scenario, counting_.points()[i]));
+  }
+
+  void keep() {
+    if (!run_.speaks()) return;
+    keeper_.keep([&] { write_dataset(run_.output, dataset(), run_.program); });
+  }
+
+  Dataset dataset() const {
+    Dataset data = report_.dataset(run_.scenario, run_.command, counting_.points());
+    data.shards = run_.shards;
+    data.checkpoint = counting_.checkpoint();
+    return data;
+  }
+
+  std::string details() const {
+    const std::vector<Point>& points = counting_.points();
+    const bool single = report_.details != nullptr && points.size() == 1 && points[0].reached();
+    return single ? report_.details(run_.scenario, points[0]) : "";
+  }
+
+  const ExperimentRun& run_;
+  const PointReport<Point> report_;
+  RunCounting<Setup, Tally, Point> counting_;
+  Rows rows_;
+  ProgressLine progress_;
+  Keeper keeper_;
+};
+
+template <class Setup, class Tally, class Point>
+void run_points(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
+                const PointReport<Point>& report) {
+  PointRun<Setup, Tally, Point>(run, kind, report)();
 }
+
+/// An experiment for the commands, of what it tells the engine (a Measurement) and of what it says
+/// of its points (a PointReport).
+template <const auto& kind, const auto& report>
+constexpr ExperimentEngine experiment_engine{
+    .run = [](const ExperimentRun& run) { run_points(run, kind, report); },
+    .pilots = [](const LoadedScenario& scenario, const Shard& shard,
+                 const Workers& workers) { return run_pilots(kind, scenario, shard, workers); }};
 
 }  // namespace sim

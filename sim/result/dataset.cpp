@@ -63,6 +63,12 @@ std::string names_of_digested(const Dataset& data) {
   return names;
 }
 
+void add_checkpoint(NetcdfFile& file, const std::string& checkpoint) {
+  const std::vector<std::uint8_t> bytes(checkpoint.begin(), checkpoint.end());
+  file.add_bytes(checkpoint_place, bytes);
+  file.set_text(dataset_root, checkpoint_digest, digest_of(checkpoint));
+}
+
 std::string image_of(const Dataset& data, const ProgramInfo& program) {
   NetcdfFile file(experiment_result_type, program);
   for (const Axis& axis : data.axes) add_axis(file, axis);
@@ -76,6 +82,8 @@ std::string image_of(const Dataset& data, const ProgramInfo& program) {
   file.set_numbers(dataset_root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
   file.set_text(dataset_root, "result_digest", dataset_digest(data));
   file.set_text(dataset_root, "digest_variables", names_of_digested(data));
+  file.set_text(dataset_root, "shards", shards_text(data.shards));
+  add_checkpoint(file, data.checkpoint);
   return file.image();
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/counting/shard.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/scenario/axis.hpp"
@@ -38,8 +39,16 @@ struct Dataset {
   std::vector<Axis> axes;
   std::vector<Dimension> dimensions{};
   std::vector<Variable> variables{};
-  std::uint64_t n_runs = 0;  // or trials, of all points together; 0: nothing was measured
+  std::uint64_t n_runs = 0;       // or trials, of all points together; 0: nothing was measured
+  std::vector<Shard> shards{{}};  // of the runs, which it has
+  /// What its runs counted as the program adds it up, for going on and for merging; empty in files
+  /// of earlier versions.
+  std::string checkpoint{};
 };
+
+/// Where a file keeps the checkpoint, and the attribute with its digest.
+inline constexpr const char *checkpoint_group = "checkpoint", *checkpoint_place = "checkpoint/runs",
+                            *checkpoint_digest = "checkpoint_digest";
 
 /// With the scenario's facts and nothing measured yet.
 Dataset dataset_of(const LoadedScenario& scenario, const std::string& command);

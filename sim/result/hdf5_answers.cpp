@@ -136,7 +136,7 @@ std::string number_attribute(hid_t object, const std::string& name, hid_t type) 
 
 // ---- names ----
 
-std::string name_of_variable(hid_t file, hsize_t index) {
+std::string name_of_link(hid_t file, hsize_t index) {
   std::string name(longest_name, '\0');
   const ssize_t length = checked(H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, index,
                                                     name.data(), name.size(), H5P_DEFAULT));
@@ -144,12 +144,21 @@ std::string name_of_variable(hid_t file, hsize_t index) {
   return name;
 }
 
+bool is_variable(hid_t file, const std::string& name) {
+  H5O_info_t found;
+  checked(H5Oget_info_by_name(file, name.c_str(), &found, H5P_DEFAULT));
+  return found.type == H5O_TYPE_DATASET;
+}
+
 std::string names_of_variables(hid_t file) {
   H5G_info_t group;
   checked(H5Gget_info(file, &group));
   if (group.nlinks > most_variables) throw Hdf5Failure();
   std::string names;
-  for (hsize_t i = 0; i < group.nlinks; ++i) add_text(names, name_of_variable(file, i).c_str());
+  for (hsize_t i = 0; i < group.nlinks; ++i) {
+    const std::string name = name_of_link(file, i);
+    if (is_variable(file, name)) add_text(names, name.c_str());
+  }
   return names;
 }
 

@@ -145,6 +145,13 @@ void NetcdfFile::add_variable(const VariableFacts& facts,
     checked(H5DSattach_scale(data, state_->dimensions.at(dimensions[i]).scale, i));
 }
 
+void NetcdfFile::add_bytes(const std::string& place, std::span<const std::uint8_t> bytes) {
+  const std::string group = place.substr(0, place.find('/'));
+  const Handle made(H5Gcreate2(state_->file, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                    H5Gclose);
+  write_dataset<std::uint8_t>(state_->file, place, {bytes.size()}, bytes, std::nullopt);
+}
+
 void NetcdfFile::set_text(const std::string& variable, const char* name, const std::string& text) {
   checked(H5LTset_attribute_string(state_->file, variable.c_str(), name, text.c_str()));
 }

@@ -48,6 +48,10 @@ class NetcdfFile {
   void add_variable(const VariableFacts& facts, const std::vector<std::string>& dimensions,
                     Values values);
 
+  /// Bytes of the program's own, in a group of their own: those who open the file for its variables
+  /// do not see them. `place` is GROUP/NAME.
+  void add_bytes(const std::string& place, std::span<const std::uint8_t> bytes);
+
   /// Attributes of a variable, or of the file where the variable is `root`. A text of ours is
   /// ASCII; what a user wrote may be UTF-8 of any length.
   static constexpr const char* root = "/";

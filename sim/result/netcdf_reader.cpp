@@ -83,8 +83,8 @@ NetcdfReader::NetcdfReader(const std::filesystem::path& path)
 }
 NetcdfReader::~NetcdfReader() = default;
 
-bool NetcdfReader::has(const std::string& variable) const {
-  return state_->is_so({Asked::has_variable, variable});
+bool NetcdfReader::has(const std::string& name) const {
+  return state_->is_so({Asked::has_variable, name});
 }
 
 std::vector<std::int64_t> NetcdfReader::integers(const std::string& variable) const {

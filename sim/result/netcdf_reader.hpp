@@ -32,7 +32,8 @@ class NetcdfReader {
   NetcdfReader(const NetcdfReader&) = delete;
   NetcdfReader& operator=(const NetcdfReader&) = delete;
 
-  bool has(const std::string& variable) const;
+  /// A variable, or a group.
+  bool has(const std::string& name) const;
   /// All cells of a variable, row-major.
   std::vector<std::int64_t> integers(const std::string& variable) const;
   std::vector<double> reals(const std::string& variable) const;

@@ -10,6 +10,7 @@
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/text/digest.hpp"
 
 namespace sim {
 namespace {
@@ -111,20 +112,42 @@ std::uint64_t runs_in(const Dataset& data) {
   return static_cast<std::uint64_t>(std::min(sum, most));
 }
 
+std::vector<Shard> shards_in(const NetcdfReader& file, const std::filesystem::path& path) {
+  const auto shards = parse_shards(file.text("shards", "1/1"));
+  if (!shards || shards->empty())
+    throw bad_input(path.string(), "it does not say which runs it has: it is damaged",
+                    "choose another file");
+  return *shards;
+}
+
 }  // namespace
 
 StoredDataset read_dataset(const std::filesystem::path& path) {
   const NetcdfReader file(path);
   const Origin origin = origin_of(file);
-  StoredDataset stored{readable_scenario(origin, path), {}};
+  StoredDataset stored{readable_scenario(origin, path), {}, origin};
   stored.data = dataset_of(stored.scenario, file.text("command"));
   stored.data.scenario_toml = origin.scenario_toml;
+  stored.data.shards = shards_in(file, path);
   read_variables(file, stored.data);
   const std::string digested = file.text("digest_variables", "");  // older files do not have it
   put_in_order(stored.data, words_of(digested));
   check(stored, file, digested, path);
   stored.data.n_runs = runs_in(stored.data);
   return stored;
+}
+
+std::string read_checkpoint(const std::filesystem::path& path) {
+  const NetcdfReader file(path);
+  if (!file.has(checkpoint_group))
+    throw bad_input(path.string(), "it keeps no counts that can be gone on with or added up",
+                    "run it again with this version");
+  std::string bytes(file.size(checkpoint_place), '\0');
+  file.read(checkpoint_place, 0, {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()});
+  if (digest_of(bytes) != file.text(checkpoint_digest))
+    throw bad_input(path.string(), "its counts do not fit their digest: it is damaged",
+                    "choose another file");
+  return bytes;
 }
 
 }  // namespace sim

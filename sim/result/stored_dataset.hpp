@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "sim/result/dataset.hpp"
+#include "sim/result/stored_result.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -10,11 +11,17 @@ namespace sim {
 struct StoredDataset {
   LoadedScenario scenario;  // the one that it carries
   /// As it was written, but the variables are in the order of their names and dimensions in that of
-  /// theirs. Each variable has as many cells as its axes and dimensions say.
+  /// theirs. Without its checkpoint. Each variable has as many cells as its axes and dimensions
+  /// say.
   Dataset data;
+  Origin origin{};
 };
 
 /// Throws Failure(bad_input) for a file that is none, damaged, or of a newer format.
 StoredDataset read_dataset(const std::filesystem::path& path);
+
+/// What its runs counted, as read_dataset() leaves it out. Throws Failure(bad_input) where it is
+/// damaged, or missing as in files of earlier versions.
+std::string read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace sim

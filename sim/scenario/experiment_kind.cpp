@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/failure.hpp"
+#include "sim/scenario/keys.hpp"
 
 namespace sim {
 namespace {
@@ -98,17 +99,25 @@ std::string remedy(const ExperimentKind& kind, std::string_view key) {
   return fmt::format("remove it, or write experiment = {} before the first table", kinds_with(key));
 }
 
+const ExperimentKind& kind_of(const Scenario& scenario) {
+  return *std::ranges::find(kinds, scenario.experiment, &ExperimentKind::name);
+}
+
 }  // namespace
 
 std::span<const ExperimentKind> experiment_kinds() { return kinds; }
 
+std::uint32_t runs_asked_for(Scenario scenario) {
+  const Key& key = *find_key(std::string(kind_of(scenario).amount));
+  return static_cast<std::uint32_t>(key.number(scenario));
+}
+
 void check_keys_of_experiment(const LoadedScenario& scenario) {
-  const std::string& name = scenario.base.experiment;
-  const ExperimentKind& kind = *std::ranges::find(kinds, name, &ExperimentKind::name);
+  const ExperimentKind& kind = kind_of(scenario.base);
   for (const auto& [key, place] : scenario.places)
     if (!has_key(kind, key))
       throw bad_input(fmt::format("{} {}", key, place),
-                      fmt::format("it means nothing in the experiment \"{}\"", name),
+                      fmt::format("it means nothing in the experiment \"{}\"", kind.name),
                       remedy(kind, key));
 }
 

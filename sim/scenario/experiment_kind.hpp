@@ -1,5 +1,6 @@
 #pragma once
 // What a scenario may be an experiment of, and which of the keys then mean something.
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -15,6 +16,9 @@ struct ExperimentKind {
 };
 
 std::span<const ExperimentKind> experiment_kinds();
+
+/// How many runs or trials a point shall have, by the experiment's key for it. Not of a link.
+std::uint32_t runs_asked_for(Scenario scenario);
 
 /// Throws where the file or --set gives a key that means nothing in the scenario's experiment.
 void check_keys_of_experiment(const LoadedScenario& scenario);

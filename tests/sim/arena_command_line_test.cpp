@@ -72,17 +72,11 @@ TEST_F(ArenaProgram, MeasuredTwoHundredDevicesRunInLittleMemory) {
 }
 
 TEST_F(ArenaProgram, OptionsOfLinksAreRefused) {
-  const auto refused = [&](const Words& more, const std::string& option) {
-    Words words{"run", "a.toml"};
-    words.insert(words.end(), more.begin(), more.end());
-    expect_refused(words, bad_input,
-                   option + " with a.toml (only experiments of a link know it) leave it out");
-  };
-  refused({"--resume"}, "--resume");
-  refused({"--shard", "1/2"}, "--shard");
-  refused({"--plan"}, "--plan");
-  refused({"--time-budget", "5s"}, "--time-budget");
-  refused({"--profile"}, "--profile");
+  expect_refused({"run", "a.toml", "--plot"}, bad_input,
+                 "--plot with a.toml (only ratios of links are drawn as characters) leave it out, "
+                 "and let cosys-sim report draw the result");
+  expect_refused({"run", "a.toml", "--profile"}, bad_input,
+                 "--profile with a.toml (it times the stages of a link's trial) leave it out");
 }
 
 TEST_F(ArenaProgram, OtherCommandsTakeLinks) {
@@ -114,8 +108,8 @@ TEST_F(ArenaProgram, AnInterruptBeforeAllLeavesTheResultThatIsThere) {
   EXPECT_EQ(o.err,
             "cosys-sim: stopping (signal) once more to stop at once\n"
             "a.h5: nothing was finished, the file is left as it was\n"
-            "cosys-sim: interrupted (by a signal) runs that were finished are kept; only "
-            "experiments of a link can be resumed\n");
+            "cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
+            "command with --resume goes on\n");
   EXPECT_EQ(content(path("a.h5")), before);
 }
 

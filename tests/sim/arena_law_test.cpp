@@ -10,6 +10,7 @@
 #include "gtest/gtest.h"
 #include "sim/arena/way.hpp"
 #include "sim/command/experiments.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
 
@@ -27,7 +28,8 @@ const std::string busy =
 
 std::string json_of(const std::vector<std::string>& set, int threads) {
   const LoadedScenario scenario = loaded_arena(busy, set);
-  return dataset_json(arena_dataset(scenario, "", run_arenas(scenario, {.threads = threads})));
+  return dataset_json(arena_dataset(
+      scenario, "", counted_points(arena_measurement, scenario, {.threads = threads})));
 }
 
 TEST(ArenaLaws, FatesAddUp) {
@@ -61,7 +63,7 @@ TEST(ArenaLaws, FatesAddUp) {
 
 TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
   const LoadedScenario scenario = loaded_arena(busy);
-  const ArenaPoint point = run_arenas(scenario, {.threads = 2}).front();
+  const ArenaPoint point = counted_points(arena_measurement, scenario, {.threads = 2}).front();
   const Way way(scenario.base.path);
   ASSERT_GT(point.heard.size(), 30u);
   std::vector<std::uint64_t> first_us(point.senders.size());
@@ -204,7 +206,8 @@ TEST(ArenaRepeats, ItsTextGivesTheSameDigest) {
   const LoadedScenario there = parse_scenario(here.text, "nowhere/y.toml", {}, {});
   check_experiment(there);
   const auto digest = [](const LoadedScenario& s) {
-    return dataset_digest(arena_dataset(s, "", run_arenas(s, {.threads = 2})));
+    return dataset_digest(
+        arena_dataset(s, "", counted_points(arena_measurement, s, {.threads = 2})));
   };
   EXPECT_EQ(digest(there), digest(here));
 }
@@ -215,8 +218,8 @@ TEST(ArenaInterrupt, LeavesAWholeResult) {
       "[arena]\nduration_s = 2\nruns = 2\n[devices.a]\nx_m = 1\nyaw_deg = 180\n"
       "[sweep]\ndevices.a.current_ma = [100, 50, 20]\n");
   std::atomic<bool> stop = false;
-  const auto points =
-      run_arenas(scenario, {.interrupt = &stop}, [&](const ArenaPoint&) { stop = true; });
+  const auto points = counted_points(arena_measurement, scenario, {.interrupt = &stop},
+                                     [&](const ArenaPoint&) { stop = true; });
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].tally.n_runs, 2u);
   for (const std::size_t i : {1u, 2u}) {
@@ -236,7 +239,10 @@ TEST(ArenaInterrupt, IsHeardWhileLightIsWorkedOut) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     stop = true;
   });
-  EXPECT_EQ(run_arenas(slow, {.threads = 2, .interrupt = &stop}).front().tally.n_runs, 0u);
+  EXPECT_EQ(counted_points(arena_measurement, slow, {.threads = 2, .interrupt = &stop})
+                .front()
+                .tally.n_runs,
+            0u);
 }
 
 // Whenever it comes: what is left are the first runs.
@@ -248,7 +254,8 @@ TEST(ArenaInterrupt, KeepsTheRunsThatWereFinished) {
     stop = true;
   });
   const ArenaPoint left =
-      run_arenas(loaded_arena(scene), {.threads = 2, .interrupt = &stop}).front();
+      counted_points(arena_measurement, loaded_arena(scene), {.threads = 2, .interrupt = &stop})
+          .front();
   EXPECT_LT(left.tally.n_runs, 100000u);
   if (left.tally.n_runs == 0) return;
   const ArenaPoint same = arena_point(scene, {"arena.runs=" + std::to_string(left.tally.n_runs)});

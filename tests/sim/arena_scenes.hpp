@@ -8,6 +8,7 @@
 #include "sim/arena/arena_experiment.hpp"
 #include "sim/arena/arena_report.hpp"
 #include "sim/command/experiments.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 
 namespace sim {
@@ -29,7 +30,7 @@ inline Arena arena_of(const std::string& text, const std::vector<std::string>& s
 /// The only point of a scenario.
 inline ArenaPoint arena_point(const std::string& text, const std::vector<std::string>& set = {},
                               int threads = 2) {
-  return run_arenas(loaded_arena(text, set), {.threads = threads}).front();
+  return counted_points(arena_measurement, loaded_arena(text, set), {.threads = threads}).front();
 }
 
 /// A device that looks at a receiver at the origin, `metres` away along x.

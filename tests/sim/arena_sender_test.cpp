@@ -9,6 +9,7 @@
 #include "gtest/gtest.h"
 #include "protocol/cosys.hpp"
 #include "protocol/uart_receivers.hpp"
+#include "sim/engine/run_counting.hpp"
 
 namespace sim {
 namespace {
@@ -213,7 +214,7 @@ TEST_F(IntervalFile, IsKeptWithTheResult) {
   std::filesystem::remove(file("q.txt"));
   const LoadedScenario there = parse_scenario(here.text, "elsewhere/y.toml", {}, {});
   const auto digest = [](const LoadedScenario& s) {
-    return dataset_digest(arena_dataset(s, "", run_arenas(s, {})));
+    return dataset_digest(arena_dataset(s, "", counted_points(arena_measurement, s, {})));
   };
   EXPECT_EQ(digest(there), digest(here));
   EXPECT_EQ(there.text, here.text + there.text.substr(here.text.size()));

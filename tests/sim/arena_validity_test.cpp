@@ -3,6 +3,7 @@
 
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
+#include "sim/engine/run_counting.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/report/outside_report.hpp"
 #include "sim/result/dataset.hpp"
@@ -37,7 +38,7 @@ TEST(ArenaValidity, DevicesOutOfReachDoNotCount) {
 TEST(ArenaValidity, IsInTheTableInItsNotesAndInTheFile) {
   const LoadedScenario scenario =
       loaded_arena(past + "[arena]\nruns = 1\n", {"devices.one.y_m=0.04,0.3"});
-  const std::vector<ArenaPoint> points = run_arenas(scenario, {});
+  const std::vector<ArenaPoint> points = counted_points(arena_measurement, scenario, {});
   EXPECT_NE(arena_row(scenario, points.at(0)).find("  ! near\n"), std::string::npos);
   EXPECT_EQ(arena_row(scenario, points.at(1)).find('!'), std::string::npos);
   const Dataset data = arena_dataset(scenario, "", points);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "program.hpp"
+#include "small_experiments.hpp"
 
 namespace {
 
@@ -58,6 +59,18 @@ TEST_F(Mpi, HoweverErrorsAreMade) {
       EXPECT_EQ(o.code, 0) << o.err;
       EXPECT_EQ(digest_of(o.out), alone) << way.back() << ", " << members;
     }
+  }
+}
+
+TEST_F(Mpi, OtherExperimentsThanLinksToo) {
+  for (const sim::test::Experiment& experiment : sim::test::small_experiments) {
+    SCOPED_TRACE(experiment.name);
+    write("e.toml", sim::test::scenario_of(experiment, false));
+    const Words run{"run", "e.toml", "-q", "-t", "1"};
+    const Outcome alone = program(run);
+    const Outcome o = mpirun(2, run);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_EQ(o.out, alone.out);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "gtest/gtest.h"
 #include "sim/command/experiments.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
 #include "sim/exchange/station.hpp"
@@ -31,7 +32,7 @@ runs = 2
 )";
 
 ExchangePoint only_point(const std::vector<std::string>& set = {}) {
-  const auto points = run_exchanges(loaded(nodes, set), {});
+  const auto points = counted_points(exchange_measurement, loaded(nodes, set));
   EXPECT_EQ(points.size(), 1U);
   return points.front();
 }
@@ -126,8 +127,8 @@ TEST(Exchange, LightIsThatOfALink) {
 TEST(Exchange, ThreadsAndTheNumberOfRunsChangeNothing) {
   const LoadedScenario scenario = loaded(nodes, {"exchange.runs=5", "exchange.duration_s=5"});
   const auto digest = [&](int threads) {
-    return dataset_digest(
-        exchange_dataset(scenario, "", run_exchanges(scenario, {.threads = threads})));
+    return dataset_digest(exchange_dataset(
+        scenario, "", counted_points(exchange_measurement, scenario, {.threads = threads})));
   };
   const std::string one = digest(1);
   EXPECT_EQ(digest(2), one);
@@ -160,7 +161,7 @@ TEST(Exchange, CompressionSendsLessAndKnowsOlderValues) {
 TEST(Exchange, AnInterruptKeepsWhatWasFinished) {
   const std::atomic<bool> stop{true};
   const LoadedScenario scenario = loaded(nodes);
-  const auto points = run_exchanges(scenario, {.interrupt = &stop});
+  const auto points = counted_points(exchange_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
   EXPECT_EQ(points[0].tally.n_runs, 0U);
   EXPECT_NO_THROW(exchange_dataset(scenario, "", points));
@@ -212,7 +213,7 @@ const std::vector<double>& reals(const Dataset& data, const std::string& name) {
 TEST(Exchange, EachVariableHasAnAge) {
   const LoadedScenario scenario =
       loaded(nodes + "[sweep]\nexchange.variables = [1, 3]\n", {"exchange.query_every_s=0"});
-  const auto points = run_exchanges(scenario, {});
+  const auto points = counted_points(exchange_measurement, scenario, {});
   const Dataset data = exchange_dataset(scenario, "", points);
   for (const char* name : {"variable_age_mean_s", "variable_age_p95_s", "variable_unknown_share"}) {
     const auto& values = reals(data, name);

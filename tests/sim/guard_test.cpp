@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "sim/engine/run_counting.hpp"
 #include "sim/guard/guard_experiment.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "tests/sim/scenarios.hpp"
@@ -51,7 +52,7 @@ std::uint64_t count_of(const Dataset& data, const std::string& name) {
 
 TEST(Guard, TheStagesOfTheWaterfallAddUp) {
   const LoadedScenario scenario = loaded(room);
-  const auto points = run_guards(scenario, {});
+  const auto points = counted_points(guard_measurement, scenario, {});
   const Dataset data = guard_dataset(scenario, "", points);
   std::uint64_t sum = count_of(data, "n_known");
   for (const char* stage : {"n_silent", "n_out_of_reach", "n_agc", "n_collision", "n_uart",
@@ -69,7 +70,8 @@ TEST(Guard, TheStagesOfTheWaterfallAddUp) {
 TEST(Guard, ThreadsChangeNothing) {
   const LoadedScenario scenario = loaded(room);
   const auto digest = [&](int threads) {
-    return dataset_digest(guard_dataset(scenario, "", run_guards(scenario, {.threads = threads})));
+    return dataset_digest(guard_dataset(
+        scenario, "", counted_points(guard_measurement, scenario, {.threads = threads})));
   };
   const std::string one = digest(1);
   EXPECT_EQ(digest(2), one);
@@ -77,23 +79,24 @@ TEST(Guard, ThreadsChangeNothing) {
 }
 
 TEST(Guard, ItsArenaIsThatOfAnArena) {
-  const auto guards = run_guards(loaded(room), {});
+  const auto guards = counted_points(guard_measurement, loaded(room), {});
   // The point differs in nothing but [guard], of which an arena knows nothing; so it is read from
   // the same scenario.
-  const auto arenas = run_arenas(loaded(room), {});
+  const auto arenas = counted_points(arena_measurement, loaded(room), {});
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(guards[0].arena.tally.senders[i].fate, arenas[0].tally.senders[i].fate);
 }
 
 TEST(Guard, WhateverTheLineDoesTheGuardHearsTheSame) {
-  const auto points = run_guards(loaded(room, {"guard.byte_error_ratio=0,0.1"}), {});
+  const auto points =
+      counted_points(guard_measurement, loaded(room, {"guard.byte_error_ratio=0,0.1"}), {});
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(points[0].arena.tally.senders[i].fate, points[1].arena.tally.senders[i].fate);
 }
 
 TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
   const LoadedScenario scenario = loaded(room, {"guard.byte_error_ratio=0,0.3", "arena.runs=2"});
-  const auto points = run_guards(scenario, {});
+  const auto points = counted_points(guard_measurement, scenario, {});
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(together(points[0]).n_lost, 0U);
   EXPECT_GT(together(points[1]).n_lost, 5U);
@@ -101,9 +104,11 @@ TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
 }
 
 TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as likely as not
-  const auto points = run_guards(loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
-                                               "guard.byte_error_ratio=0", "arena.runs=8"}),
-                                 {});
+  const auto points =
+      counted_points(guard_measurement,
+                     loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
+                                   "guard.byte_error_ratio=0", "arena.runs=8"}),
+                     {});
   EXPECT_GT(together(points[0]).n_known, 0U);
   EXPECT_GT(together(points[0]).n_lost, 0U);
 }
@@ -111,7 +116,7 @@ TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as like
 TEST(Guard, AnInterruptLeavesPointsWithoutRuns) {
   const std::atomic<bool> stop{true};
   const LoadedScenario scenario = loaded(room);
-  const auto points = run_guards(scenario, {.interrupt = &stop});
+  const auto points = counted_points(guard_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
   EXPECT_EQ(points[0].arena.tally.n_runs, 0U);
   EXPECT_NO_THROW(guard_dataset(scenario, "", points));
@@ -119,7 +124,9 @@ TEST(Guard, AnInterruptLeavesPointsWithoutRuns) {
 
 std::string list_refusal(const std::string& devices) {
   try {
-    run_guards(loaded("experiment = \"guard\"\n[arena]\nruns = 1\nduration_s = 1\n" + devices), {});
+    counted_points(guard_measurement,
+                   loaded("experiment = \"guard\"\n[arena]\nruns = 1\nduration_s = 1\n" + devices),
+                   {});
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::bad_input);
     return failure.what();

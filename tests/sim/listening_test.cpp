@@ -12,6 +12,7 @@
 #include "program.hpp"
 #include "protocol/shared_link.hpp"
 #include "sim/command/experiments.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/listening/listening_contest.hpp"
 #include "sim/listening/listening_report.hpp"
 #include "tests/sim/scenarios.hpp"
@@ -35,7 +36,7 @@ Scenario scene(const std::vector<std::string>& set) {
 }
 
 ListeningPoint only_point(const std::vector<std::string>& set) {
-  const auto points = run_listenings(loaded(silence, set), two);
+  const auto points = counted_points(listening_measurement, loaded(silence, set), two);
   EXPECT_EQ(points.size(), 1U);
   return points.front();
 }
@@ -149,8 +150,10 @@ TEST(Listening, IsTheSameForAnyNumberOfThreads) {
   const LoadedScenario s =
       loaded(silence, {"listening.air=cosys", "listening.device_sends=true",
                        "listening.duration_s=5", "listening.runs=20", "receiver.range_m=11"});
-  const std::string one = dataset_digest(listening_dataset(s, "", run_listenings(s, {1})));
-  EXPECT_EQ(dataset_digest(listening_dataset(s, "", run_listenings(s, {3}))), one);
+  const std::string one =
+      dataset_digest(listening_dataset(s, "", counted_points(listening_measurement, s, {1})));
+  EXPECT_EQ(dataset_digest(listening_dataset(s, "", counted_points(listening_measurement, s, {3}))),
+            one);
 }
 
 const Dataset::Variable& variable(const Dataset& data, const std::string& name) {
@@ -162,7 +165,7 @@ const Dataset::Variable& variable(const Dataset& data, const std::string& name) 
 
 TEST(Listening, ItsVariablesHaveUnitsAndNoFrameLossOfADarkDevice) {
   const LoadedScenario s = loaded(silence, {"listening.runs=1", "listening.device_sends=0,1"});
-  const Dataset data = listening_dataset(s, "", run_listenings(s, two));
+  const Dataset data = listening_dataset(s, "", counted_points(listening_measurement, s, two));
   EXPECT_EQ(variable(data, "line_h").facts.unit, "h");
   for (const std::string name : {"false_per_hour", "undetected_per_hour"})
     for (const std::string suffix : {"", "_ci_low", "_ci_high"})

@@ -5,9 +5,11 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
+#include "sim/location/trial_commands.hpp"
 #include "sim/scenario/canonical_text.hpp"
 
 namespace sim {
@@ -85,14 +87,11 @@ TEST(LocationScenario, NumbersOfOneHoldForAllHeadingsOfARobot) {
   for (const Reading& reading : s.readings) EXPECT_EQ(reading.receiver.x, 0);
 }
 
-const Measurement<LocationTrialsSettings, LocationTrials> measured{location_settings,
-                                                                   measure_location};
-
 TEST(LocationScenario, ThreadsChangeNothing) {
   const LoadedScenario scenario = loaded(location + "[sweep]\nlocation.device_x_m = [1, 1.5]\n",
                                          {"location.trials=37", "floor.diffuse_reflectance=0"});
   const auto json = [&](int threads) {
-    const auto points = measured_points(scenario, measured, {.threads = threads});
+    const auto points = counted_points(location_measurement, scenario, {.threads = threads});
     return dataset_json(accuracy_dataset(scenario, "", points));
   };
   const std::string one = json(1);
@@ -100,12 +99,10 @@ TEST(LocationScenario, ThreadsChangeNothing) {
   EXPECT_EQ(json(16), one);
 }
 
-std::optional<LocationTrials> nothing(const LocationTrialsSettings&, const Workers&) { return {}; }
-
 TEST(LocationScenario, APointWithoutResultHasNoTrials) {
   const LoadedScenario scenario = loaded(location);
-  const auto points = measured_points<LocationTrialsSettings, LocationTrials>(
-      scenario, {location_settings, nothing}, {});
+  const std::atomic<bool> stop{true};
+  const auto points = counted_points(location_measurement, scenario, {.interrupt = &stop});
   EXPECT_EQ(accuracy_dataset(scenario, "", points).n_runs, 0U);
 }
 
@@ -113,7 +110,8 @@ TEST(LocationScenario, OtherErrorsAreAnotherDigest) {
   const auto digest = [](const std::string& seed) {
     const LoadedScenario scenario = loaded(
         location, {"simulation.seed=" + seed, "location.trials=3", "floor.diffuse_reflectance=0"});
-    return dataset_digest(accuracy_dataset(scenario, "", measured_points(scenario, measured, {})));
+    return dataset_digest(
+        accuracy_dataset(scenario, "", counted_points(location_measurement, scenario, {})));
   };
   EXPECT_NE(digest("2"), digest("3"));
 }
@@ -130,13 +128,13 @@ TEST(LocationScenario, MeasuredTheShippedOneReachesTheBoundWhereReadingsAreGood)
   const LoadedScenario scenario = load_scenario(
       COSYS_SOURCE_DIR "/scenarios/location.toml",
       {"location.relative_sigma=0.01", "location.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
-  const auto at_level = [](const LocationTrialsSettings& settings, const Workers& workers) {
-    LocationTrialsSettings strict = settings;
-    strict.level = 0.999;
-    return measure_location(strict, workers);
+  auto strict = location_measurement;
+  strict.prepare = [](const Scenario& s, const Places& places, const Workers&) {
+    LocationTrialsSettings settings = location_settings(s, places);
+    settings.level = 0.999;
+    return LocationBench(settings);
   };
-  const auto points = measured_points<LocationTrialsSettings, LocationTrials>(
-      scenario, {location_settings, at_level}, {.threads = 2});
+  const auto points = counted_points(strict, scenario, {.threads = 2});
   ASSERT_EQ(points.size(), 3U);
   for (const auto& point : points) {
     const LocationTrials& result = point.result.value();

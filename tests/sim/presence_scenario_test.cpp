@@ -3,10 +3,12 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/presence_point.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
+#include "sim/location/trial_commands.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/text/text_file.hpp"
 
@@ -138,14 +140,12 @@ TEST(PresenceScenario, SweepsPhotodiodes) {
   EXPECT_EQ(point_scenario(scenario, {0}).photodiode.name, "BPW34");
 }
 
-const Measurement<PresenceSettings, PresenceResult> measured{presence_settings, measure_presence};
-
 TEST(PresenceScenario, ThreadsChangeNothing) {
   const LoadedScenario scenario =
       loaded(presence + "[sweep]\npresence.detector = \"*\"\nreceiver.range_m = [40, 60]\n",
              {"presence.trials=61", "presence.window_ms=1", "presence.reference_ms=1"});
   const auto json = [&](int threads) {
-    const auto points = measured_points(scenario, measured, {.threads = threads});
+    const auto points = counted_points(presence_measurement, scenario, {.threads = threads});
     return dataset_json(presence_dataset(scenario, "", points));
   };
   const std::string one = json(1);
@@ -153,18 +153,17 @@ TEST(PresenceScenario, ThreadsChangeNothing) {
   EXPECT_EQ(json(16), one);
 }
 
-TEST(PresenceScenario, AnInterruptBeforeAllLeavesNoPoints) {
+TEST(PresenceScenario, AnInterruptBeforeAllReachesNoPoint) {
   const std::atomic<bool> stop{true};
-  EXPECT_TRUE(measured_points(loaded(presence), measured, {.interrupt = &stop}).empty());
+  const LoadedScenario scenario = loaded(presence);
+  for (const auto& point : counted_points(presence_measurement, scenario, {.interrupt = &stop}))
+    EXPECT_FALSE(point.reached());
 }
-
-/// As an interrupt would that comes before its first trial.
-std::optional<PresenceResult> nothing(const PresenceSettings&, const Workers&) { return {}; }
 
 TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   const LoadedScenario scenario = loaded(presence);
-  const auto points =
-      measured_points<PresenceSettings, PresenceResult>(scenario, {presence_settings, nothing}, {});
+  const std::atomic<bool> stop{true};
+  const auto points = counted_points(presence_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
   const Dataset data = presence_dataset(scenario, "", points);
   EXPECT_EQ(data.n_runs, 0U);
@@ -181,13 +180,13 @@ TEST(PresenceScenario, TheShippedOneCountsWhatTheClosedFormSays) {
   const LoadedScenario scenario =
       load_scenario(shipped_scenario, {"presence.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
   int between = 0;
-  const auto at_level = [](const PresenceSettings& settings, const Workers& workers) {
-    PresenceSettings strict = settings;
-    strict.level = 0.99995;  // of each of 126 intervals
-    return measure_presence(strict, workers);
+  auto strict = presence_measurement;
+  strict.prepare = [](const Scenario& s, const Places& places, const Workers&) {
+    PresenceSettings settings = presence_settings(s, places);
+    settings.level = 0.99995;  // of each of 126 intervals
+    return PresenceBench(settings);
   };
-  for (const auto& point : measured_points<PresenceSettings, PresenceResult>(
-           scenario, {presence_settings, at_level}, {.threads = 2})) {
+  for (const auto& point : counted_points(strict, scenario, {.threads = 2})) {
     EXPECT_GT(point.result->noise_over_step, 0.5);
     EXPECT_EQ(point.result->clipped, 0);
     for (const RocPoint& roc : point.result->roc) {
@@ -243,7 +242,7 @@ TEST(PresenceScenario, RefusesWhatCannotBeMeasured) {
 /// The row of a point of few samples, coarsely rounded.
 std::string row_of(const std::vector<std::string>& set) {
   const LoadedScenario scenario = loaded(presence, set);
-  return presence_row(scenario, measured_points(scenario, measured, {}).at(0));
+  return presence_row(scenario, counted_points(presence_measurement, scenario, {}).at(0));
 }
 
 // Sums of few rounded samples have few values, however white rounding is: of 4 samples with 0.6

@@ -24,7 +24,7 @@ ExperimentResult two_points() {
 
 void show_at_once(bool shown, const ExperimentResult& result = two_points()) {
   ProgressLine line(shown, std::chrono::milliseconds(0));
-  line.show({result, 1, 4000000000u});
+  line.show(status_of({result, 1, 4000000000u}));
   line.clear();
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+// What an experiment tells the engine, which counts its runs (sim/engine/run_counting).
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "sim/scenario/scenario.hpp"
+#include "sim/threads/run_sharing.hpp"
+
+namespace sim {
+
+/// How an experiment is measured. Setup: a point with all worked out that its runs share. Tally:
+/// what runs count; has += for the runs that follow, and cereal's serialize. Point: what is known
+/// of a point; has reached(), whether it has runs.
+template <class Setup, class Tally, class Point>
+struct Measurement {
+  /// A point before its first run. Throws bad_input for keys that contradict each other.
+  Point (*unreached)(const Scenario&, const Places&, const std::vector<double>& coordinates);
+  Setup (*prepare)(const Scenario&, const Places&, const Workers&);
+  /// How many of so many runs a thread may do at once.
+  std::uint32_t (*most_at_once)(const Setup&, std::uint32_t runs, int threads);
+  /// Runs first ... first + n - 1. Its result is dropped once `*stop` is true.
+  Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop);
+  /// Says of a point what some runs gave, one at least.
+  void (*describe)(Point&, const Setup&, const Tally&);
+};
+
+/// What some first runs of a point took.
+struct RunPilot {
+  std::vector<double> coordinates;
+  std::uint64_t runs = 0;  // that the point shall have
+  double setup_s = 0;      // to work it out
+  double run_s = 0;        // of a run, by all threads
+
+  double seconds() const { return setup_s + static_cast<double>(runs) * run_s; }
+};
+
+}  // namespace sim

@@ -1,0 +1,168 @@
+// Runs of any experiment: in parts, kept as bytes and taken up again, they are the runs at once.
+#include "sim/engine/run_counting.hpp"
+
+#include "gtest/gtest.h"
+#include "scenarios.hpp"
+#include "sim/arena/arena_report.hpp"
+#include "sim/exchange/exchange_report.hpp"
+#include "sim/guard/guard_report.hpp"
+#include "sim/listening/listening_report.hpp"
+#include "sim/location/trial_commands.hpp"
+#include "small_experiments.hpp"
+
+namespace sim {
+namespace {
+
+LoadedScenario small_scenario(const std::string& name, const std::string& amount) {
+  for (const test::Experiment& experiment : test::small_experiments)
+    if (experiment.name == name) return loaded(test::scenario_of(experiment, true), {amount});
+  ADD_FAILURE() << "no experiment " << name;
+  return {};
+}
+
+template <class Point>
+using MakeDataset = Dataset (*)(const LoadedScenario&, const std::string&,
+                                const std::vector<Point>&);
+
+/// All that is known of the points, with what follows from lists and sums.
+template <class Setup, class Tally, class Point>
+std::string json_of(const RunCounting<Setup, Tally, Point>& counting,
+                    const LoadedScenario& scenario, MakeDataset<Point> dataset) {
+  return dataset_json(dataset(scenario, "", counting.points()));
+}
+
+/// Counts one shard and keeps it.
+template <class Setup, class Tally, class Point>
+std::string counted_shard(const Measurement<Setup, Tally, Point>& kind,
+                          const LoadedScenario& scenario, const Shard& shard, int threads) {
+  RunCounting<Setup, Tally, Point> counting(kind, scenario);
+  for (std::size_t i = 0; i < counting.points().size(); ++i)
+    counting.count(i, shard, {{.threads = threads}});
+  return counting.checkpoint();
+}
+
+template <class Setup, class Tally, class Point>
+void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
+                            const LoadedScenario& scenario, MakeDataset<Point> dataset) {
+  RunCounting<Setup, Tally, Point> whole(kind, scenario), sum(kind, scenario);
+  for (std::size_t i = 0; i < whole.points().size(); ++i) whole.count(i, {}, {{.threads = 3}});
+  for (const Shard& shard : {Shard{3, 3}, Shard{1, 3}, Shard{2, 3}})
+    sum.add(counted_shard(kind, scenario, shard, static_cast<int>(shard.number)));
+  EXPECT_NE(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
+  for (std::size_t i = 0; i < sum.points().size(); ++i) sum.describe(i, 1);
+  EXPECT_EQ(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
+}
+
+TEST(RunCounting, PartsOfAnArenaAddUp) {
+  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=5"), arena_dataset);
+}
+
+TEST(RunCounting, PartsOfAGuardAddUp) {
+  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=5"), guard_dataset);
+}
+
+TEST(RunCounting, PartsOfAnExchangeAddUp) {
+  expect_parts_to_add_up(exchange_measurement, small_scenario("sharedlink", "exchange.runs=5"),
+                         exchange_dataset);
+}
+
+TEST(RunCounting, PartsOfPresenceAddUp) {
+  expect_parts_to_add_up(presence_measurement, small_scenario("presence", "presence.trials=50"),
+                         presence_dataset);
+}
+
+TEST(RunCounting, PartsOfLocationAddUp) {
+  expect_parts_to_add_up(location_measurement, small_scenario("location", "location.trials=50"),
+                         accuracy_dataset);
+}
+
+TEST(RunCounting, PartsOfListeningAddUp) {
+  expect_parts_to_add_up(listening_measurement, small_scenario("listening", "listening.runs=5"),
+                         listening_dataset);
+}
+
+// ---- interrupts, on an experiment that counts its runs and lists them ----
+
+struct NumberedRuns {
+  std::vector<std::uint32_t> runs{};
+
+  NumberedRuns& operator+=(const NumberedRuns& next) {
+    runs.insert(runs.end(), next.runs.begin(), next.runs.end());
+    return *this;
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(runs);
+  }
+};
+
+struct NumberedPoint {
+  std::vector<std::uint32_t> runs{};
+  bool reached() const { return !runs.empty(); }
+};
+
+constexpr std::uint32_t all_runs = 20;
+
+NumberedRuns run_numbered(const int&, std::uint32_t first, int n, const std::atomic<bool>*) {
+  NumberedRuns numbers;
+  for (int i = 0; i < n; ++i) numbers.runs.push_back(first + static_cast<std::uint32_t>(i));
+  return numbers;
+}
+
+const Measurement<int, NumberedRuns, NumberedPoint> numbered_measurement{
+    .unreached = [](const Scenario&, const Places&,
+                    const std::vector<double>&) { return NumberedPoint{}; },
+    .prepare = [](const Scenario&, const Places&, const Workers&) { return 0; },
+    .most_at_once = [](const int&, std::uint32_t, int) { return 3U; },
+    .run = run_numbered,
+    .describe = [](NumberedPoint& point, const int&,
+                   const NumberedRuns& n) { point.runs = n.runs; }};
+
+using NumberedCounting = RunCounting<int, NumberedRuns, NumberedPoint>;
+
+std::vector<std::uint32_t> first_numbers(std::uint32_t n) {
+  return run_numbered(0, 0, static_cast<int>(n), nullptr).runs;
+}
+
+TEST(RunCounting, GoesOnBehindTheRunsThatItHas) {
+  const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
+  std::atomic<bool> stop = false;
+  NumberedCounting begun(numbered_measurement, scenario);
+  begun.count(0, {}, {{.threads = 1, .interrupt = &stop}},
+              [&](std::uint32_t done, std::uint32_t all) {
+                EXPECT_EQ(all, all_runs);
+                if (done > 5) stop = true;
+              });
+  const auto before = begun.points()[0].runs;
+  ASSERT_FALSE(before.empty());
+  EXPECT_EQ(before, first_numbers(static_cast<std::uint32_t>(before.size())));
+  NumberedCounting again(numbered_measurement, scenario);
+  again.add(begun.checkpoint());
+  again.count(0, {}, {{.threads = 2}});
+  EXPECT_EQ(again.points()[0].runs, first_numbers(all_runs));
+}
+
+TEST(RunCounting, AnInterruptBeforeAllLeavesWhatIsThereAsItIs) {
+  const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
+  const std::atomic<bool> stop = true;
+  NumberedCounting nothing(numbered_measurement, scenario);
+  nothing.count(0, {}, {{.interrupt = &stop}});
+  EXPECT_FALSE(nothing.points()[0].reached());
+  NumberedCounting half(numbered_measurement, scenario);
+  half.add(counted_shard(numbered_measurement, scenario, {1, 2}, 1));
+  half.count(0, {1, 2}, {{.interrupt = &stop}});
+  EXPECT_EQ(half.points()[0].runs, first_numbers(all_runs / 2));
+  EXPECT_EQ(half.checkpoint(), counted_shard(numbered_measurement, scenario, {1, 2}, 1));
+}
+
+TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
+  const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
+  NumberedCounting counting(numbered_measurement, scenario);
+  counting.count(0, {}, {{.threads = 1}}, [&](std::uint32_t done, std::uint32_t) {
+    counting.bring_up_to_date();
+    EXPECT_EQ(counting.points()[0].runs, first_numbers(done));
+  });
+}
+
+}  // namespace
+}  // namespace sim
