@@ -134,4 +134,17 @@ TEST_F(CommandLineOutput, ATraceThatNoMemoryHoldsIsRefused) {
   EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
 }
 
+// The shell says a line of its own before; the last one is ours.
+TEST_F(CommandLineOutput, TheWrapperSaysThatItsFolderIsGone) {
+  const Outcome o =
+      start_tool("/bin/sh",
+                 {"-c", "mkdir gone && cd gone && rmdir ../gone && exec " COSYS_SOURCE_DIR
+                        "/cosys-sim --version"})
+          .finish();
+  EXPECT_EQ(o.code, 2);
+  const std::string line =
+      "cosys-sim: cannot run here (the folder that you are in was deleted) change to another\n";
+  EXPECT_TRUE(o.err.ends_with(line)) << o.err;
+}
+
 }  // namespace
