@@ -181,17 +181,6 @@ class PoolThreads {
 
 }  // namespace
 
-PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s) {
-  return {.operating = link.operating,
-          .tally = sum.tally,
-          .stop = stop,
-          .elapsed_s = elapsed_s,
-          .simulated_s = sum.simulated_s,
-          .n_samples = sum.n_samples,
-          .outside = link.outside,
-          .profile = sum.profile};
-}
-
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before) {
   if (options.team != nullptr) return run_point_together(link, stop, options, before);

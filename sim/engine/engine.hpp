@@ -2,27 +2,12 @@
 // The Monte Carlo engine: groups of eight trials on a pool of threads, added up in the order of
 // their numbers. The stop rule looks at that sum after each group, never at a clock, so the result
 // is the same for any number of threads; work done beyond the stop is thrown away.
-#include <atomic>
-#include <functional>
-
 #include "sim/counting/stop_rule.hpp"
+#include "sim/engine/engine_options.hpp"
 #include "sim/link/link.hpp"
 #include "sim/result/result.hpp"
-#include "sim/trial/trial.hpp"
 
 namespace sim {
-
-class Team;
-
-struct EngineOptions {
-  int threads = 1;
-  std::uint64_t first_trial = 0;  // of the point's trials; starts a whole group of eight
-  bool profiled = false;          // with PointResult::profile
-  Team* team = nullptr;           // processes to share the trials with
-  const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
-  /// From the calling thread, a few times a second: what an interrupt would leave now.
-  std::function<void(const PointResult&)> on_progress{};
-};
 
 /// Runs one point to its stop. Coordinates are left to the caller. Throws Failure(environment) if
 /// the machine does not give as many threads.
@@ -30,9 +15,6 @@ struct EngineOptions {
 /// the order of their numbers, so it ends as if there had been no interrupt.
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before = {});
-
-/// What was counted so far, as a point.
-PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, double elapsed_s);
 
 /// Whether a point can be gone on with: only whole groups of trials can.
 bool is_resumable(const PointResult& point);

@@ -1,6 +1,6 @@
 #pragma once
 // A point run by all processes of a team, to the same counts as by one.
-#include "sim/engine/engine.hpp"
+#include "sim/engine/engine_options.hpp"
 
 namespace sim {
 
