@@ -48,7 +48,7 @@ SenderTally& SenderTally::operator+=(const SenderTally& other) {
 }
 
 ArenaTally& ArenaTally::operator+=(const ArenaTally& other) {
-  if (senders.empty()) senders.resize(other.senders.size());
+  senders.resize(std::max(senders.size(), other.senders.size()));
   for (std::size_t i = 0; i < other.senders.size(); ++i) senders[i] += other.senders[i];
   n_runs += other.n_runs;
   any += other.any;

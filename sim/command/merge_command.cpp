@@ -87,8 +87,8 @@ std::string table(const ExperimentResult& result, bool theory) {
   return text;
 }
 
-/// Of experiments that are no links.
-void merge_runs(const MergeRequest& request) {
+/// Of experiments that are no links; whether nothing is unfinished.
+bool merge_runs(const MergeRequest& request) {
   const std::vector<StoredDataset> all = read_shards(request, read_dataset);
   const LoadedScenario& scenario = all.front().scenario;
   ExperimentRun run{.scenario = scenario,
@@ -103,17 +103,15 @@ void merge_runs(const MergeRequest& request) {
   for (const StoredDataset& stored : all)
     run.shards.insert(run.shards.end(), stored.data.shards.begin(), stored.data.shards.end());
   std::ranges::sort(run.shards, comes_before);
-  engine_of(scenario)->run(run);
+  return engine_of(scenario)->run(run);
 }
 
-void merge_links(const MergeRequest& request) {
+bool merge_links(const MergeRequest& request) {
   const StoredResult sum = merged(request);
   write_result(request.output, sum.result, sum.origin.program);
   print(table(sum.result, has_theory(sum.scenario)) + missing_lines(sum.result) +
         closing_lines(sum.result, request.output));
-  if (!unfinished_note(sum.result).empty())
-    say("cosys-sim: some points are unfinished (their shards were stopped) run those shards with "
-        "--resume and merge again\n");
+  return unfinished_note(sum.result).empty();
 }
 
 }  // namespace
@@ -121,10 +119,10 @@ void merge_links(const MergeRequest& request) {
 ExitCode merge_command(const MergeRequest& request) {
   refuse_to_lose_a_shard(request);
   check_writable(request.output);
-  if (filetype_of(request.results.front()) == experiment_result_type)
-    merge_runs(request);
-  else
-    merge_links(request);
+  const bool links = filetype_of(request.results.front()) != experiment_result_type;
+  if (!(links ? merge_links : merge_runs)(request))
+    say("cosys-sim: some points are unfinished (their shards were stopped) run those shards with "
+        "--resume and merge again\n");
   return ExitCode::done;
 }
 

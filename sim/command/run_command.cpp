@@ -222,7 +222,7 @@ std::string farewell(const RunRequest& request) {
   return fmt::format(
       "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
       "the same command with {}--resume goes on\n",
-      request.time_budget_s > 0 ? "--max-frames in place of --time-budget, and " : "");
+      request.time_budget_s > 0 ? "what was chosen in place of --time-budget, and " : "");
 }
 
 /// What the runs start from, for the members of a team to compare.

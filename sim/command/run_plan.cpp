@@ -13,6 +13,7 @@
 #include "sim/failure.hpp"
 #include "sim/report/plan_report.hpp"
 #include "sim/scenario/experiment_kind.hpp"
+#include "sim/scenario/keys.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -29,16 +30,10 @@ std::vector<RunPilot> pilots_of(const ExperimentEngine& engine, const RunRequest
 std::uint64_t units_within(const RunRequest& request, const LoadedScenario& scenario,
                            const std::atomic<bool>& interrupt) {
   if (const ExperimentEngine* engine = engine_of(scenario))
-    return runs_within(pilots_of(*engine, request, scenario, {}, interrupt), request.time_budget_s);
+    return runs_within(pilots_of(*engine, request, scenario, {}, interrupt), request.time_budget_s,
+                       find_key(amount_key(scenario.base))->facts.range.high);
   return frames_within(run_pilots(scenario, {}, threads_for(request.threads), interrupt),
                        request.time_budget_s);
-}
-
-/// The key of how much of a point is simulated.
-std::string amount_of(const LoadedScenario& scenario) {
-  const auto kind =
-      std::ranges::find(experiment_kinds(), scenario.base.experiment, &ExperimentKind::name);
-  return kind->amount.empty() ? "stop.max_frames" : std::string(kind->amount);
 }
 
 }  // namespace
@@ -57,7 +52,7 @@ bool print_plan(const RunRequest& request, const LoadedScenario& scenario,
 
 LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& scenario,
                              const std::atomic<bool>& interrupt) {
-  const std::string key = amount_of(scenario);
+  const std::string key = amount_key(scenario.base);
   if (std::ranges::find(scenario.sweep, key, &Axis::key) != scenario.sweep.end())
     throw bad_input("--time-budget", key + " is swept in " + scenario.path.string(),
                     "leave one of the two out");

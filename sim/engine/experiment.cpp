@@ -74,8 +74,7 @@ void check_shard_of_link(const Scenario& point, const Shard& shard) {
 
 void check_shard_of_runs(const Scenario& point, const Shard& shard) {
   const std::uint64_t runs = runs_asked_for(point);
-  const TrialRange range = runs_of(shard, runs);
-  if (range.first == range.last) refuse_empty(shard, runs, "runs", "");
+  if (shard.count > runs) refuse_empty(shard, runs, "runs", "");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Measurement {
   std::uint32_t (*most_at_once)(const Setup&, std::uint32_t runs, int threads);
   /// Runs first ... first + n - 1. Its result is dropped once `*stop` is true.
   Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop);
-  /// Says of a point what some runs gave, one at least.
+  /// Puts what some runs gave, at least one, into a point.
   void (*describe)(Point&, const Setup&, const Tally&);
 };
 

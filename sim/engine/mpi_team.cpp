@@ -1,8 +1,11 @@
 // Built where MPI is found.
 #include <mpi.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -46,6 +49,10 @@ class MpiTeam : public Team {
     std::vector<int> sizes(static_cast<std::size_t>(size_)), begins;
     const int size = static_cast<int>(mine.size());
     MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    const std::int64_t total = std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0});
+    if (total > std::numeric_limits<int>::max())
+      throw Failure(ExitCode::environment,
+                    "what the processes counted is too much to exchange use shards and merge");
     int end = 0;
     for (const int of_one : sizes) begins.push_back(std::exchange(end, end + of_one));
     std::string all(static_cast<std::size_t>(end), '\0');

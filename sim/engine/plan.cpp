@@ -94,8 +94,7 @@ std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds) {
   return good * group_size;
 }
 
-std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds) {
-  constexpr double most = 1e6;
+std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds, double most) {
   double setup_s = 0, run_s = 0;
   for (const RunPilot& pilot : pilots) {
     setup_s += pilot.setup_s;

@@ -36,7 +36,7 @@ double expected_seconds(const std::vector<Pilot>& pilots);
 /// all points together are expected to end within a time.
 std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds);
 
-/// Of other experiments the runs, at least one and a million at most, their keys' limit.
-std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds);
+/// Of other experiments the runs, from one to `most`.
+std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds, double most);
 
 }  // namespace sim

@@ -25,6 +25,10 @@ void refuse_other(const std::filesystem::path& path, const Origin& own, const Or
 
 void refuse_other_shards(const std::filesystem::path& path, const std::vector<Shard>& own,
                          const std::vector<Shard>& other) {
+  if (other.size() > 1)
+    throw bad_input("cannot resume " + path.string(),
+                    "it was merged of the shards " + shards_text(other),
+                    "go on with those of them that are unfinished, and merge again");
   if (other != own) refuse(path, "it has other trials: shard " + shards_text(other));
 }
 

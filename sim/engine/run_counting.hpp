@@ -8,17 +8,18 @@
 #include <cereal/types/vector.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "sim/counting/shard.hpp"
 #include "sim/engine/measurement.hpp"
 #include "sim/engine/team.hpp"
+#include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -81,39 +82,64 @@ class RunCounting {
       : kind_(kind), scenario_(scenario), counted_(count_points(scenario.sweep)) {
     for (std::size_t i = 0; i < counted_.size(); ++i) {
       const std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
-      points_.push_back(
-          kind.unreached(point_scenario(scenario, coordinates), scenario.places, coordinates));
+      const Scenario point = point_scenario(scenario, coordinates);
+      points_.push_back(kind.unreached(point, scenario.places, coordinates));
+      asked_.push_back(runs_asked_for(point));
     }
   }
 
   const std::vector<Point>& points() const { return points_; }
 
+  /// How many points have any run, and all those of some shards.
+  std::size_t n_begun() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(counted_, [](const auto& parts) { return !parts.empty(); }));
+  }
+  std::size_t n_finished(const std::vector<Shard>& shards) const {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < counted_.size(); ++i) {
+      std::uint64_t missing = 0;
+      for (const Shard& shard : shards) {
+        const TrialRange range = runs_of(shard, asked_[i]);
+        missing += range.last - range.first;
+      }
+      for (const CountedRuns<Tally>& part : counted_[i]) missing -= part.n;
+      n += missing == 0 ? 1 : 0;
+    }
+    return n;
+  }
+
   /// What was counted, as bytes that add() takes.
   std::string checkpoint() const { return bytes_of(counted_); }
 
   /// Adds what the same program counted of the same scenario, of shards that are not here yet.
+  /// Throws bad_input for bytes that are not such.
   void add(const std::string& checkpoint) {
-    auto more = from_bytes<Counted>(checkpoint);
+    Counted more = counted_in(checkpoint);
     for (std::size_t i = 0; i < counted_.size(); ++i)
-      for (CountedRuns<Tally>& runs : more.at(i)) insert(counted_[i], std::move(runs));
+      for (CountedRuns<Tally>& runs : more[i]) insert(counted_[i], std::move(runs));
   }
 
-  /// Describes a point by the runs that it has; leaves one without runs as it is.
-  void describe(std::size_t i, int threads) {
-    if (counted_[i].empty()) return;
-    set_up(i, {.threads = threads});
-    bring_up_to_date();
+  /// Describes all points by the runs that they have; fewer if interrupted.
+  void describe_all(const Workers& workers) {
+    for (std::size_t i = 0; i < counted_.size(); ++i) {
+      if (counted_[i].empty()) continue;
+      if (!workers.interrupted()) set_up(i, workers);
+      if (workers.interrupted()) return;
+      bring_up_to_date();
+    }
   }
 
   /// Counts the runs of a shard that a point does not have yet, and describes it. After an
-  /// interrupt it has fewer, or none. `meanwhile` is called in this thread, ten times a second at
-  /// least.
+  /// interrupt it has fewer, or none. `meanwhile` is called in this thread, some ten times a
+  /// second; in a team, behind each exchange.
   void count(std::size_t i, const Shard& shard, const RunCounters& by,
              const Meanwhile& meanwhile = {}) {
-    if (!by.interrupted()) set_up(i, by.workers);
-    if (by.interrupted()) return describe(i, by.workers.threads);
+    const Wanted wanted = runs_in(shard, i);
+    if (has_all(i, shard, wanted) || by.interrupted()) return;
+    set_up(i, by.workers);
+    if (by.interrupted()) return;
     CountedRuns<Tally>& part = part_of(shard);
-    const Wanted wanted = runs_in(shard);
     if (by.team == nullptr)
       run(part, wanted, by.workers, meanwhile);
     else
@@ -122,25 +148,27 @@ class RunCounting {
     bring_up_to_date();
   }
 
-  /// Times a lot of runs for each thread; they are not counted.
+  /// Times a lot of runs of one thread; they are not counted.
   RunPilot pilot(std::size_t i, const Shard& shard, const Workers& workers) {
     Stopwatch watch;
     set_up(i, workers);
     RunPilot pilot{.coordinates = point_coordinates(scenario_.sweep, i), .setup_s = watch.lap()};
-    const Wanted wanted = runs_in(shard);
+    const Wanted wanted = runs_in(shard, i);
     pilot.runs = wanted.all;
-    const std::uint32_t at_once = kind_.most_at_once(*setup_, wanted.all, workers.threads);
-    const std::uint64_t lots = std::uint64_t{at_once} * static_cast<std::uint64_t>(workers.threads);
-    CountedRuns<Tally> few;
-    run(few, {wanted.first, static_cast<std::uint32_t>(std::min<std::uint64_t>(lots, wanted.all))},
-        workers, {});
-    pilot.run_s = watch.lap() / std::max(few.n, 1U);
+    const auto threads = static_cast<std::uint32_t>(workers.threads);
+    const std::uint32_t lot = std::clamp(divided_up(wanted.all, threads), 1U,
+                                         kind_.most_at_once(*setup_, wanted.all, workers.threads));
+    kind_.run(*setup_, wanted.first, static_cast<int>(lot), workers.interrupt);
+    const std::uint32_t rounds = divided_up(divided_up(wanted.all, lot), threads);
+    pilot.run_s = watch.lap() * rounds / std::max(wanted.all, 1U);
     return pilot;
   }
 
-  /// Describes the point at hand by the runs that it has at the moment.
+  /// Describes the point at hand, to be called by `meanwhile`, by the runs that it has.
   void bring_up_to_date() {
     const std::vector<CountedRuns<Tally>>& parts = counted_[at_hand_];
+    if (parts.size() == 1 && parts.front().n > 0)
+      return kind_.describe(points_[at_hand_], *setup_, parts.front().tally);
     Tally sum{};
     std::uint32_t n = 0;
     for (const CountedRuns<Tally>& part : parts) {
@@ -153,6 +181,28 @@ class RunCounting {
  private:
   using Counted = std::vector<std::vector<CountedRuns<Tally>>>;  // of each point, in their order
 
+  Counted counted_in(const std::string& checkpoint) const {
+    try {
+      auto counted = from_bytes<Counted>(checkpoint);
+      if (counted.size() == counted_.size() && fit(counted)) return counted;
+    } catch (const std::exception&) {  // whatever cereal, or what it builds, throws
+    }
+    throw bad_input("the result", "the counts that it keeps cannot be read: it is damaged",
+                    "choose another file");
+  }
+
+  /// Whether no shard has more runs than are its.
+  bool fit(const Counted& counted) const {
+    for (std::size_t i = 0; i < counted.size(); ++i)
+      for (const CountedRuns<Tally>& part : counted[i]) {
+        const bool is_shard = part.shard.number >= 1 && part.shard.number <= part.shard.count;
+        if (!is_shard) return false;
+        const TrialRange range = runs_of(part.shard, asked_[i]);
+        if (part.n > range.last - range.first) return false;
+      }
+    return true;
+  }
+
   static CountedRuns<Tally>& insert(std::vector<CountedRuns<Tally>>& parts,
                                     CountedRuns<Tally> runs) {
     const auto behind = std::ranges::find_if(
@@ -163,8 +213,8 @@ class RunCounting {
   void set_up(std::size_t i, const Workers& workers) {
     at_hand_ = i;
     setup_.reset();
-    at_hand_scenario_ = point_scenario(scenario_, point_coordinates(scenario_.sweep, i));
-    setup_.emplace(kind_.prepare(at_hand_scenario_, scenario_.places, workers));
+    setup_.emplace(kind_.prepare(point_scenario(scenario_, point_coordinates(scenario_.sweep, i)),
+                                 scenario_.places, workers));
   }
 
   CountedRuns<Tally>& part_of(const Shard& shard) {
@@ -178,9 +228,16 @@ class RunCounting {
     std::uint32_t first, all;
   };
 
-  /// Of the point at hand.
-  Wanted runs_in(const Shard& shard) const {
-    const TrialRange range = runs_of(shard, runs_asked_for(at_hand_scenario_));
+  static std::uint32_t divided_up(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
+
+  bool has_all(std::size_t i, const Shard& shard, const Wanted& wanted) const {
+    return std::ranges::any_of(counted_[i], [&](const CountedRuns<Tally>& part) {
+      return part.shard == shard && part.n == wanted.all;
+    });
+  }
+
+  Wanted runs_in(const Shard& shard, std::size_t point) const {
+    const TrialRange range = runs_of(shard, asked_[point]);
     return {static_cast<std::uint32_t>(range.first),
             static_cast<std::uint32_t>(range.last - range.first)};
   }
@@ -212,6 +269,8 @@ class RunCounting {
     while (part.n < wanted.all) {
       const Stopwatch watch;
       CountedRuns<Tally> mine;
+      share = std::min<std::uint64_t>(
+          share, divided_up(wanted.all - part.n, static_cast<std::uint32_t>(by.team->size())));
       run(mine, share_of_member(wanted, part.n, share, *by.team), by.workers, {});
       const double seconds = by.team->largest(watch.seconds());
       if (by.interrupted()) return;
@@ -246,25 +305,10 @@ class RunCounting {
   const LoadedScenario& scenario_;
   Counted counted_;
   std::vector<Point> points_;
+  std::vector<std::uint32_t> asked_;  // runs, of each point
   std::size_t at_hand_ = 0;
-  Scenario at_hand_scenario_;
   std::optional<Setup> setup_;  // of the point at hand
 };
-
-/// All points of a scenario. After an interrupt the one at hand has the runs that were finished,
-/// those behind it none. `on_point`: called after each point that was reached.
-template <class Setup, class Tally, class Point>
-std::vector<Point> counted_points(
-    const Measurement<Setup, Tally, Point>& kind, const LoadedScenario& scenario,
-    const Workers& workers = {},
-    const std::type_identity_t<std::function<void(const Point&)>>& on_point = {}) {
-  RunCounting<Setup, Tally, Point> counting(kind, scenario);
-  for (std::size_t i = 0; i < counting.points().size(); ++i) {
-    counting.count(i, {}, {workers});
-    if (on_point && counting.points()[i].reached()) on_point(counting.points()[i]);
-  }
-  return counting.points();
-}
 
 /// Of all points, for a shard; fewer if interrupted.
 template <class Setup, class Tally, class Point>

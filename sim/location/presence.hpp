@@ -79,7 +79,7 @@ class PresenceBench {
 
   /// What trials are added to.
   PresenceTally no_trials() const;
-  void count(std::uint32_t trial, PresenceTally& tally) const;
+  void count(std::uint32_t number, PresenceTally& tally) const;
   PresenceResult result(const PresenceTally& tally) const;
 
  private:

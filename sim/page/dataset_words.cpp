@@ -9,6 +9,7 @@
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/result/place_text.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -20,15 +21,15 @@ DatasetCells runs_of(const Dataset& data) {
   return runs.empty() ? DatasetCells(data, "n_trials") : runs;
 }
 
-/// Runs or trials that a point is to have.
-double wanted_runs(const Scenario& scenario) {
-  const std::pair<const char*, double> wanted[] = {
-      {"arena", scenario.arena.runs},         {"guard", scenario.arena.runs},
-      {"sharedlink", scenario.exchange.runs}, {"presence", scenario.presence.trials},
-      {"location", scenario.location.trials}, {"listening", scenario.listening.runs}};
-  for (const auto& [experiment, runs] : wanted)
-    if (scenario.experiment == experiment) return runs;
-  return 0;
+/// Runs or trials that a point is to have, of the shards that the result has.
+double wanted_runs(const Scenario& scenario, const Dataset& data) {
+  const std::uint32_t all = runs_asked_for(scenario);
+  double sum = 0;
+  for (const Shard& shard : data.shards) {
+    const TrialRange range = sim::runs_of(shard, all);
+    sum += static_cast<double>(range.last - range.first);
+  }
+  return sum;
 }
 
 /// Cells of a variable as they are compared: where nothing was found by the interval's upper end.
@@ -125,7 +126,7 @@ std::string missing_points(const StoredDataset& stored) {
   std::size_t unfinished = 0, untouched = 0;
   for (std::size_t i = 0; i < points; ++i) {
     const double wanted =
-        wanted_runs(point_scenario(stored.scenario, point_coordinates(data.axes, i)));
+        wanted_runs(point_scenario(stored.scenario, point_coordinates(data.axes, i)), data);
     if (!(runs[i] >= wanted)) ++unfinished;
     if (!(runs[i] > 0)) ++untouched;
   }

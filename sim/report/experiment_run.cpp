@@ -22,23 +22,23 @@ void Rows::check() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
+void say_left_as_it_was(const ExperimentRun& run) {
+  say(fmt::format("{}: nothing was finished, the file is left as it was\n", run.output.string()));
+}
+
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
-              const std::string& details) {
-  if (data.n_runs == 0 && run.workers.interrupted()) return conclude_without_points(run);
+              const std::string& missing, const std::string& details) {
+  if (data.n_runs == 0 && run.workers.interrupted()) return say_left_as_it_was(run);
   keep_finished(
       run.output,
       [&](const std::filesystem::path& place) { write_dataset(place, data, run.program); },
       [&] { return dataset_json(data); });
   rows.check();
   if (run.json) return print_json(dataset_json(data) + "\n");
-  print(outside_notes(data));
+  print(missing + outside_notes(data));
   if (!details.empty()) print("\n" + details);
   print(shards_note(data.shards));
   print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));
-}
-
-void conclude_without_points(const ExperimentRun& run) {
-  say(fmt::format("{}: nothing was finished, the file is left as it was\n", run.output.string()));
 }
 
 }  // namespace sim

@@ -32,7 +32,8 @@ struct ExperimentRun {
 
 /// What the commands ask of an experiment.
 struct ExperimentEngine {
-  void (*run)(const ExperimentRun&);
+  /// Whether all points have all of their runs.
+  bool (*run)(const ExperimentRun&);
   /// One for each point, for a shard; fewer if interrupted.
   std::vector<RunPilot> (*pilots)(const LoadedScenario&, const Shard&, const Workers&);
 };
@@ -51,13 +52,13 @@ class Rows {
   std::exception_ptr failure_;
 };
 
-/// Writes a result and says what is in it: as JSON; or, behind the rows of its points, notes, what
-/// more there is to say (`details`) and the digest. Where an interrupt came before anything was
-/// measured, the file stays as it was.
-void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
-              const std::string& details = "");
+/// That an interrupt came before anything was counted.
+void say_left_as_it_was(const ExperimentRun& run);
 
-/// The same where there are no points at all.
-void conclude_without_points(const ExperimentRun& run);
+/// Writes a result and says what is in it: as JSON; or, behind the rows of its points, what is
+/// `missing`, notes, what more there is to say (`details`) and the digest. Where an interrupt came
+/// before anything was measured, the file stays as it was.
+void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
+              const std::string& missing, const std::string& details);
 
 }  // namespace sim

@@ -8,6 +8,7 @@
 #include "sim/engine/progress_line.hpp"
 #include "sim/engine/run_counting.hpp"
 #include "sim/report/experiment_run.hpp"
+#include "sim/report/report_table.hpp"
 
 namespace sim {
 
@@ -32,36 +33,52 @@ class PointRun {
     for (const std::string& checkpoint : run.checkpoints) counting_.add(checkpoint);
   }
 
-  void operator()() {
+  bool operator()() {
+    const RunCounters by{run_.workers, run_.team};
+    counting_.describe_all(run_.workers);
+    if (by.interrupted()) return leave_as_it_was();
     rows_.print(report_.header(run_.scenario));
     for (std::size_t i = 0; i < counting_.points().size(); ++i) {
-      take_point(i);
+      take_point(i, by);
       if (counting_.points()[i].reached()) end_point(i);
     }
-    if (run_.speaks()) conclude(run_, rows_, dataset(), details());
+    const std::size_t all = counting_.points().size();
+    const std::size_t finished = counting_.n_finished(run_.shards);
+    if (run_.speaks())
+      conclude(run_, rows_, dataset(), unfinished_note(all, finished, counting_.n_begun()),
+               details());
+    return finished == all;
   }
 
  private:
-  void take_point(std::size_t i) {
-    if (run_.counts_nothing) return counting_.describe(i, run_.workers.threads);
-    counting_.count(i, run_.shards.front(), {run_.workers, run_.team},
-                    [&](std::uint32_t done, std::uint32_t all) {
-                      progress_.show(runs_status(i, counting_.points().size(), done, all));
-                      if (!keeper_.is_due()) return;
-                      counting_.bring_up_to_date();
-                      keep();
-                    });
+  void take_point(std::size_t i, const RunCounters& by) {
+    if (run_.counts_nothing) return;
+    counting_.count(i, run_.shards.front(), by, [&](std::uint32_t done, std::uint32_t all) {
+      progress_.show(runs_status(i, counting_.points().size(), done, all));
+      if (!run_.speaks() || !keeper_.is_due()) return;
+      keeper_.keep([&] {
+        counting_.bring_up_to_date();
+        write();
+      });
+    });
     progress_.clear();
   }
 
   void end_point(std::size_t i) {
-    if (!run_.counts_nothing && keeper_.is_due_at_end()) keep();
+    if (!run_.counts_nothing && run_.speaks() && keeper_.is_due_at_end())
+      keeper_.keep([&] { write(); });
     rows_.print(report_.row(run_.scenario, counting_.points()[i]));
   }
 
-  void keep() {
-    if (!run_.speaks()) return;
-    keeper_.keep([&] { write_dataset(run_.output, dataset(), run_.program); });
+  /// A result of no runs replaces none.
+  void write() const {
+    const Dataset data = dataset();
+    if (data.n_runs > 0) write_dataset(run_.output, data, run_.program);
+  }
+
+  bool leave_as_it_was() const {
+    if (run_.speaks()) say_left_as_it_was(run_);
+    return false;
   }
 
   Dataset dataset() const {
@@ -86,16 +103,16 @@ class PointRun {
 };
 
 template <class Setup, class Tally, class Point>
-void run_points(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
+bool run_points(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
                 const PointReport<Point>& report) {
-  PointRun<Setup, Tally, Point>(run, kind, report)();
+  return PointRun<Setup, Tally, Point>(run, kind, report)();
 }
 
 /// An experiment for the commands, of what it tells the engine (a Measurement) and of what it says
 /// of its points (a PointReport).
 template <const auto& kind, const auto& report>
 constexpr ExperimentEngine experiment_engine{
-    .run = [](const ExperimentRun& run) { run_points(run, kind, report); },
+    .run = [](const ExperimentRun& run) { return run_points(run, kind, report); },
     .pilots = [](const LoadedScenario& scenario, const Shard& shard,
                  const Workers& workers) { return run_pilots(kind, scenario, shard, workers); }};
 

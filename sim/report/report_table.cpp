@@ -164,7 +164,11 @@ std::string unfinished_note(const ExperimentResult& result) {
   const auto finished = std::ranges::count_if(result.points, [](const PointResult& p) {
     return measured(p) && p.stop != StopReason::interrupted;
   });
-  const auto all = std::ssize(result.points);
+  return unfinished_note(result.points.size(), static_cast<std::size_t>(finished),
+                         static_cast<std::size_t>(begun));
+}
+
+std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun) {
   if (finished == all) return "";
   return fmt::format("unfinished: {} of {} points{}; what follows is of what was counted\n",
                      all - finished, all,

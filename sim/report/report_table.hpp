@@ -37,5 +37,7 @@ std::string loss_reasons(const ExperimentResult& result);
 
 /// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
 std::string unfinished_note(const ExperimentResult& result);
+/// The same of so many points.
+std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun);
 
 }  // namespace sim

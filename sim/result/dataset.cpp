@@ -64,8 +64,8 @@ std::string names_of_digested(const Dataset& data) {
 }
 
 void add_checkpoint(NetcdfFile& file, const std::string& checkpoint) {
-  const std::vector<std::uint8_t> bytes(checkpoint.begin(), checkpoint.end());
-  file.add_bytes(checkpoint_place, bytes);
+  file.add_bytes(checkpoint_place,
+                 {reinterpret_cast<const std::uint8_t*>(checkpoint.data()), checkpoint.size()});
   file.set_text(dataset_root, checkpoint_digest, digest_of(checkpoint));
 }
 
@@ -172,6 +172,7 @@ std::string dataset_json(const Dataset& data) {
             {"experiment", data.experiment},
             {"command", data.command},
             {"seed", data.seed},
+            {"shards", shards_text(data.shards)},
             {"result_digest", dataset_digest(data)}};
   json["axes"] = Json::array();
   for (const Axis& axis : data.axes) json["axes"].push_back(json_axis(axis));

@@ -142,8 +142,14 @@ std::string read_checkpoint(const std::filesystem::path& path) {
   if (!file.has(checkpoint_group))
     throw bad_input(path.string(), "it keeps no counts that can be gone on with or added up",
                     "run it again with this version");
-  std::string bytes(file.size(checkpoint_place), '\0');
-  file.read(checkpoint_place, 0, {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()});
+  constexpr std::size_t piece = 1 << 23;  // each has a second to be read in
+  const std::size_t size = file.size(checkpoint_place);
+  std::string bytes;
+  while (bytes.size() < size) {
+    const std::size_t first = bytes.size(), n = std::min(piece, size - first);
+    bytes.resize(first + n);
+    file.read(checkpoint_place, first, {reinterpret_cast<std::uint8_t*>(bytes.data()) + first, n});
+  }
   if (digest_of(bytes) != file.text(checkpoint_digest))
     throw bad_input(path.string(), "its counts do not fit their digest: it is damaged",
                     "choose another file");

@@ -107,8 +107,13 @@ const ExperimentKind& kind_of(const Scenario& scenario) {
 
 std::span<const ExperimentKind> experiment_kinds() { return kinds; }
 
+std::string amount_key(const Scenario& scenario) {
+  const std::string_view amount = kind_of(scenario).amount;
+  return amount.empty() ? "stop.max_frames" : std::string(amount);
+}
+
 std::uint32_t runs_asked_for(Scenario scenario) {
-  const Key& key = *find_key(std::string(kind_of(scenario).amount));
+  const Key& key = *find_key(amount_key(scenario));
   return static_cast<std::uint32_t>(key.number(scenario));
 }
 

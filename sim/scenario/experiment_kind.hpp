@@ -2,6 +2,7 @@
 // What a scenario may be an experiment of, and which of the keys then mean something.
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "sim/scenario/scenario.hpp"
@@ -17,7 +18,10 @@ struct ExperimentKind {
 
 std::span<const ExperimentKind> experiment_kinds();
 
-/// How many runs or trials a point shall have, by the experiment's key for it. Not of a link.
+/// The key of how much of a point is simulated: "arena.runs"; of a link "stop.max_frames".
+std::string amount_key(const Scenario& scenario);
+
+/// How many runs or trials a point shall have, by that key. Not of a link.
 std::uint32_t runs_asked_for(Scenario scenario);
 
 /// Throws where the file or --set gives a key that means nothing in the scenario's experiment.

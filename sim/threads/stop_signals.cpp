@@ -74,7 +74,8 @@ const std::atomic<bool>& heed_stop_signals() {
 }
 
 void leave_stop_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup has it
 }
 
 EndPutOff::EndPutOff() { ++put_off; }

@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "arena_scenes.hpp"
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
 #include "sim/arena/way.hpp"
 #include "sim/command/experiments.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
 

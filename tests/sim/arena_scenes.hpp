@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "counted_points.hpp"
 #include "scenarios.hpp"
 #include "sim/arena/arena.hpp"
 #include "sim/arena/arena_experiment.hpp"
 #include "sim/arena/arena_report.hpp"
 #include "sim/command/experiments.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 
 namespace sim {

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "arena_scenes.hpp"
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
 #include "protocol/cosys.hpp"
 #include "protocol/uart_receivers.hpp"
-#include "sim/engine/run_counting.hpp"
 
 namespace sim {
 namespace {

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "arena_scenes.hpp"
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
-#include "sim/engine/run_counting.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/report/outside_report.hpp"
 #include "sim/result/dataset.hpp"

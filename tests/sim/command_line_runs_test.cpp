@@ -63,7 +63,26 @@ TEST_F(Runs, AMergedPartSaysWhichRunsItHas) {
   EXPECT_NE(more.out.find("\nshards 1/4 3/4 4/4 of"), std::string::npos) << more.err;
 }
 
-// Kills at random instants, half of them kill -9; each time gone on with.
+// Who merges what was stopped is told so.
+TEST_F(Runs, AStoppedShardIsTold) {
+  const Words run = runs_of(small_experiments[3], "300000");
+  Words half = run;
+  half.insert(half.end(), {"--shard", "1/2"});
+  Running running = start_program(half);
+  for (int i = 0; i < 600 && !std::filesystem::exists(path("s-1of2.h5")); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const Outcome stopped = running.finish(SIGTERM);
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.out.find("unfinished: 2 of 2 points, 1 of them not begun; "), std::string::npos)
+      << stopped.out;
+  const Outcome sum = merge({"s-1of2.h5"});
+  EXPECT_EQ(sum.code, 0);
+  EXPECT_EQ(sum.err,
+            "cosys-sim: some points are unfinished (their shards were stopped) run those shards "
+            "with --resume and merge again\n");
+}
+
+// Kills at random instants, one of them kill -9; each time gone on with.
 TEST_F(Runs, KillsChangeNothing) {
   std::mt19937 random(11);
   for (const Experiment& experiment : small_experiments) {
@@ -71,7 +90,7 @@ TEST_F(Runs, KillsChangeNothing) {
     const Words run = runs_of(experiment, "40");
     const Outcome whole = with(run, {"-o", "whole.h5"});
     ASSERT_EQ(whole.code, 0) << whole.err;
-    for (int kill = 0; kill < 4; ++kill) {
+    for (int kill = 0; kill < 2; ++kill) {
       Words again = run;
       again.insert(again.end(), {"--resume", "-t", std::to_string(1 + kill % 2)});
       Running running = start_program(again);

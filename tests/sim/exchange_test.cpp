@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
 #include "sim/command/experiments.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
 #include "sim/exchange/station.hpp"

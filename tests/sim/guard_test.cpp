@@ -2,8 +2,8 @@
 #include <atomic>
 #include <string>
 
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
-#include "sim/engine/run_counting.hpp"
 #include "sim/guard/guard_experiment.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "tests/sim/scenarios.hpp"

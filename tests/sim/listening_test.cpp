@@ -7,12 +7,12 @@
 #include <variant>
 #include <vector>
 
+#include "counted_points.hpp"
 #include "gtest/gtest.h"
 #include "held_intervals.hpp"
 #include "program.hpp"
 #include "protocol/shared_link.hpp"
 #include "sim/command/experiments.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/listening/listening_contest.hpp"
 #include "sim/listening/listening_report.hpp"
 #include "tests/sim/scenarios.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "counted_points.hpp"
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"

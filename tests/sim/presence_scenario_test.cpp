@@ -1,9 +1,9 @@
 // Scenarios of presence: from keys to settings, by any number of threads, beside the closed form.
 #include <cmath>
 
+#include "counted_points.hpp"
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/engine/run_counting.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/presence_point.hpp"
 #include "sim/location/presence_report.hpp"

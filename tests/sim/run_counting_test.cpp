@@ -49,20 +49,20 @@ void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
   for (const Shard& shard : {Shard{3, 3}, Shard{1, 3}, Shard{2, 3}})
     sum.add(counted_shard(kind, scenario, shard, static_cast<int>(shard.number)));
   EXPECT_NE(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
-  for (std::size_t i = 0; i < sum.points().size(); ++i) sum.describe(i, 1);
+  sum.describe_all({});
   EXPECT_EQ(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
 }
 
 TEST(RunCounting, PartsOfAnArenaAddUp) {
-  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=5"), arena_dataset);
+  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=3"), arena_dataset);
 }
 
 TEST(RunCounting, PartsOfAGuardAddUp) {
-  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=5"), guard_dataset);
+  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=3"), guard_dataset);
 }
 
 TEST(RunCounting, PartsOfAnExchangeAddUp) {
-  expect_parts_to_add_up(exchange_measurement, small_scenario("sharedlink", "exchange.runs=5"),
+  expect_parts_to_add_up(exchange_measurement, small_scenario("sharedlink", "exchange.runs=3"),
                          exchange_dataset);
 }
 
@@ -77,7 +77,7 @@ TEST(RunCounting, PartsOfLocationAddUp) {
 }
 
 TEST(RunCounting, PartsOfListeningAddUp) {
-  expect_parts_to_add_up(listening_measurement, small_scenario("listening", "listening.runs=5"),
+  expect_parts_to_add_up(listening_measurement, small_scenario("listening", "listening.runs=3"),
                          listening_dataset);
 }
 
@@ -138,6 +138,8 @@ TEST(RunCounting, GoesOnBehindTheRunsThatItHas) {
   EXPECT_EQ(before, first_numbers(static_cast<std::uint32_t>(before.size())));
   NumberedCounting again(numbered_measurement, scenario);
   again.add(begun.checkpoint());
+  again.describe_all({});
+  EXPECT_EQ(again.points()[0].runs, before);
   again.count(0, {}, {{.threads = 2}});
   EXPECT_EQ(again.points()[0].runs, first_numbers(all_runs));
 }
@@ -150,9 +152,36 @@ TEST(RunCounting, AnInterruptBeforeAllLeavesWhatIsThereAsItIs) {
   EXPECT_FALSE(nothing.points()[0].reached());
   NumberedCounting half(numbered_measurement, scenario);
   half.add(counted_shard(numbered_measurement, scenario, {1, 2}, 1));
+  half.describe_all({});
   half.count(0, {1, 2}, {{.interrupt = &stop}});
   EXPECT_EQ(half.points()[0].runs, first_numbers(all_runs / 2));
   EXPECT_EQ(half.checkpoint(), counted_shard(numbered_measurement, scenario, {1, 2}, 1));
+}
+
+TEST(RunCounting, SaysHowManyPointsAreFinished) {
+  const LoadedScenario scenario =
+      loaded("experiment = \"presence\"\n[sweep]\npresence.trials = [4, 20, 21]\n");
+  NumberedCounting counting(numbered_measurement, scenario);
+  EXPECT_EQ(counting.n_begun(), 0U);
+  counting.count(0, {}, {});
+  counting.count(1, {1, 2}, {});
+  EXPECT_EQ(counting.n_begun(), 2U);
+  EXPECT_EQ(counting.n_finished({{}}), 1U);
+  EXPECT_EQ(counting.n_finished({{1, 2}}), 1U);
+}
+
+TEST(RunCounting, RefusesWhatIsNoCheckpointOfIt) {
+  const LoadedScenario scenario = loaded("experiment = \"presence\"\npresence.trials = 20\n");
+  const LoadedScenario shorter = loaded("experiment = \"presence\"\npresence.trials = 19\n");
+  const LoadedScenario swept =
+      loaded("experiment = \"presence\"\n[sweep]\npresence.trials = [20, 21]\n");
+  const std::string whole = counted_shard(numbered_measurement, scenario, {}, 1);
+  for (const std::string& wrong :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string(100, '\xff'),
+        counted_shard(numbered_measurement, swept, {}, 1)})
+    EXPECT_THROW(NumberedCounting(numbered_measurement, scenario).add(wrong), Failure);
+  EXPECT_THROW(NumberedCounting(numbered_measurement, shorter).add(whole), Failure);
+  NumberedCounting(numbered_measurement, scenario).add(whole);
 }
 
 TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
