@@ -6,7 +6,9 @@
 #include "sim/counting/event_rate.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
+#include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/places.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {
