@@ -4,7 +4,7 @@
 # (-LE measured). Lists of names, "A|B", say what else a suite is; that of a parameterised suite is what follows its "/".
 #   GATE: its measurements have the label `gate` too, and tests/run leaves them to the gate
 #   WEEKLY: theirs is `weekly` instead
-#   OUTSIDE, AGAIN: the suite has the label `outside` or `again`
+#   OUTSIDE, AGAIN: the suite has the label `outside` or `again`; all others of sim have `plain`
 #   THREADS: it has the label `threads` where a part of its name, or of one of its cases, is in the list
 #   LONG: it is begun before others
 # Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D WEEKLY=... -D OUTSIDE=...
@@ -45,6 +45,8 @@ function(add_suite suite cases)
     list(APPEND labels "outside")
   elseif(suite MATCHES "^(.*/)?(${AGAIN})$")
     list(APPEND labels "again")
+  elseif(PREFIX STREQUAL "sim")
+    list(APPEND labels "plain")
   endif()
   if(plain)
     add_entry("${suite}" "${suite}" "${suite}.*-${suite}.Measured*" "${labels}")

@@ -87,7 +87,7 @@ TEST_F(Runs, KillsChangeNothing) {
   std::mt19937 random(11);
   for (const Experiment& experiment : small_experiments) {
     SCOPED_TRACE(experiment.name);
-    const Words run = runs_of(experiment, "40");
+    const Words run = runs_of(experiment, "16");
     const Outcome whole = with(run, {"-o", "whole.h5"});
     ASSERT_EQ(whole.code, 0) << whole.err;
     for (int kill = 0; kill < 2; ++kill) {
