@@ -5,6 +5,7 @@
 
 #include "channel/interference.hpp"
 #include "protocol/uart_receivers.hpp"
+#include "sim/arena/arena_settings.hpp"
 #include "sim/arena/arena_validity.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
@@ -90,7 +91,8 @@ void add_lights(Arena& arena, const Scenario& s) {
 }  // namespace
 
 Seconds duration_of(const Scenario& s, const Way& way) {
-  if (!std::isnan(s.arena.duration_s)) return Seconds(s.arena.duration_s);
+  const double duration_s = s.settings.of<ArenaSettings>().duration_s;
+  if (!std::isnan(duration_s)) return Seconds(duration_s);
   return way.duration() > Seconds(0) ? way.duration() : default_duration;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "sim/arena/arena_columns.hpp"
 #include "sim/arena/arena_map.hpp"
 #include "sim/arena/arena_sums.hpp"
 #include "sim/arena/frame_fate.hpp"
@@ -107,15 +108,8 @@ void add_maps(ReportPart& part, const StoredDataset& stored) {
         "\nOf {} points the first {} have a map; --set chooses others.", all, most_maps);
 }
 
-void add_charts(ReportPart& part, const Dataset& data) {
-  add_chart(part, swept_chart(data, {.name = "total_frame_loss",
-                                     .title = "Frame loss",
-                                     .label = "frame loss ratio (FLR)",
-                                     .logarithmic = true}));
-  add_chart(part, swept_chart(data, {.name = "total_throughput",
-                                     .title = "Throughput",
-                                     .label = "throughput S (dashed: of pure ALOHA at that load)",
-                                     .theory = "pure_aloha_throughput"}));
+void add_arena_charts(ReportPart& part, const Dataset& data) {
+  add_charts(part, data, drawn_columns(arena_columns()));
   const DatasetCells loss(data, "total_frame_loss");
   std::vector<MapValue> ratios;
   for (std::size_t i = 0; i < count_points(data.axes); ++i)
@@ -175,7 +169,7 @@ ReportPart part_of_messages(const std::string& name, StoredDataset stored,
   ReportPart part{name, data.title, size_of(data)};
   part.verdict += extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) +
                   first_heard(data) + missing_points(stored);
-  add_charts(part, data);
+  add_arena_charts(part, data);
   add_maps(part, stored);
   part.sections.push_back(shares_section("fates", shares_of(data, tables.fates)));
   part.sections.push_back({.heading = "All devices", .table = dataset_table(data, tables.devices)});

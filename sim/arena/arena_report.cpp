@@ -5,93 +5,60 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <utility>
 
+#include "sim/arena/arena_columns.hpp"
 #include "sim/arena/way.hpp"
-#include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/outside_report.hpp"
-#include "sim/report/text_table.hpp"
+#include "sim/columns/columns_table.hpp"
+#include "sim/columns/text_table.hpp"
+#include "sim/loading/point_scenario.hpp"
 
 namespace sim {
 namespace {
 
-std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4f}", value); }
+// ---- devices by their kinds ----
 
-std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
-
-// ---- a row a point ----
-
-std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "", "devices"}, 7});
-  columns.push_back({{"", "messages", "sent"}, 9});
-  columns.push_back({{"", "", "in reach"}, 9});
-  columns.push_back({{"", "", "overlapped"}, 10});
-  columns.push_back({{"", "", "captured"}, 9});
-  columns.push_back({{"", "", "delivered"}, 9});
-  columns.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
-  columns.push_back({{"", "first after", "[s]"}, 11});
-  columns.push_back({{"offered", "load", "G"}, 7});
-  columns.push_back({{"through-", "put", "S"}, 8});
-  columns.push_back({{"pure", "ALOHA", "S"}, 7});
-  columns.push_back(outside_column());
-  return columns;
-}
-
-// ---- devices ----
-
-std::vector<TextColumn> device_columns(std::size_t name_width) {
-  return {{{"", "", "device"}, -static_cast<int>(std::max<std::size_t>(name_width, 6))},
-          {{"", "irradiance", "[mW/m2]"}, 10},
-          {{"", "messages", "sent"}, 9},
-          {{"", "", "in reach"}, 9},
-          {{"", "", "overlapped"}, 10},
-          {{"", "", "captured"}, 9},
-          {{"", "", "delivered"}, 9},
-          {{"", "frame loss ratio", "[interval]"}, -estimate_width},
-          {{"", "heard in", "runs"}, 8},
-          {{"", "first after", "[s]"}, 11}};
-}
-
-/// Devices of one kind.
 struct KindRow {
-  SenderTally tally;
-  std::uint64_t devices = 0;
+  std::string label;  // "charger", "charger x12"
+  SenderTally tally{};
+  std::uint64_t devices = 0, runs = 0;
   double highest_irradiance = 0;
 };
 
-std::map<std::string, KindRow> kinds_of(const ArenaPoint& point) {
+std::vector<KindRow> kinds_of(const ArenaPoint& point) {
   std::map<std::string, KindRow> kinds;
   for (std::size_t i = 0; i < point.senders.size(); ++i) {
     KindRow& row = kinds[point.senders[i].kind];
     row.tally += point.tally.senders[i];
+    row.runs += point.tally.n_runs;
     ++row.devices;
     row.highest_irradiance = std::max(row.highest_irradiance, point.senders[i].highest_irradiance);
   }
-  return kinds;
+  std::vector<KindRow> rows;
+  for (auto& [kind, row] : kinds) {
+    row.label = row.devices > 1 ? fmt::format("{} x{}", kind, row.devices) : kind;
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
-std::vector<std::string> counts_of(const SenderTally& tally) {
-  return {fmt::format("{}", tally.sent()),
-          fmt::format("{}", tally.n_in_reach),
-          fmt::format("{}", tally.n_overlapped),
-          fmt::format("{}", tally.n_captured),
-          fmt::format("{}", tally[FrameFate::delivered]),
-          estimate_text(frame_loss(tally))};
-}
-
-std::string device_row(const std::vector<TextColumn>& columns, const std::string& name,
-                       const KindRow& row, std::uint64_t runs) {
-  std::vector<std::string> texts{name, fmt::format("{:.4g}", row.highest_irradiance)};
-  for (std::string& text : counts_of(row.tally)) texts.push_back(std::move(text));
-  texts.push_back(fmt::format("{}/{}", row.tally.latency.n_runs_heard, runs * row.devices));
-  texts.push_back(seconds(row.tally.latency.mean_s()));
-  return table_line(columns, texts);
-}
-
-std::string label_of(const std::string& kind, const KindRow& row) {
-  return row.devices > 1 ? fmt::format("{} x{}", kind, row.devices) : kind;
+Columns<KindRow> kind_columns() {
+  Columns<KindRow> columns;
+  columns.words({}, [](const KindRow& row) { return row.label; }).headed({{"", "", "device"}, -6});
+  columns.real({}, [](const KindRow& row) { return row.highest_irradiance; })
+      .headed({{"", "irradiance", "[mW/m2]"}, 10});
+  add_message_columns(columns, {}, [](const KindRow& row) { return row.tally; });
+  columns
+      .words({},
+             [](const KindRow& row) {
+               return fmt::format("{}/{}", row.tally.latency.n_runs_heard, row.runs);
+             })
+      .headed({{"", "heard in", "runs"}, 8});
+  columns
+      .real(
+          {}, [](const KindRow& row) { return row.tally.latency.mean_s(); }, significant(3))
+      .headed({{"", "first after", "[s]"}, 11});
+  return columns;
 }
 
 // ---- along the way ----
@@ -138,35 +105,17 @@ std::string way_row(const ArenaPoint& point, const Way& way, std::size_t stretch
        heard_text(counts)});
 }
 
-}  // namespace
-
-std::string arena_header(const LoadedScenario& scenario) {
-  return table_head(point_columns(scenario.sweep));
-}
-
-std::string arena_row(const LoadedScenario& scenario, const ArenaPoint& point) {
+/// What there is to say of one point more than its row.
+std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
   const SenderTally all = together(point);
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
-  texts.push_back(fmt::format("{}", point.senders.size()));
-  for (std::string& text : counts_of(all)) texts.push_back(std::move(text));
-  texts.push_back(seconds(point.tally.any.mean_s()));
-  const double load = offered_load(point, all);
-  for (const double value : {load, throughput(point, all), pure_aloha(load)})
-    texts.push_back(share(value));
-  texts.push_back(outside_mark(point.outside));
-  return table_line(point_columns(scenario.sweep), texts);
+  std::string text = row_table(kind_columns(), kinds_of(point)) + "\n" +
+                     waterfall(all.messages(), loss_stages(all), "delivered");
+  if (point.tally.n_false > 0)
+    text += fmt::format("{:>10}  accepted though nobody sent them\n", point.tally.n_false);
+  return text + "\n" + way_table(point_scenario(scenario, point.coordinates), point);
 }
 
-std::string device_table(const ArenaPoint& point) {
-  const auto kinds = kinds_of(point);
-  std::size_t width = 0;
-  for (const auto& [name, row] : kinds) width = std::max(width, label_of(name, row).size());
-  const auto columns = device_columns(width);
-  std::string table = table_head(columns);
-  for (const auto& [name, row] : kinds)
-    table += device_row(columns, label_of(name, row), row, point.tally.n_runs);
-  return table;
-}
+}  // namespace
 
 std::vector<LossStage> loss_stages(const SenderTally& tally) {
   std::vector<LossStage> stages;
@@ -195,5 +144,7 @@ std::string way_table(const Scenario& scenario, const ArenaPoint& point) {
   for (std::size_t i = 0; i < stretches; ++i) table += way_row(point, way, i);
   return table;
 }
+
+constinit const PointReport<ArenaPoint> arena_report{arena_columns, details};
 
 }  // namespace sim

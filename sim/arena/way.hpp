@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dsp/units.hpp"
-#include "sim/scenario/arena_settings.hpp"
+#include "sim/scenario/placed_device.hpp"
 
 namespace sim {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/text/escaped_text.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/shell_text.hpp"

@@ -1,4 +1,5 @@
 #include "sim/check/contest.hpp"
+#include "sim/counting/holm.hpp"
 
 #include <algorithm>
 
@@ -49,7 +50,7 @@ void decide(std::vector<ContestPoint>& points, double alpha) {
   std::vector<double> p_values;
   for (const ContestPoint& point : points)
     for (const Duel& duel : point.duels) p_values.push_back(duel.p_value);
-  const std::vector<bool> differ = worse_points(p_values, alpha);
+  const std::vector<bool> differ = rejected_by_holm(p_values, alpha);
   std::size_t next = 0;
   for (ContestPoint& point : points)
     for (Duel& duel : point.duels) duel.decided = differ[next++];

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/check/contest.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/text_table.hpp"
 
 namespace sim {
 namespace {

@@ -11,7 +11,7 @@
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
 #include "sim/check/decoded_frames.hpp"
-#include "sim/report/text_table.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/text/escaped_text.hpp"
 
 namespace sim {

@@ -5,7 +5,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/poisson.hpp>
 #include <cmath>
-#include <numeric>
 
 #include "sim/counting/statistics.hpp"
 
@@ -97,18 +96,6 @@ void Gate::look(const PairedLosses& losses) {
     state_ = GateState::worse;
   else if (passed_)
     state_ = GateState::passed;
-}
-
-std::vector<bool> worse_points(const std::vector<double>& p_values, double alpha) {
-  std::vector<std::size_t> order(p_values.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p_values[i]; });
-  std::vector<bool> worse(p_values.size(), false);
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    if (p_values[order[rank]] > alpha / static_cast<double>(order.size() - rank)) break;
-    worse[order[rank]] = true;
-  }
-  return worse;
 }
 
 double power_of(const GateRule& rule, double flr, std::uint64_t frames, std::uint64_t points) {

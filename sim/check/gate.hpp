@@ -74,10 +74,6 @@ class Gate {
   GateState state_ = GateState::undecided;
 };
 
-/// Which of the points are worse, by Holm's (1979) correction: at most alpha for one false alarm
-/// among all of them.
-std::vector<bool> worse_points(const std::vector<double>& p_values, double alpha);
-
 /// A check of `points` points of `frames` each, at a point where the baseline loses `flr` of them
 /// (in (0, 1)) and the candidate so many times that, each for reasons of its own: decoders that
 /// fail on the same light are told apart sooner. How probable it is that the last look finds it

@@ -1,4 +1,5 @@
 #include "sim/check/point_check.hpp"
+#include "sim/counting/holm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +195,7 @@ void judge(std::vector<PointCheck>& checks, const CheckSetup& setup) {
     p_values.push_back(check.p_lost);
     p_values.push_back(check.p_deceived);
   }
-  const std::vector<bool> worse = worse_points(p_values, setup.rule.alpha);
+  const std::vector<bool> worse = rejected_by_holm(p_values, setup.rule.alpha);
   for (std::size_t i = 0; i < checks.size(); ++i)
     checks[i].verdict = verdict_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
 }

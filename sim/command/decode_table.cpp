@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "sim/columns/text_table.hpp"
 #include "sim/command/decoded_capture.hpp"
 #include "sim/command/reading_progress.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/text/escaped_text.hpp"
 #include "sim/text/letters.hpp"
 #include "sim/text/standard_output.hpp"

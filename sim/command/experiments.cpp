@@ -2,63 +2,89 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <deque>
+#include <vector>
 
 #include "sim/arena/arena_check.hpp"
-#include "sim/arena/arena_command.hpp"
+#include "sim/arena/arena_keys.hpp"
 #include "sim/arena/arena_part.hpp"
+#include "sim/arena/arena_report.hpp"
 #include "sim/exchange/exchange_check.hpp"
-#include "sim/exchange/exchange_command.hpp"
+#include "sim/exchange/exchange_keys.hpp"
 #include "sim/exchange/exchange_part.hpp"
+#include "sim/exchange/exchange_report.hpp"
 #include "sim/guard/guard_check.hpp"
-#include "sim/guard/guard_command.hpp"
+#include "sim/guard/guard_keys.hpp"
 #include "sim/guard/guard_part.hpp"
+#include "sim/guard/guard_report.hpp"
 #include "sim/listening/listening_experiment.hpp"
+#include "sim/listening/listening_keys.hpp"
 #include "sim/listening/listening_part.hpp"
 #include "sim/listening/listening_report.hpp"
+#include "sim/location/accuracy_report.hpp"
+#include "sim/location/location_keys.hpp"
 #include "sim/location/location_parts.hpp"
-#include "sim/location/trial_commands.hpp"
-#include "sim/scenario/experiment_kind.hpp"
+#include "sim/location/presence_report.hpp"
+#include "sim/page/columns_part.hpp"
+#include "sim/report/point_run.hpp"
 
 namespace sim {
 namespace {
 
-struct Experiment {
-  std::string_view name;
-  void (*check)(const LoadedScenario&);  // for what the keys alone do not show
-  const ExperimentEngine* engine;
-  ReportExperiment report;
+template <const auto& measurement, const auto& report>
+constexpr const ExperimentEngine* engine = &experiment_engine<measurement, report>;
+
+constexpr std::array shipped{
+    Experiment{&arena_kind, engine<arena_measurement, arena_report>, check_arena, arena_part},
+    Experiment{&guard_kind, engine<guard_measurement, guard_report>, check_guard, guard_part},
+    Experiment{&exchange_kind, engine<exchange_measurement, exchange_report>, check_exchange,
+               exchange_part},
+    Experiment{&presence_kind, engine<presence_measurement, presence_report>, nullptr,
+               presence_part},
+    Experiment{&location_kind, engine<location_measurement, location_report>, nullptr,
+               location_part},
+    Experiment{&listening_kind, engine<listening_measurement, listening_report>, check_listening,
+               listening_part},
 };
 
-void nothing_more(const LoadedScenario&) {}
+std::vector<const Experiment*>& known() {
+  static std::vector<const Experiment*> experiments;
+  return experiments;
+}
 
-constexpr std::array experiments{
-    Experiment{"link", nothing_more, nullptr, nullptr},
-    Experiment{"arena", check_arena, &arena_engine, arena_part},
-    Experiment{"guard", check_guard, &guard_engine, guard_part},
-    Experiment{"sharedlink", check_exchange, &exchange_engine, exchange_part},
-    Experiment{"presence", nothing_more, &presence_engine, presence_part},
-    Experiment{"location", nothing_more, &location_engine, location_part},
-    Experiment{"listening", check_listening, &listening_engine, listening_part},
-};
+/// From the program's start on.
+const std::deque<KnownExperiment> shipped_are_known(shipped.begin(), shipped.end());
 
-const Experiment& experiment_of(const LoadedScenario& scenario) {
-  return *std::ranges::find(experiments, scenario.base.experiment, &Experiment::name);
+/// Null for a link.
+const Experiment* experiment_of(const LoadedScenario& scenario) {
+  const auto found = std::ranges::find(known(), &kind_of(scenario.base), &Experiment::kind);
+  return found == known().end() ? nullptr : *found;
 }
 
 }  // namespace
 
+KnownExperiment::KnownExperiment(const Experiment& experiment)
+    : experiment_(&experiment), kind_(*experiment.kind) {
+  known().push_back(experiment_);
+}
+
+KnownExperiment::~KnownExperiment() { std::erase(known(), experiment_); }
+
 void check_experiment(const LoadedScenario& scenario) {
   check_keys_of_experiment(scenario);
-  experiment_of(scenario).check(scenario);
+  const Experiment* experiment = experiment_of(scenario);
+  if (experiment != nullptr && experiment->check != nullptr) experiment->check(scenario);
 }
 
 const ExperimentEngine* engine_of(const LoadedScenario& scenario) {
-  return experiment_of(scenario).engine;
+  const Experiment* experiment = experiment_of(scenario);
+  return experiment == nullptr ? nullptr : experiment->engine;
 }
 
-ReportExperiment reporter_of(const LoadedScenario& scenario) {
-  return experiment_of(scenario).report;
+ReportPart report_of(const std::string& name, const StoredDataset& stored) {
+  const Experiment& experiment = *experiment_of(stored.scenario);
+  return experiment.report != nullptr ? experiment.report(name, stored)
+                                      : columns_part(name, stored, experiment.engine->columns());
 }
 
 }  // namespace sim

@@ -77,7 +77,7 @@ ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
 ReportPart part_of(const fs::path& path, const ReportRequest& request) {
   if (filetype_of(path) != experiment_result_type) return link_part_of(path, request);
   const StoredDataset stored = read_dataset(path);
-  ReportPart part = reporter_of(stored.scenario)(name_of(path, request.results), stored);
+  ReportPart part = report_of(name_of(path, request.results), stored);
   part.settings = settings_of(stored.scenario);
   return part;
 }

@@ -117,13 +117,6 @@ std::string profile_of(const ExperimentResult& result) {
   return profile_lines(profile, samples);
 }
 
-std::string plots(const RunRequest& request, const ExperimentResult& result) {
-  if (!request.plot) return "";
-  std::string text;
-  for (const Chart& chart : result_charts(result)) text += "\n" + chart_as_text(chart);
-  return text.empty() ? "no number is swept: nothing to plot\n" : text + "\n";
-}
-
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
   Keeper keeper;
   const auto keep = [&](const ExperimentResult& result) {
@@ -150,7 +143,8 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   keep_all(result);
   if (request.profile) say(profile_of(result));
   if (request.json) return print_json(to_json(result) + "\n");
-  print(plots(request, result) + missing_lines(result) + closing_lines(result, run.output));
+  print((request.plot ? charts_as_text(result_charts(result)) : "") + missing_lines(result) +
+        closing_lines(result, run.output));
 }
 
 // ---- experiments that are no links ----
@@ -158,9 +152,6 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
 /// What such a run would not heed.
 void refuse_link_options(const RunRequest& request, const fs::path& scenario) {
   const std::string where = " with " + scenario.string();
-  if (request.plot)
-    throw bad_input("--plot" + where, "only ratios of links are drawn as characters",
-                    "leave it out, and let cosys-sim report draw the result");
   if (request.profile)
     throw bad_input("--profile" + where, "it times the stages of a link's trial", "leave it out");
 }
@@ -176,6 +167,7 @@ void run_other(const RunRequest& request, const Run& run, const ExperimentEngine
        .team = team,
        .json = request.json,
        .quiet = request.quiet,
+       .plot = request.plot,
        .checkpoints = run.checkpoints,
        .shards = {request.shard}});
 }

@@ -10,7 +10,7 @@
 namespace sim {
 
 /// How an experiment is measured. Setup: a point with all worked out that its runs share. Tally:
-/// what runs count; has += for the runs that follow, and cereal's serialize. Point: what is known
+/// what runs count: an empty one has no runs; += adds the runs that follow; serialize is cereal's. Point: what is known
 /// of a point; has reached(), whether it has runs.
 template <class Setup, class Tally, class Point>
 struct Measurement {

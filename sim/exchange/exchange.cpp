@@ -2,6 +2,7 @@
 
 #include "channel/geometry.hpp"
 #include "protocol/uart_receivers.hpp"
+#include "sim/exchange/exchange_settings.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/link.hpp"
 #include "sim/link/validity.hpp"
@@ -16,7 +17,7 @@ dsp::WattsPerSquareMetre reflected_light(const Scenario& s) {
   const channel::Pose led{.z = s.led.height_mm * 1e-3,
                           .yaw = dsp::degrees(s.led.yaw_deg - s.receiver.bearing_deg),
                           .elevation = dsp::degrees(s.led.elevation_deg)};
-  const channel::Pose module{.y = s.exchange.led_offset_mm * 1e-3,
+  const channel::Pose module{.y = s.settings.of<ExchangeSettings>().led_offset_mm * 1e-3,
                              .z = s.receiver.height_mm * 1e-3,
                              .yaw = dsp::degrees(s.receiver.yaw_deg),
                              .elevation = dsp::degrees(s.receiver.tilt_deg)};
@@ -44,8 +45,9 @@ Exchange make_exchange(const Scenario& scenario) {
   const dsp::Hertz carrier(s.device.carrier_hz * (1 + s.device.carrier_error_ppm * 1e-6));
   const double colour = colour_response(s.module, s.emitter, s.led.temperature_c);
   const auto signal = light_of(s).total() * colour;
-  const auto reflected = reflected_light(s) * (s.exchange.own_reflection * colour);
-  Exchange e{.settings = s.exchange,
+  const auto reflected =
+      reflected_light(s) * (s.settings.of<ExchangeSettings>().own_reflection * colour);
+  Exchange e{.settings = s.settings.of<ExchangeSettings>(),
              .chain = channel::design_chain(s.module,
                                             {.signal = signal,
                                              .ambient = ambient_of(s),

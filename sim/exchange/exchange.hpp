@@ -13,8 +13,8 @@
 #include "channel/chain.hpp"
 #include "dsp/units.hpp"
 #include "protocol/uart_receivers.hpp"
+#include "sim/exchange/exchange_settings.hpp"
 #include "sim/exchange/exchange_tally.hpp"
-#include "sim/scenario/exchange_settings.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/exchange/exchange_report.hpp"
 #include "sim/page/curve_span.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_shares.hpp"
@@ -171,13 +172,10 @@ ShareBars refusals(const Dataset& data) {
 }
 
 void add_charts(ReportPart& part, const Dataset& data) {
-  const std::optional<Chart> loss = swept_chart(data, {.name = "message_loss",
-                                                       .title = "Message loss",
-                                                       .label = "message loss ratio",
-                                                       .logarithmic = true});
-  const std::optional<Chart> age = swept_chart(
-      data,
-      {.name = "age_mean_s", .title = "Age of values at the other node", .label = "mean age [s]"});
+  const std::optional<Chart> loss = swept_chart(data,
+                                                drawn_column(exchange_columns(), "message_loss")),
+                             age =
+                                 swept_chart(data, drawn_column(exchange_columns(), "age_mean_s"));
   if (loss) part.verdict += half_lost(*loss, *widest_axis(data));
   if (loss && age) part.verdict += freshness(*loss, *age);
   add_chart(part, loss);

@@ -2,99 +2,209 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/outside_report.hpp"
-#include "sim/report/text_table.hpp"
+#include "sim/columns/age_columns.hpp"
+#include "sim/columns/columns_table.hpp"
+#include "sim/columns/outside_column.hpp"
 #include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
 
-std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2f}", value); }
+using Point = ExchangePoint;
 
-std::string plain_ratio(double value) {
+std::string ratio_text(double value) {
   if (std::isnan(value)) return "-";
   return value > 0 && value < 0.01 ? scientific_text(value, 2) : fmt::format("{:.3f}", value);
 }
 
-std::vector<TextColumn> tally_columns() {
-  return {{{"", "messages", "sent"}, 8},
-          {{"", "message loss ratio", "[interval]"}, -estimate_width},
-          {{"", "", "BER"}, 8},
-          {{"mean age", "of values", "[s]"}, 9},
-          {{"95 % of", "ages", "[s]"}, 8},
-          {{"nothing", "known", ""}, 8},
-          {{"questions", "", "asked"}, 9},
-          {{"", "", "answered"}, 9},
-          {{"", "timed", "out"}, 6},
-          {{"own", "messages", "heard"}, 8}};
+/// The columns of one direction, which are stored, or of both together in the table of points.
+template <class TallyOf>
+class DirectionColumns {
+ public:
+  DirectionColumns(Columns<Point>& columns, std::vector<std::string> over, TallyOf tally_of)
+      : columns_(columns), over_(std::move(over)), tally_of_(std::move(tally_of)) {}
+
+  void add_messages() {
+    count("n_messages", "messages sent", &DirectionTally::n_sent, {{"", "messages", "sent"}, 8});
+    count("n_accepted", "messages accepted by the other node", &DirectionTally::n_accepted);
+    count("n_bits", "line bits sent", &DirectionTally::n_bits);
+    count("n_bit_errors", "of those, wrong at the other's module", &DirectionTally::n_bit_errors);
+    columns_
+        .ratio(stored({"message_loss", "1", "messages not accepted over messages sent"}),
+               [of = tally_of_](const Point& p, std::size_t i) { return message_loss(of(p, i)); })
+        .on(over_)
+        .headed({{"", "message loss ratio", "[interval]"}, -estimate_width})
+        .drawn({"Message loss", "message loss ratio", true});
+    columns_
+        .real(
+            stored({"ber", "1", "bit error ratio"}),
+            [of = tally_of_](const Point& p, std::size_t i) { return bit_error_ratio(of(p, i)); },
+            ratio_text)
+        .on(over_)
+        .headed({{"", "", "BER"}, 8});
+  }
+
+  void add_ages() {
+    add_age_columns(columns_,
+                    {.prefix = "",
+                     .mean_is = "mean age of its values at the other node",
+                     .where = "of values",
+                     .over = over_,
+                     .are_stored = !over_.empty(),
+                     .drawn = DrawnColumn{"Age of values at the other node", "mean age [s]"}},
+                    [of = tally_of_](const Point& p, std::size_t i) { return of(p, i).age(); });
+  }
+
+  void add_questions() {
+    count("n_queries", "questions asked", &DirectionTally::n_asked,
+          {{"questions", "", "asked"}, 9});
+    count("n_queries_answered", "questions answered", &DirectionTally::n_answered,
+          {{"", "", "answered"}, 9});
+    count("n_queries_timed_out", "questions without an answer in time",
+          &DirectionTally::n_timed_out, {{"", "timed", "out"}, 6});
+    count("n_own_messages", "messages of its own that the sender heard", &DirectionTally::n_own,
+          {{"own", "messages", "heard"}, 8});
+  }
+
+ private:
+  VariableFacts stored(VariableFacts facts) const {
+    return over_.empty() ? VariableFacts{} : std::move(facts);
+  }
+
+  void count(const char* name, const char* what, std::uint64_t DirectionTally::*member,
+             TextColumn heading = {{}, 0}) {
+    columns_
+        .count(stored({name, "1", what}),
+               [of = tally_of_, member](const Point& p, std::size_t i) { return of(p, i).*member; })
+        .on(over_)
+        .headed(std::move(heading));
+  }
+
+  Columns<Point>& columns_;
+  std::vector<std::string> over_;
+  TallyOf tally_of_;
+};
+
+template <class TallyOf>
+void add_direction(Columns<Point>& columns, std::vector<std::string> over, TallyOf tally_of) {
+  DirectionColumns to(columns, std::move(over), std::move(tally_of));
+  to.add_messages();
+  to.add_ages();
+  to.add_questions();
 }
 
-std::vector<std::string> tally_texts(const DirectionTally& tally) {
-  const AgeCounts age = tally.age();
-  const double unknown = age.unknown_share();
-  return {fmt::format("{}", tally.n_sent),
-          estimate_text(message_loss(tally)),
-          plain_ratio(bit_error_ratio(tally)),
-          seconds(age.mean_s()),
-          seconds(age.quantile_s(high_share)),
-          std::isnan(unknown) ? "-" : fmt::format("{:.1f} %", 100 * unknown),
-          fmt::format("{}", tally.n_asked),
-          fmt::format("{}", tally.n_answered),
-          fmt::format("{}", tally.n_timed_out),
-          fmt::format("{}", tally.n_own)};
+/// Why messages were refused: of SharedLinkOutcome all but that they were not.
+constexpr std::size_t reasons = protocol::shared_link_outcomes - 1;
+
+std::string reason_name(std::size_t reason) {
+  return std::string(protocol::name(static_cast<protocol::SharedLinkOutcome>(reason + 1)));
 }
 
-std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
-  columns.push_back({{"own", "reflection", "[mW/m2]"}, number_width});
-  for (const TextColumn& column : tally_columns()) columns.push_back(column);
-  columns.push_back(outside_column());
+void add_refusals(Columns<Point>& columns) {
+  const auto add = [&](VariableFacts facts, SharedLinkReasons DirectionTally::*member) {
+    columns
+        .count(std::move(facts),
+               [=](const Point& p, std::size_t i) {
+                 return (p.tally.direction[i / reasons].*member)[i % reasons + 1];
+               })
+        .on({"sender", "reason"});
+  };
+  add({"n_rejected", "1", "messages refused by the other node"}, &DirectionTally::rejected);
+  add({"n_own_damaged", "1", "messages of its own that the sender refused"},
+      &DirectionTally::own_damaged);
+}
+
+std::size_t most_variables(const Point& point) {
+  std::size_t most = 0;
+  for (const DirectionTally& tally : point.tally.direction)
+    most = std::max(most, tally.variable_ages.size());
+  return most;
+}
+
+/// NaN where a node has fewer variables than the other.
+void add_variable_ages(Columns<Point>& columns) {
+  add_age_columns(columns,
+                  {.prefix = "variable_",
+                   .mean_is = "mean age at the other node",
+                   .over = {"sender", "variable"}},
+                  [](const Point& p, std::size_t i) {
+                    const std::size_t all = most_variables(p), variable = i % all;
+                    const auto& ages = p.tally.direction[i / all].variable_ages;
+                    return variable < ages.size() ? ages[variable] : AgeCounts();
+                  });
+}
+
+void add_dimensions(Columns<Point>& columns) {
+  columns.dimension({"sender", "", "node that sends"}, [](const Point&) {
+    return std::vector<Label>{"A", "B"};
+  });
+  columns.dimension({"reason", "", "why a message was refused"}, [](const Point&) {
+    std::vector<Label> names;
+    for (std::size_t i = 0; i < reasons; ++i) names.emplace_back(reason_name(i));
+    return names;
+  });
+  columns.dimension({"variable", "1", "place in the sender's list"}, [](const Point& p) {
+    std::vector<Label> numbers;
+    for (std::size_t i = 1; i <= most_variables(p); ++i)
+      numbers.emplace_back(static_cast<double>(i));
+    return numbers;
+  });
+}
+
+Columns<Point> made_columns() {
+  Columns<Point> columns;
+  add_dimensions(columns);
+  columns.count({"n_runs", "1", "runs"}, [](const Point& p) { return p.tally.n_runs; });
+  columns
+      .real({"irradiance_mw_per_m2", "mW/m2", "light of the other node"},
+            [](const Point& p) { return p.irradiance_mw_per_m2; })
+      .headed({{"", "irradiance", "[mW/m2]"}, number_width});
+  columns
+      .real({"reflected_mw_per_m2", "mW/m2", "light of the node's own LED"},
+            [](const Point& p) { return p.reflected_mw_per_m2; })
+      .headed({{"own", "reflection", "[mW/m2]"}, number_width});
+  add_direction(columns, {}, [](const Point& p, std::size_t) { return together(p.tally); });
+  add_outside(columns);
+  columns.words({}, [](const Point&, std::size_t i) { return i == 0 ? "A to B" : "B to A"; })
+      .on({"sender"})
+      .headed({{"", "", "direction"}, -9});
+  add_direction(columns, {"sender"},
+                [](const Point& p, std::size_t i) { return p.tally.direction[i]; });
+  add_refusals(columns);
+  add_variable_ages(columns);
   return columns;
 }
 
-std::string reason_texts(const SharedLinkReasons& reasons) {
+std::string refusal_text(const SharedLinkReasons& counts) {
   std::string text;
-  for (std::size_t i = 1; i < reasons.size(); ++i)
-    if (reasons[i] > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                          protocol::name(static_cast<protocol::SharedLinkOutcome>(i)), reasons[i]);
+  for (std::size_t i = 0; i < reasons; ++i)
+    if (counts[i + 1] > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", reason_name(i), counts[i + 1]);
   return text.empty() ? "none" : text;
+}
+
+/// Each direction, and why messages were refused.
+std::string details(const LoadedScenario&, const Point& point) {
+  const DirectionTally all = together(point.tally);
+  return element_table(exchange_columns(), "sender", point) +
+         "refused of the other: " + refusal_text(all.rejected) +
+         "\nown messages damaged: " + refusal_text(all.own_damaged) + "\n";
 }
 
 }  // namespace
 
-std::string exchange_header(const LoadedScenario& scenario) {
-  return table_head(point_columns(scenario.sweep));
+const Columns<ExchangePoint>& exchange_columns() {
+  static const Columns<ExchangePoint> columns = made_columns();
+  return columns;
 }
 
-std::string exchange_row(const LoadedScenario& scenario, const ExchangePoint& point) {
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
-  texts.push_back(fmt::format("{:.4g}", point.irradiance_mw_per_m2));
-  texts.push_back(fmt::format("{:.4g}", point.reflected_mw_per_m2));
-  for (std::string& text : tally_texts(together(point.tally))) texts.push_back(std::move(text));
-  texts.push_back(outside_mark(point.outside));
-  return table_line(point_columns(scenario.sweep), texts);
-}
-
-std::string direction_table(const ExchangePoint& point) {
-  std::vector<TextColumn> columns{{{"", "", "direction"}, -9}};
-  for (const TextColumn& column : tally_columns()) columns.push_back(column);
-  std::string table = table_head(columns);
-  for (std::size_t i = 0; i < 2; ++i) {
-    std::vector<std::string> texts{i == 0 ? "A to B" : "B to A"};
-    for (std::string& text : tally_texts(point.tally.direction[i]))
-      texts.push_back(std::move(text));
-    table += table_line(columns, texts);
-  }
-  const DirectionTally all = together(point.tally);
-  return table + "refused of the other: " + reason_texts(all.rejected) +
-         "\nown messages damaged: " + reason_texts(all.own_damaged) + "\n";
-}
+constinit const PointReport<ExchangePoint> exchange_report{exchange_columns, details};
 
 }  // namespace sim

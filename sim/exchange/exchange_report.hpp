@@ -1,23 +1,12 @@
 #pragma once
 // What people and programs read of an exchange.
-#include <string>
-#include <vector>
-
+#include "sim/columns/point_report.hpp"
 #include "sim/exchange/exchange_experiment.hpp"
-#include "sim/result/dataset.hpp"
-#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
-/// Of the time, for ages.
-inline constexpr double high_share = 0.95;
+const Columns<ExchangePoint>& exchange_columns();
 
-std::string exchange_header(const LoadedScenario& scenario);
-std::string exchange_row(const LoadedScenario& scenario, const ExchangePoint& point);
-/// Each direction of one point, and why messages were refused.
-std::string direction_table(const ExchangePoint& point);
-
-Dataset exchange_dataset(const LoadedScenario& scenario, const std::string& command,
-                         const std::vector<ExchangePoint>& points);
+extern const PointReport<ExchangePoint> exchange_report;
 
 }  // namespace sim

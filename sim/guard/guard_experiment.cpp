@@ -4,6 +4,7 @@
 
 #include "sim/arena/arena_run.hpp"
 #include "sim/guard/guard_check.hpp"
+#include "sim/guard/guard_settings.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
@@ -11,7 +12,7 @@ namespace {
 
 MirrorDesign mirror_design(const Scenario& scenario, const Arena& arena) {
   return {.variables = shared_variables(arena.senders),
-          .settings = scenario.guard,
+          .settings = scenario.settings.of<GuardSettings>(),
           .duration = arena.duration,
           .delay = arena.delay};
 }
@@ -39,16 +40,16 @@ GuardRuns run_guard(const Guard& guard, std::uint32_t first, int n, const std::a
 }
 
 void describe_guard(GuardPoint& point, const Guard& guard, const GuardRuns& runs) {
-  describe_arena(point.arena, guard.arena, runs.arena);
+  describe_arena(point, guard.arena, runs.arena);
   point.variables = guard.design.variables;
-  point.tally = runs.tally;
+  point.relayed = runs.tally;
 }
 
 }  // namespace
 
-MirrorTally together(const GuardPoint& point) {
+MirrorTally relayed_together(const GuardPoint& point) {
   MirrorTally sum;
-  for (const MirrorTally& mirror : point.tally.mirrors) sum += mirror;
+  for (const MirrorTally& mirror : point.relayed.mirrors) sum += mirror;
   return sum;
 }
 
@@ -61,7 +62,7 @@ GuardRuns& GuardRuns::operator+=(const GuardRuns& next) {
 constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
     .unreached =
         [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
-          return GuardPoint{.arena = {.coordinates = coordinates}};
+          return GuardPoint{{.coordinates = coordinates}};
         },
     .prepare = make_guard,
     .most_at_once = [](const Guard& guard, std::uint32_t,

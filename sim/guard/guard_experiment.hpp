@@ -9,16 +9,13 @@
 
 namespace sim {
 
-struct GuardPoint {
-  ArenaPoint arena;                      // with its tally
+struct GuardPoint : ArenaPoint {
   std::vector<std::string> variables{};  // of each device
-  GuardTally tally{};                    // but for the arena's
-
-  bool reached() const { return arena.reached(); }
+  GuardTally relayed{};
 };
 
 /// Sum over the devices of a point.
-MirrorTally together(const GuardPoint& point);
+MirrorTally relayed_together(const GuardPoint& point);
 
 /// A point ready for its runs.
 struct Guard {

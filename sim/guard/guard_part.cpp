@@ -186,9 +186,7 @@ ReportPart guard_part(const std::string& name, const StoredDataset& stored) {
   ReportPart part = part_of_messages(
       name, stored, {guard_fates(), device_table_columns(stored), point_table_columns(data)});
   part.verdict += known_of(data) + ages_of(data) + oldest_of(data) + least_known_of(data);
-  add_chart(part, swept_chart(data, {.name = "age_mean_s",
-                                     .title = "Age of what the base station knows",
-                                     .label = "mean age [s]"}));
+  add_chart(part, swept_chart(data, drawn_column(guard_columns(), "age_mean_s")));
   return part;
 }
 

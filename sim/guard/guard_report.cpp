@@ -1,161 +1,127 @@
 #include "sim/guard/guard_report.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "sim/arena/arena_columns.hpp"
 #include "sim/arena/arena_report.hpp"
-#include "sim/report/outside_report.hpp"
-#include "sim/report/text_table.hpp"
+#include "sim/columns/age_columns.hpp"
+#include "sim/columns/columns_table.hpp"
+#include "sim/columns/outside_column.hpp"
+#include "sim/loading/point_scenario.hpp"
 
 namespace sim {
 namespace {
 
-constexpr double high_share = 0.95;
+using Point = GuardPoint;
 
-std::string seconds(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2f}", value); }
-
-void add_age_columns(std::vector<TextColumn>& columns) {
-  columns.push_back({{"mean age", "at base", "[s]"}, 8});
-  columns.push_back({{"95 % of", "ages", "[s]"}, 8});
-  columns.push_back({{"nothing", "known", ""}, 8});
+/// Messages on their way, of one device or of all: in the table only.
+template <class SentOf, class MirrorOf>
+void add_way_of_messages(Columns<Point>& columns, const std::vector<std::string>& over,
+                         SentOf sent_of, MirrorOf mirror_of) {
+  columns.count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i).messages(); })
+      .on(over)
+      .headed({{"", "", "messages"}, 9});
+  columns
+      .count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i)[FrameFate::delivered]; })
+      .on(over)
+      .headed({{"heard by", "the", "guard"}, 9});
+  columns.count({}, [=](const Point& p, std::size_t i) { return mirror_of(p, i).n_known; })
+      .on(over)
+      .headed({{"known", "to the", "base"}, 9});
 }
 
-void add_ages(std::vector<std::string>& texts, const AgeCounts& age) {
-  texts.push_back(seconds(age.mean_s()));
-  texts.push_back(seconds(age.quantile_s(high_share)));
-  texts.push_back(percent_text(age.unknown_share()));
+const MirrorTally& mirror_of(const Point& point, std::size_t device) {
+  return point.relayed.mirrors[device];
 }
 
-std::vector<TextColumn> point_columns(const std::vector<Axis>& axes) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "", "messages"}, 9});
-  columns.push_back({{"heard by", "the", "guard"}, 9});
-  columns.push_back({{"known", "to the", "base"}, 9});
-  add_age_columns(columns);
-  columns.push_back({{"questions", "", "asked"}, 9});
-  columns.push_back({{"", "", "answered"}, 9});
-  columns.push_back({{"", "timed", "out"}, 9});
-  columns.push_back(outside_column());
-  return columns;
+void add_points(Columns<Point>& columns) {
+  add_way_of_messages(
+      columns, {}, [](const Point& p, std::size_t) { return together(p); },
+      [](const Point& p, std::size_t) { return relayed_together(p); });
+  add_age_columns(columns,
+                  {.prefix = "total_",
+                   .mean_is = "mean age of what the base station knows of all devices",
+                   .where = "at base"},
+                  [](const Point& p, std::size_t) { return relayed_together(p).age; });
 }
 
-/// Of all devices of a point together.
-void add_total_ages(Dataset& data, const std::vector<GuardPoint>& points) {
-  std::vector<double> means, p95s, unknown;
-  for (const GuardPoint& point : points) {
-    const AgeCounts age = together(point).age;
-    means.push_back(age.mean_s());
-    p95s.push_back(age.quantile_s(high_share));
-    unknown.push_back(age.unknown_share());
-  }
-  const auto add = [&](VariableFacts facts, std::vector<double> values) {
-    data.variables.push_back({std::move(facts), true, {}, std::move(values)});
+void add_devices(Columns<Point>& columns) {
+  columns.words({}, [](const Point& p, std::size_t i) { return p.senders[i].name; })
+      .on({"device"})
+      .headed({{"", "", "device"}, -6});
+  columns.words({}, [](const Point& p, std::size_t i) { return p.variables[i]; })
+      .on({"device"})
+      .headed({{"", "", "variable"}, -8});
+  add_way_of_messages(
+      columns, {"device"},
+      [](const Point& p, std::size_t i) -> const SenderTally& { return p.tally.senders[i]; },
+      mirror_of);
+  const auto count = [&](VariableFacts facts, std::uint64_t MirrorTally::*member) {
+    columns
+        .count(std::move(facts),
+               [=](const Point& p, std::size_t i) { return mirror_of(p, i).*member; })
+        .on({"device"});
   };
-  add({"total_age_mean_s", "s", "age_mean_s of all devices together"}, std::move(means));
-  add({"total_age_p95_s", "s", "age_p95_s of all devices together"}, std::move(p95s));
-  add({"total_unknown_share", "1", "unknown_share of all devices together"}, std::move(unknown));
+  count({"n_replaced", "1", "messages replaced before they were passed on"},
+        &MirrorTally::n_replaced);
+  count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &MirrorTally::n_lost);
+  count({"n_known", "1", "messages that the base station got to know"}, &MirrorTally::n_known);
+  add_age_columns(columns,
+                  {.prefix = "",
+                   .mean_is = "mean age of what the base station knows",
+                   .where = "at base",
+                   .over = {"device"},
+                   .drawn = DrawnColumn{"Age of what the base station knows", "mean age [s]"}},
+                  [](const Point& p, std::size_t i) { return mirror_of(p, i).age; });
 }
 
-std::vector<TextColumn> device_columns(std::size_t name_width) {
-  std::vector<TextColumn> columns{
-      {{"", "", "device"}, -static_cast<int>(std::max<std::size_t>(name_width, 6))},
-      {{"", "", "variable"}, -8},
-      {{"", "", "messages"}, 9},
-      {{"heard by", "the", "guard"}, 9},
-      {{"known", "to the", "base"}, 9}};
-  add_age_columns(columns);
+void add_line(Columns<Point>& columns) {
+  const auto count = [&](VariableFacts facts, std::uint64_t GuardTally::*member) -> Column<Point>& {
+    return columns.count(std::move(facts), [=](const Point& p) { return p.relayed.*member; });
+  };
+  count({"n_shared_messages_sent", "1", "SharedLink messages sent by guard and base"},
+        &GuardTally::n_sent);
+  count({"n_shared_messages_accepted", "1", "of those, accepted"}, &GuardTally::n_accepted);
+  count({"n_queries", "1", "questions that the base station asked"}, &GuardTally::n_asked)
+      .headed({{"questions", "", "asked"}, 9});
+  count({"n_queries_answered", "1", "of those, answered"}, &GuardTally::n_answered)
+      .headed({{"", "", "answered"}, 9});
+  count({"n_queries_timed_out", "1", "of those, without an answer in time"},
+        &GuardTally::n_timed_out)
+      .headed({{"", "timed", "out"}, 9});
+}
+
+Columns<Point> made_columns() {
+  Columns<Point> columns;
+  columns.add_stored(arena_variables());
+  add_points(columns);
+  add_devices(columns);
+  add_line(columns);
+  add_outside(columns);
   return columns;
+}
+
+std::string details(const LoadedScenario& scenario, const Point& point) {
+  return element_table(guard_columns(), "device", point) + "\n" + guard_waterfall(point) + "\n" +
+         way_table(point_scenario(scenario, point.coordinates), point);
 }
 
 }  // namespace
 
-std::string percent_text(double share) {
-  return std::isnan(share) ? "-" : fmt::format("{:.1f} %", 100 * share);
-}
-
-std::string guard_header(const LoadedScenario& scenario) {
-  return table_head(point_columns(scenario.sweep));
-}
-
-std::string guard_row(const LoadedScenario& scenario, const GuardPoint& point) {
-  const SenderTally sent = together(point.arena);
-  const MirrorTally mirror = together(point);
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.arena.coordinates);
-  for (const std::uint64_t n : {sent.messages(), sent[FrameFate::delivered], mirror.n_known})
-    texts.push_back(fmt::format("{}", n));
-  add_ages(texts, mirror.age);
-  for (const std::uint64_t n :
-       {point.tally.n_asked, point.tally.n_answered, point.tally.n_timed_out})
-    texts.push_back(fmt::format("{}", n));
-  texts.push_back(outside_mark(point.arena.outside));
-  return table_line(point_columns(scenario.sweep), texts);
-}
-
-std::string mirror_table(const GuardPoint& point) {
-  std::size_t width = 0;
-  for (const SenderFacts& sender : point.arena.senders) width = std::max(width, sender.name.size());
-  const auto columns = device_columns(width);
-  std::string table = table_head(columns);
-  for (std::size_t i = 0; i < point.variables.size(); ++i) {
-    const SenderTally& sent = point.arena.tally.senders[i];
-    const MirrorTally& mirror = point.tally.mirrors[i];
-    std::vector<std::string> texts{point.arena.senders[i].name, point.variables[i]};
-    for (const std::uint64_t n : {sent.messages(), sent[FrameFate::delivered], mirror.n_known})
-      texts.push_back(fmt::format("{}", n));
-    add_ages(texts, mirror.age);
-    table += table_line(columns, texts);
-  }
-  return table;
+const Columns<GuardPoint>& guard_columns() {
+  static const Columns<GuardPoint> columns = made_columns();
+  return columns;
 }
 
 std::string guard_waterfall(const GuardPoint& point) {
-  const SenderTally sent = together(point.arena);
-  const MirrorTally mirror = together(point);
+  const SenderTally sent = together(point);
+  const MirrorTally mirror = relayed_together(point);
   std::vector<LossStage> stages = loss_stages(sent);
   stages.push_back({"replaced by a newer one", mirror.n_replaced});
   stages.push_back({"SharedLink", mirror.n_lost});
   return waterfall(sent.messages(), stages, "known to the base station");
 }
 
-Dataset guard_dataset(const LoadedScenario& scenario, const std::string& command,
-                      const std::vector<GuardPoint>& points) {
-  std::vector<ArenaPoint> arenas;
-  for (const GuardPoint& point : points) arenas.push_back(point.arena);
-  Dataset data = arena_dataset(scenario, command, arenas);
-  const auto mirror_of = [&](std::size_t point, std::size_t device) -> const MirrorTally& {
-    return points[point].tally.mirrors[device];
-  };
-  add_device_counts(data, arenas, "n_replaced", "messages replaced before they were passed on",
-                    [&](std::size_t p, std::size_t i) { return mirror_of(p, i).n_replaced; });
-  add_device_counts(data, arenas, "n_sharedlink_lost", "messages lost between guard and base",
-                    [&](std::size_t p, std::size_t i) { return mirror_of(p, i).n_lost; });
-  add_device_counts(data, arenas, "n_known", "messages that the base station got to know",
-                    [&](std::size_t p, std::size_t i) { return mirror_of(p, i).n_known; });
-  add_device_reals(data, arenas, {"age_mean_s", "s", "mean age of what the base station knows"},
-                   [&](std::size_t p, std::size_t i) { return mirror_of(p, i).age.mean_s(); });
-  add_device_reals(
-      data, arenas, {"age_p95_s", "s", "age that 95 % of the time is not exceeded"},
-      [&](std::size_t p, std::size_t i) { return mirror_of(p, i).age.quantile_s(high_share); });
-  add_device_reals(
-      data, arenas, {"unknown_share", "1", "share of time in which nothing is known"},
-      [&](std::size_t p, std::size_t i) { return mirror_of(p, i).age.unknown_share(); });
-  add_total_ages(data, points);
-  const std::pair<const char*, std::uint64_t GuardTally::*> counts[] = {
-      {"n_shared_messages_sent", &GuardTally::n_sent},
-      {"n_shared_messages_accepted", &GuardTally::n_accepted},
-      {"n_queries", &GuardTally::n_asked},
-      {"n_queries_answered", &GuardTally::n_answered},
-      {"n_queries_timed_out", &GuardTally::n_timed_out}};
-  for (const auto& [name, member] : counts) {
-    std::vector<std::int64_t> values;
-    for (const GuardPoint& point : points)
-      values.push_back(static_cast<std::int64_t>(point.tally.*member));
-    data.variables.push_back({{name, "1", "SharedLink between guard and base"}, true, {}, values});
-  }
-  return data;
-}
+constinit const PointReport<GuardPoint> guard_report{guard_columns, details};
 
 }  // namespace sim

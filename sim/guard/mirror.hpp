@@ -11,9 +11,9 @@
 #include "dsp/philox.hpp"
 #include "dsp/units.hpp"
 #include "sim/arena/arena_tally.hpp"
+#include "sim/guard/guard_settings.hpp"
 #include "sim/guard/guard_tally.hpp"
 #include "sim/guard/serial_line.hpp"
-#include "sim/scenario/guard_settings.hpp"
 
 namespace sim {
 

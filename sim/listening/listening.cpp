@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/listening/listening_settings.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/trial/drawn_trials.hpp"
 
@@ -60,17 +61,17 @@ ListeningTally tally_of(const Link& link, const Transmission& sent, const Recept
 
 Scenario with_air(const Scenario& scenario) {
   Scenario s = scenario;
-  if (s.listening.air == ListeningSettings{}.air) return s;
+  if (s.settings.of<ListeningSettings>().air == ListeningSettings{}.air) return s;
   DisturbanceSettings& air = s.disturbances[air_name];
-  air.kind = s.listening.air;
+  air.kind = s.settings.of<ListeningSettings>().air;
   take_defaults(air);
   return s;
 }
 
 Listening make_listening(const Scenario& scenario) {
   return {.judged = {make_link(with_air(scenario)), dsp::Hertz(scenario.device.baud)},
-          .device_sends = scenario.listening.device_sends != 0,
-          .duration = Seconds(scenario.listening.duration_s)};
+          .device_sends = scenario.settings.of<ListeningSettings>().device_sends != 0,
+          .duration = Seconds(scenario.settings.of<ListeningSettings>().duration_s)};
 }
 
 Transmission line_of(const Listening& listening, std::uint32_t run) {

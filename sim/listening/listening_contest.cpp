@@ -1,4 +1,5 @@
 #include "sim/listening/listening_contest.hpp"
+#include "sim/listening/listening_settings.hpp"
 
 #include <limits>
 
@@ -73,7 +74,7 @@ ListeningContestPoint listening_contest(const LoadedScenario& scenario, std::siz
   refuse_marker(scenario, at.device.message);
   const Listening listening = make_listening(at);
   RunSharing<OfDecoders> sharing(
-      {.runs = static_cast<std::uint32_t>(at.listening.runs),
+      {.runs = static_cast<std::uint32_t>(at.settings.of<ListeningSettings>().runs),
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},
       [&](std::uint32_t first, int n) {

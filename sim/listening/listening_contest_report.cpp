@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/listening/listening_contest.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/text_table.hpp"
 
 namespace sim {
 namespace {

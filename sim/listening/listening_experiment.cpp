@@ -6,6 +6,7 @@
 #include "sim/counting/event_rate.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
+#include "sim/listening/listening_settings.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/places.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -30,7 +31,8 @@ void check_air(const Scenario& scenario, const Places& places) {
     if (is_keyed(d) && rate < 4 * d.carrier_hz)
       throw bad_input(
           fmt::format("listening.air = \"{}\" {} with simulation.sample_rate_hz = {} {}",
-                      scenario.listening.air, place_of(places, "listening.air"), rate,
+                      scenario.settings.of<ListeningSettings>().air,
+                      place_of(places, "listening.air"), rate,
                       place_of(places, "simulation.sample_rate_hz")),
           "a carrier period takes at least 4 samples",
           fmt::format("raise simulation.sample_rate_hz to {}", 4 * d.carrier_hz));

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "sim/listening/listening_report.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_shares.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -62,21 +63,16 @@ std::vector<DatasetColumn> columns(bool of_sender) {
   return columns;
 }
 
-void add_rate_chart(ReportPart& part, const Dataset& data, const std::string& name,
-                    const std::string& title) {
-  add_chart(part, swept_chart(data, {.name = name,
-                                     .title = title,
-                                     .label = title + " an hour of line",
-                                     .logarithmic = true}));
-}
-
 }  // namespace
 
 ReportPart listening_part(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportPart part{name, data.title, size_of(data) + rates_of(data) + missing_points(stored)};
-  add_rate_chart(part, data, "false_per_hour", "False accepts");
-  if (has_sender(data)) add_rate_chart(part, data, "undetected_per_hour", "Undetected errors");
+  const auto add_rate = [&](const char* rate) {
+    add_chart(part, swept_chart(data, drawn_column(listening_columns(), rate)));
+  };
+  add_rate("false_per_hour");
+  if (has_sender(data)) add_rate("undetected_per_hour");
   part.sections.push_back(shares_section(
       "lines",
       point_shares(data, "What became of the lines that ended",

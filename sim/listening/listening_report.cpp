@@ -1,72 +1,100 @@
 #include "sim/listening/listening_report.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <limits>
+#include <utility>
 
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/outside_report.hpp"
-#include "sim/report/point_report.hpp"
-#include "sim/report/text_table.hpp"
+#include "sim/columns/outside_column.hpp"
+#include "sim/listening/listening_settings.hpp"
 
 namespace sim {
 namespace {
 
+using Point = ListeningPoint;
+
 bool may_send(const LoadedScenario& scenario) {
-  return scenario.base.listening.device_sends != 0 ||
+  return scenario.base.settings.of<ListeningSettings>().device_sends != 0 ||
          std::ranges::find(scenario.sweep, "listening.device_sends", &Axis::key) !=
              scenario.sweep.end();
 }
 
-std::vector<TextColumn> columns_of(const LoadedScenario& scenario) {
-  std::vector<TextColumn> columns = axis_columns(scenario.sweep);
-  columns.push_back({{"hours", "of line", "[h]"}, 8});
-  columns.push_back({{"", "characters", "read"}, number_width});
-  columns.push_back({{"", "lines", "refused"}, 8});
-  if (may_send(scenario)) {
-    columns.push_back({{"messages", "", "sent"}, 8});
-    columns.push_back({{"", "", "delivered"}, 9});
-    columns.push_back({{"undetected", "", "errors"}, number_width});
-    columns.push_back({{"undetected errors", "[1/h]", "[interval]"}, -estimate_width});
-  }
-  columns.push_back({{"", "false", "accepts"}, 8});
-  columns.push_back({{"false accepts", "[1/h]", "[interval]"}, -estimate_width});
-  columns.push_back(outside_column());
+Column<Point>& add_count(Columns<Point>& columns, VariableFacts facts,
+                         std::uint64_t ListeningTally::*count, TextColumn heading = {{}, 0}) {
+  return columns.count(std::move(facts), [count](const Point& p) { return p.tally.*count; })
+      .headed(std::move(heading));
+}
+
+void add_line(Columns<Point>& columns) {
+  using T = ListeningTally;
+  add_count(columns, {"n_runs", "1", "runs"}, &T::n_runs);
+  columns.real({"line_h", "h", "time listened to the line"}, [](const Point& p) { return p.hours; })
+      .headed({{"hours", "of line", "[h]"}, 8});
+}
+
+/// Where the device may send.
+void add_sent(Columns<Point>& columns) {
+  using T = ListeningTally;
+  add_count(columns, {"n_frames", "1", "messages that the device sent"}, &T::n_frames,
+            {{"messages", "", "sent"}, 8})
+      .shown_if(may_send);
+  add_count(columns, {"n_frames_ok", "1", "messages accepted as sent"}, &T::n_frames_ok,
+            {{"", "", "delivered"}, 9})
+      .shown_if(may_send);
+  add_count(columns, {"n_frames_undetected", "1", "messages accepted while another was sent"},
+            &T::n_frames_undetected, {{"undetected", "", "errors"}, number_width})
+      .shown_if(may_send);
+  columns
+      .ratio({"undetected_per_hour", "1/h",
+              "messages accepted while another was sent per hour of line"},
+             [](const Point& p) { return p.undetected_per_hour(); })
+      .headed({{"undetected errors", "[1/h]", "[interval]"}, -estimate_width})
+      .drawn({"Undetected errors", "Undetected errors an hour of line", true})
+      .shown_if(may_send);
+}
+
+void add_false(Columns<Point>& columns) {
+  using T = ListeningTally;
+  add_count(columns, {"n_frames_false", "1", "messages accepted while none was sent"},
+            &T::n_frames_false, {{"", "false", "accepts"}, 8});
+  columns
+      .ratio({"false_per_hour", "1/h", "messages accepted while none was sent per hour of line"},
+             [](const Point& p) { return p.false_per_hour(); })
+      .headed({{"false accepts", "[1/h]", "[interval]"}, -estimate_width})
+      .drawn({"False accepts", "False accepts an hour of line", true});
+}
+
+void add_light(Columns<Point>& columns) {
+  columns.real({"irradiance_mw_per_m2", "mW/m2", "light of the device, if it sends"},
+               [](const Point& p) {
+                 return p.tally.n_frames == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                              : p.operating.irradiance_mw_per_m2;
+               });
+  columns.real({"ambient_w_per_m2", "W/m2", "all steady light, means included"},
+               [](const Point& p) { return p.operating.ambient_w_per_m2; });
+}
+
+Columns<Point> made_columns() {
+  using T = ListeningTally;
+  Columns<Point> columns;
+  add_line(columns);
+  add_sent(columns);
+  add_false(columns);
+  add_count(columns, {"n_rejected", "1", "lines that ended and were refused"}, &T::n_rejected,
+            {{"", "lines", "refused"}, 8});
+  add_count(columns, {"n_characters", "1", "characters that the UART read"}, &T::n_characters,
+            {{"", "characters", "read"}, number_width});
+  add_light(columns);
+  add_outside(columns);
   return columns;
 }
 
 }  // namespace
 
-std::string listening_header(const LoadedScenario& scenario) {
-  return table_head(columns_of(scenario));
+const Columns<ListeningPoint>& listening_columns() {
+  static const Columns<ListeningPoint> columns = made_columns();
+  return columns;
 }
 
-std::string listening_row(const LoadedScenario& scenario, const ListeningPoint& point) {
-  const ListeningTally& tally = point.tally;
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
-  texts.push_back(fmt::format("{:.4g}", point.hours));
-  texts.push_back(fmt::format("{}", tally.n_characters));
-  texts.push_back(fmt::format("{}", tally.n_rejected));
-  if (may_send(scenario)) {
-    texts.push_back(fmt::format("{}", tally.n_frames));
-    texts.push_back(fmt::format("{}", tally.n_frames_ok));
-    texts.push_back(fmt::format("{}", tally.n_frames_undetected));
-    texts.push_back(estimate_text(point.undetected_per_hour()));
-  }
-  texts.push_back(fmt::format("{}", tally.n_frames_false));
-  texts.push_back(estimate_text(point.false_per_hour()));
-  texts.push_back(outside_mark(point.outside));
-  return table_line(columns_of(scenario), texts);
-}
-
-namespace {
-
-constexpr PointReport<ListeningPoint> listening_report{listening_header, listening_row, nullptr,
-                                                       listening_dataset};
-
-}  // namespace
-
-constinit const ExperimentEngine listening_engine =
-    experiment_engine<listening_measurement, listening_report>;
+constinit const PointReport<ListeningPoint> listening_report{listening_columns, nullptr};
 
 }  // namespace sim

@@ -29,10 +29,6 @@ struct Limit {
 
 const std::vector<Limit>& limits() {
   static const std::vector<Limit> table{
-      {find_key("device.interval_min_ms"), find_key("device.interval_max_ms"), 1,
-       "the shortest pause cannot exceed the longest"},
-      {find_key("exchange.interval_min_ms"), find_key("exchange.interval_max_ms"), 1,
-       "the shortest pause cannot exceed the longest"},
       {find_key("device.carrier_hz"), find_key("simulation.sample_rate_hz"), 4,
        "a carrier period takes at least 4 samples"},
       {find_key("module.centre_hz"), find_key("simulation.sample_rate_hz"), 4,
@@ -62,9 +58,22 @@ std::vector<Limit> limits_of(const std::string& name, const DisturbanceSettings&
   return limits;
 }
 
+/// Of all tables that have pauses.
+std::vector<Limit> limits_of_pauses() {
+  std::vector<Limit> limits;
+  for (const Key& shortest : scenario_keys()) {
+    const std::size_t end = shortest.name().rfind(".interval_min_ms");
+    if (end == std::string::npos) continue;
+    limits.push_back({&shortest, find_key(shortest.name().substr(0, end) + ".interval_max_ms"), 1,
+                      "the shortest pause cannot exceed the longest"});
+  }
+  return limits;
+}
+
 /// All limits of a scenario, whatever its numbers are.
 std::vector<Limit> limits_of(const Scenario& s) {
-  std::vector<Limit> all = limits();
+  std::vector<Limit> all = limits_of_pauses();
+  all.insert(all.end(), limits().begin(), limits().end());
   for (const auto& [name, disturbance] : s.disturbances)
     for (const Limit& limit : limits_of(name, disturbance)) all.push_back(limit);
   for (const auto& [name, device] : s.devices)

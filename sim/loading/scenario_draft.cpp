@@ -8,10 +8,10 @@
 #include <variant>
 
 #include "sim/failure.hpp"
-#include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/named_key.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/scenario/text_axis.hpp"
 #include "sim/text/list_text.hpp"

@@ -2,45 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "sim/location/trial_variables.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
 
+using Point = LocationPointRun;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Three NaNs where the readings bound nothing.
 ErrorEllipse bound_ellipse(const LocationTrials& result) {
   if (result.bound) return error_ellipse(*result.bound);
-  return {unset, unset, dsp::Radians(unset)};
+  return {unknown, unknown, dsp::Radians(unknown)};
 }
 
 double error_over_bound(const LocationTrials& result) {
   return result.rmse_m.value / result.bound_m();
-}
-
-std::vector<TextColumn> accuracy_columns(const LoadedScenario& scenario) {
-  std::vector<TextColumn> columns = axis_columns(scenario.sweep);
-  columns.push_back({{"", "rms error", "[m]"}, -estimate_width});
-  columns.push_back({{"Cramer-", "Rao", "[m]"}, 7});
-  columns.push_back({{"error", "over", "bound"}, 5});
-  columns.push_back({{"bound's 95 %", "ellipse, half", "axes [m by m]"}, 15});
-  columns.push_back({{"", "from +x", "[deg]"}, 7});
-  columns.push_back({{"truth in the", "95 % region", "[interval]"}, -estimate_width});
-  columns.push_back({{"", "", "located"}, 7});
-  columns.push_back({{"ambi-", "guous", ""}, 5});
-  columns.push_back({{"", "poor", "fit"}, 5});
-  columns.push_back({{"under-", "deter-", "mined"}, 6});
-  columns.push_back({{"not", "con-", "verged"}, 6});
-  return columns;
-}
-
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
 }
 
 std::string error_text(const Estimate& e) {
@@ -56,95 +41,123 @@ std::string ellipse_text(const ErrorEllipse& e) {
              : fmt::format("{:.2g} by {:.2g}", e.semi_major_m, e.semi_minor_m);
 }
 
-// ---- dataset ----
-
-void add_estimate(TrialVariables<LocationPointRun>& to, const VariableFacts& facts,
-                  Estimate LocationTrials::*member) {
-  to.real(facts, [=](const LocationTrials& r) { return (r.*member).value; });
-  to.real(
-      {facts.name + "_ci_low", facts.unit, "lower end of the interval of the " + facts.long_name},
-      [=](const LocationTrials& r) { return (r.*member).low; });
-  to.real(
-      {facts.name + "_ci_high", facts.unit, "upper end of the interval of the " + facts.long_name},
-      [=](const LocationTrials& r) { return (r.*member).high; });
+void add_error(Columns<Point>& columns) {
+  columns
+      .ratio(
+          {"rmse_m", "m", "rms error of the located ones"},
+          [](const Point& p) { return p.result->rmse_m; }, error_text)
+      .headed({{"", "rms error", "[m]"}, -estimate_width})
+      .drawn({"Error of location", "rms error [m] (dashed: Cramer-Rao bound)", true, "bound_m"});
 }
 
-void add_bound(TrialVariables<LocationPointRun>& to) {
-  to.real({"bound_m", "m", "root of the trace of the Cramer-Rao bound"},
-          [](const LocationTrials& r) { return r.bound_m(); });
-  to.real({"error_over_bound", "1", "rms error over that"}, error_over_bound);
-  to.real({"ellipse_major_m", "m", "longer half axis of the bound's 95 % ellipse"},
-          [](const LocationTrials& r) { return bound_ellipse(r).semi_major_m; });
-  to.real({"ellipse_minor_m", "m", "shorter half axis of the bound's 95 % ellipse"},
-          [](const LocationTrials& r) { return bound_ellipse(r).semi_minor_m; });
-  to.real({"ellipse_direction_deg", "degree", "direction of the longer one from +x"},
-          [](const LocationTrials& r) { return dsp::in_degrees(bound_ellipse(r).direction); });
+void add_bound(Columns<Point>& columns) {
+  columns
+      .real(
+          {"bound_m", "m", "root of the trace of the Cramer-Rao bound"},
+          [](const Point& p) { return p.result->bound_m(); }, significant(3))
+      .headed({{"Cramer-", "Rao", "[m]"}, 7});
+  columns
+      .real(
+          {"error_over_bound", "1", "rms error over that"},
+          [](const Point& p) { return error_over_bound(*p.result); }, significant(3))
+      .headed({{"error", "over", "bound"}, 5});
+  columns.words({}, [](const Point& p) { return ellipse_text(bound_ellipse(*p.result)); })
+      .headed({{"bound's 95 %", "ellipse, half", "axes [m by m]"}, 15});
+  columns.real({"ellipse_major_m", "m", "longer half axis of the bound's 95 % ellipse"},
+               [](const Point& p) { return bound_ellipse(*p.result).semi_major_m; });
+  columns.real({"ellipse_minor_m", "m", "shorter half axis of the bound's 95 % ellipse"},
+               [](const Point& p) { return bound_ellipse(*p.result).semi_minor_m; });
+  columns
+      .real(
+          {"ellipse_direction_deg", "degree", "direction of the longer one from +x"},
+          [](const Point& p) { return dsp::in_degrees(bound_ellipse(*p.result).direction); },
+          fixed(0))
+      .headed({{"", "from +x", "[deg]"}, 7});
 }
 
-void add_readings(TrialVariables<LocationPointRun>& to) {
-  to.knowns({"irradiance_mw_per_m2", "mW/m2", "light of the device at each receiver"}, "reading",
-            [](const LocationPointRun& p, std::size_t i) {
+void add_coverage(Columns<Point>& columns) {
+  columns.ratio({"coverage", "1",
+                 "share of the located ones with the truth in the ellipse of their covariance"},
+                [](const Point& p) { return p.result->coverage; });
+  columns
+      .ratio(
+          {"region_coverage", "1", "share of the located ones with the truth in their 95 % region"},
+          [](const Point& p) { return p.result->region_coverage; })
+      .headed({{"truth in the", "95 % region", "[interval]"}, -estimate_width})
+      .drawn({"Truth in the region", "share of the located ones"});
+}
+
+/// In the order of LocateOutcome.
+TextColumn outcome_heading(std::size_t outcome) {
+  static const std::array<TextColumn, LocationTrials::outcomes> headings{
+      {{{"", "", "located"}, 7},
+       {{"ambi-", "guous", ""}, 5},
+       {{"", "poor", "fit"}, 5},
+       {{"under-", "deter-", "mined"}, 6},
+       {{"not", "con-", "verged"}, 6}}};
+  return headings.at(outcome);
+}
+
+void add_outcomes(Columns<Point>& columns) {
+  columns
+      .count({"n_outcomes", "1", "trials by what they came to"},
+             [](const Point& p, std::size_t i) { return p.result->count[i]; })
+      .on({"outcome"})
+      .spread_as([](const Label&, std::size_t i) { return outcome_heading(i); });
+  columns.count(
+      {"n_covered", "1", "located ones with the truth in the ellipse of their covariance"},
+      [](const Point& p) { return p.result->covered; });
+  columns.count({"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
+                [](const Point& p) { return std::llround(p.result->squared_um2); });
+}
+
+void add_readings(Columns<Point>& columns) {
+  columns
+      .real({"irradiance_mw_per_m2", "mW/m2", "light of the device at each receiver"},
+            [](const Point& p, std::size_t i) {
               return p.settings.readings[i].irradiance_w_per_m2 * 1e3;
-            });
-  to.knowns({"sigma_mw_per_m2", "mW/m2", "standard deviation of its reading"}, "reading",
-            [](const LocationPointRun& p, std::size_t i) {
+            })
+      .known_before()
+      .on({"reading"});
+  columns
+      .real({"sigma_mw_per_m2", "mW/m2", "standard deviation of its reading"},
+            [](const Point& p, std::size_t i) {
               return p.settings.readings[i].deviation_w_per_m2 * 1e3;
-            });
+            })
+      .known_before()
+      .on({"reading"});
+}
+
+void add_dimensions(Columns<Point>& columns) {
+  columns.dimension({"outcome", "", "what locating came to"}, [](const Point&) {
+    return std::vector<Label>(locate_outcome_names().begin(), locate_outcome_names().end());
+  });
+  columns.dimension({"reading", "1", "number of the receiver or heading"}, [](const Point& p) {
+    std::vector<Label> numbers;
+    for (std::size_t i = 1; i <= p.settings.readings.size(); ++i)
+      numbers.emplace_back(static_cast<double>(i));
+    return numbers;
+  });
 }
 
 }  // namespace
 
-std::string accuracy_header(const LoadedScenario& scenario) {
-  return table_head(accuracy_columns(scenario));
+const Columns<LocationPointRun>& location_columns() {
+  static const Columns<LocationPointRun> columns = [] {
+    Columns<Point> made;
+    add_dimensions(made);
+    made.count({"n_trials", "1", "times that locating was tried"},
+               [](const Point& p) { return p.result->trials(); });
+    add_error(made);
+    add_bound(made);
+    add_coverage(made);
+    add_outcomes(made);
+    add_readings(made);
+    return made;
+  }();
+  return columns;
 }
 
-std::string accuracy_row(const LoadedScenario& scenario, const LocationPointRun& point) {
-  const LocationTrials& result = point.result.value();
-  const ErrorEllipse ellipse = bound_ellipse(result);
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
-  texts.push_back(error_text(result.rmse_m));
-  texts.push_back(number(result.bound_m()));
-  texts.push_back(number(error_over_bound(result)));
-  texts.push_back(ellipse_text(ellipse));
-  texts.push_back(number(std::round(dsp::in_degrees(ellipse.direction))));
-  texts.push_back(estimate_text(result.region_coverage));
-  for (const std::uint64_t n : result.count) texts.push_back(fmt::format("{}", n));
-  return table_line(accuracy_columns(scenario), texts);
-}
-
-Dataset accuracy_dataset(const LoadedScenario& scenario, const std::string& command,
-                         const std::vector<LocationPointRun>& points) {
-  Dataset data = dataset_of(scenario, command);
-  data.dimensions.push_back({{"outcome", "", "what locating came to"}, locate_outcome_names()});
-  std::vector<double> numbers(points.front().settings.readings.size());
-  std::iota(numbers.begin(), numbers.end(), 1);
-  data.dimensions.push_back({{"reading", "1", "number of the receiver or heading"}, numbers});
-  for (const LocationPointRun& point : points)
-    data.n_runs += point.result ? point.result->trials() : 0;
-  TrialVariables<LocationPointRun> to(data, points);
-  to.count({"n_trials", "1", "times that locating was tried"}, [](const LocationPointRun& p) {
-    return p.result ? static_cast<std::int64_t>(p.result->trials()) : 0;
-  });
-  to.counts({"n_outcomes", "1", "trials by what they came to"}, "outcome",
-            [](const LocationTrials& r, std::size_t i) { return r.count[i]; });
-  to.count({"n_covered", "1", "located ones with the truth in the ellipse of their covariance"},
-           [](const LocationPointRun& p) {
-             return p.result ? static_cast<std::int64_t>(p.result->covered) : 0;
-           });
-  to.count(
-      {"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
-      [](const LocationPointRun& p) { return p.result ? std::llround(p.result->squared_um2) : 0; });
-  add_estimate(to, {"rmse_m", "m", "rms error of the located ones"}, &LocationTrials::rmse_m);
-  add_bound(to);
-  add_estimate(to,
-               {"coverage", "1",
-                "share of the located ones with the truth in the ellipse of their covariance"},
-               &LocationTrials::coverage);
-  add_estimate(
-      to, {"region_coverage", "1", "share of the located ones with the truth in their 95 % region"},
-      &LocationTrials::region_coverage);
-  add_readings(to);
-  return data;
-}
+constinit const PointReport<LocationPointRun> location_report{location_columns, nullptr};
 
 }  // namespace sim

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/loading/point_scenario.hpp"
+#include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_parts.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/page/dataset_cells.hpp"
@@ -206,15 +207,10 @@ struct HeldShare {
 };
 
 void add_location_charts(ReportPart& part, const Dataset& data) {
-  add_chart(part, swept_chart(data, {.name = "rmse_m",
-                                     .title = "Error of location",
-                                     .label = "rms error [m] (dashed: Cramer-Rao bound)",
-                                     .logarithmic = true,
-                                     .theory = "bound_m"}));
+  add_chart(part, swept_chart(data, drawn_column(location_columns(), "rmse_m")));
   const HeldShare held(data);
-  add_chart(part, swept_chart(data, {.name = held.variable(),
-                                     .title = "Truth in the " + held.of(),
-                                     .label = "share of the located ones"}));
+  add_chart(part, swept_chart(data, {held.variable(),
+                                     {"Truth in the " + held.of(), "share of the located ones"}}));
 }
 
 }  // namespace

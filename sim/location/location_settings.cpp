@@ -1,4 +1,5 @@
 #include "sim/location/location_settings.hpp"
+#include "sim/location/scenario_settings.hpp"
 #include "sim/scenario/places.hpp"
 
 #include <fmt/format.h>
@@ -27,8 +28,8 @@ LightModel model_of(const Scenario& s) {
                                          s.led.temperature_c);
   model.led_celsius = s.led.temperature_c;
   model.led_height_m = s.led.height_mm * 1e-3;
-  model.all_round = std::isnan(s.location.device_yaw_deg);
-  if (!model.all_round) model.yaw = dsp::degrees(s.location.device_yaw_deg);
+  model.all_round = std::isnan(s.settings.of<LocationScenario>().device_yaw_deg);
+  if (!model.all_round) model.yaw = dsp::degrees(s.settings.of<LocationScenario>().device_yaw_deg);
   model.elevation = dsp::degrees(s.led.elevation_deg);
   model.directivity.cosine_power = channel::cosine_power(dsp::degrees(s.photodiode.half_angle_deg));
   model.floor = s.floor;
@@ -68,14 +69,15 @@ Reading reading_at(const Scenario& s, double x, double y, double heading_deg) {
                       .z = s.receiver.height_mm * 1e-3,
                       .yaw = dsp::degrees(heading_deg + s.receiver.yaw_deg),
                       .elevation = dsp::degrees(s.receiver.tilt_deg)};
-  if (!std::isnan(s.location.bearing_sigma_deg))
-    reading.bearing_deviation = dsp::degrees(s.location.bearing_sigma_deg);
+  if (!std::isnan(s.settings.of<LocationScenario>().bearing_sigma_deg))
+    reading.bearing_deviation = dsp::degrees(s.settings.of<LocationScenario>().bearing_sigma_deg);
   return reading;
 }
 
 void refuse_too_near(const std::vector<Reading>& readings, const Scenario& s,
                      const Places& places) {
-  const Position device{s.location.device_x_m, s.location.device_y_m};
+  const Position device{s.settings.of<LocationScenario>().device_x_m,
+                        s.settings.of<LocationScenario>().device_y_m};
   const double nearest = nearest_receiver(readings, device);
   if (nearest >= least_distance_m) return;
   throw bad_input(
@@ -86,15 +88,18 @@ void refuse_too_near(const std::vector<Reading>& readings, const Scenario& s,
 }
 
 std::vector<Reading> readings_of(const Scenario& s, const LightModel& model, const Places& places) {
-  const ReceiverPlaces at(s.location, places);
+  const ReceiverPlaces at(s.settings.of<LocationScenario>(), places);
   std::vector<Reading> readings;
   for (std::size_t i = 0; i < at.x.size(); ++i)
     readings.push_back(reading_at(s, at.x[i], at.y[i], at.heading[i]));
   refuse_too_near(readings, s, places);
-  readings = noiseless_readings(model, readings, {s.location.device_x_m, s.location.device_y_m});
+  readings = noiseless_readings(
+      model, readings,
+      {s.settings.of<LocationScenario>().device_x_m, s.settings.of<LocationScenario>().device_y_m});
   for (Reading& reading : readings)
-    reading.deviation_w_per_m2 = std::hypot(s.location.relative_sigma * reading.irradiance_w_per_m2,
-                                            s.location.sigma_mw_per_m2 * 1e-3);
+    reading.deviation_w_per_m2 =
+        std::hypot(s.settings.of<LocationScenario>().relative_sigma * reading.irradiance_w_per_m2,
+                   s.settings.of<LocationScenario>().sigma_mw_per_m2 * 1e-3);
   return readings;
 }
 
@@ -118,11 +123,12 @@ Area area_of(const std::vector<double>& numbers, const std::string& problem) {
 LocationTrialsSettings location_settings(const Scenario& s, const Places& places) {
   LocationTrialsSettings settings;
   settings.locate.model = model_of(s);
-  settings.locate.intensity_unknown = s.location.intensity_unknown != 0;
-  settings.locate.area = scenario_area(s.location, places);
-  settings.truth = {s.location.device_x_m, s.location.device_y_m};
+  settings.locate.intensity_unknown = s.settings.of<LocationScenario>().intensity_unknown != 0;
+  settings.locate.area = scenario_area(s.settings.of<LocationScenario>(), places);
+  settings.truth = {s.settings.of<LocationScenario>().device_x_m,
+                    s.settings.of<LocationScenario>().device_y_m};
   settings.readings = readings_of(s, settings.locate.model, places);
-  settings.trials = static_cast<std::uint32_t>(s.location.trials);
+  settings.trials = static_cast<std::uint32_t>(s.settings.of<LocationScenario>().trials);
   settings.seed = static_cast<std::uint64_t>(s.simulation.seed);
   settings.point = point_hash(s);
   check_readings(settings.locate, settings.readings);

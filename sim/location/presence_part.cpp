@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/location/location_parts.hpp"
+#include "sim/location/presence_report.hpp"
 #include "sim/page/curve_span.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/dataset_words.hpp"
@@ -122,16 +123,13 @@ std::string roc_note(const Dataset& data) {
 }
 
 void add_presence_charts(ReportPart& part, const Dataset& data) {
-  const DrawnVariable detection{.name = "p_detection",
-                                .title = "Detection",
-                                .label = "probability of detection",
-                                .theory = "p_detection_theory"};
+  const DrawnVariable detection = drawn_column(presence_columns(), "p_detection");
   const std::optional<Chart> swept = swept_chart(data, detection);
   part.verdict += detection_words(data, swept);
   add_chart(part, swept);
   if (measured_points(data).size() > most_curves) return;
   DrawnVariable roc = detection;
-  roc.title = "Receiver operating characteristic (ROC)";
+  roc.how.title = "Receiver operating characteristic (ROC)";
   add_chart(part, dimension_chart(data, roc));
 }
 

@@ -3,21 +3,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "channel/photodiode.hpp"
-#include "sim/location/trial_variables.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/text_table.hpp"
-#include "sim/text/number_text.hpp"
+#include "sim/columns/columns_table.hpp"
 
 namespace sim {
 namespace {
 
-double irradiance_mw_per_m2(const PresencePointRun& point) {
-  return point.settings.light.signal.value * 1e3;
-}
+using Point = PresencePointRun;
 
-double photocurrent_na(const PresencePointRun& point) {
+double irradiance_mw_per_m2(const Point& point) { return point.settings.light.signal.value * 1e3; }
+
+double photocurrent_na(const Point& point) {
   return channel::photocurrent(point.settings.meter.photodiode, point.settings.light.signal).value *
          1e9;
 }
@@ -35,123 +35,123 @@ double samples_summed(const PresenceSettings& s) {
   return s.detector == Detector::dc_difference ? n * m / (n + m) : n;
 }
 
-bool is_coarse(const PresencePointRun& point) {
+bool is_coarse(const Point& point) {
   const double noise = point.result->noise_over_step;
   return noise < least_noise_in_steps ||
          noise * std::sqrt(samples_summed(point.settings)) < least_values_in_noise;
 }
 
-std::string outside_text(const PresencePointRun& point) {
+std::string outside_text(const Point& point) {
   if (point.result->clipped > 0) return "clipped";
   return is_coarse(point) ? "steps" : "";
 }
 
-std::vector<TextColumn> presence_columns(const LoadedScenario& scenario) {
-  std::vector<TextColumn> columns = axis_columns(scenario.sweep);
-  columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
-  columns.push_back({{"photo-", "current", "[nA]"}, number_width});
-  columns.push_back({{"noise", "[steps", "of ADC]"}, 7});
-  for (const double pfa :
-       parse_values(scenario.base.presence.false_alarm, "presence.false_alarm")) {
-    columns.push_back({{"", fmt::format("Pd at Pfa = {:g}", pfa), "[interval]"}, -estimate_width});
-    columns.push_back({{"", "in", "theory"}, 7});
-  }
-  columns.push_back({{"closed", "form", "outside"}, -7});
+// ---- a point ----
+
+void add_light(Columns<Point>& columns) {
+  columns
+      .real({"irradiance_mw_per_m2", "mW/m2", "light of the device at the photodiode"},
+            irradiance_mw_per_m2)
+      .known_before()
+      .headed({{"", "irradiance", "[mW/m2]"}, number_width});
+  columns.real({"photocurrent_na", "nA", "photocurrent of it while lit"}, photocurrent_na)
+      .known_before()
+      .headed({{"photo-", "current", "[nA]"}, number_width});
+}
+
+void add_noise(Columns<Point>& columns) {
+  columns.real({"signal", "1", "mean of the statistic without noise, in units of the noise"},
+               [](const Point& p) { return p.result->signal; });
+  columns.real({"noise_v", "V", "noise of a sample without light, rounding included"},
+               [](const Point& p) { return p.result->noise_v; });
+  columns
+      .real(
+          {"noise_in_steps", "1", "the same over a step of the ADC; theory: from 0.5 on"},
+          [](const Point& p) { return p.result->noise_over_step; }, significant(3))
+      .headed({{"noise", "[steps", "of ADC]"}, 7});
+  columns.real({"clipped", "1", "share of all samples that are clipped; theory: none"},
+               [](const Point& p) { return p.result->clipped; });
+}
+
+// ---- the ROC ----
+
+/// "0.001"
+std::string pfa_text(const Label& label) { return fmt::format("{:g}", std::get<double>(label)); }
+
+template <class T>
+auto of_roc(T RocPoint::*member) {
+  return [member](const Point& p, std::size_t i) { return p.result->roc[i].*member; };
+}
+
+void add_roc_counts(Columns<Point>& columns) {
+  columns
+      .count({"n_false_alarms", "1", "windows without light above the threshold"},
+             of_roc(&RocPoint::false_alarms))
+      .on({"false_alarm"});
+  columns
+      .count({"n_detections", "1", "windows with light above the threshold"},
+             of_roc(&RocPoint::detections))
+      .on({"false_alarm"});
+  columns
+      .real({"threshold", "1", "of the statistic, in units of the noise"},
+            of_roc(&RocPoint::threshold))
+      .on({"false_alarm"});
+}
+
+void add_roc_ratios(Columns<Point>& columns) {
+  columns.words({}, [](const Point& p, std::size_t i) { return pfa_text(p.settings.pfa[i]); })
+      .on({"false_alarm"})
+      .headed({{"probability of", "false alarm,", "as set"}, 14});
+  columns
+      .ratio({"p_false_alarm", "1", "share of windows without light above the threshold"},
+             of_roc(&RocPoint::false_alarm))
+      .on({"false_alarm"})
+      .headed({{"", "counted", "[interval]"}, -estimate_width});
+  columns
+      .ratio({"p_detection", "1", "share of windows with light above the threshold"},
+             of_roc(&RocPoint::detection))
+      .on({"false_alarm"})
+      .headed({{"probability of", "detection, counted", "[interval]"}, -estimate_width})
+      .spread_as([](const Label& pfa, std::size_t) {
+        return TextColumn{{"", "Pd at Pfa = " + pfa_text(pfa), "[interval]"}, -estimate_width};
+      })
+      .drawn({"Detection", "probability of detection", false, "p_detection_theory"});
+  columns
+      .real({"p_detection_theory", "1", "probability of detection by the closed form"},
+            of_roc(&RocPoint::detection_theory), fixed(4))
+      .on({"false_alarm"})
+      .headed({{"", "in", "theory"}, 7})
+      .spread_as([](const Label&, std::size_t) {
+        return TextColumn{{"", "in", "theory"}, 7};
+      });
+}
+
+Columns<Point> made_columns() {
+  Columns<Point> columns;
+  columns.dimension({"false_alarm", "1", "probability of false alarm, as set"}, [](const Point& p) {
+    return std::vector<Label>(p.settings.pfa.begin(), p.settings.pfa.end());
+  });
+  columns.count({"n_trials", "1", "windows with and windows without light"},
+                [](const Point& p) { return p.result->trials; });
+  add_light(columns);
+  add_noise(columns);
+  add_roc_counts(columns);
+  add_roc_ratios(columns);
+  columns.words({}, outside_text).headed({{"closed", "form", "outside"}, -7});
   return columns;
 }
 
-std::vector<TextColumn> roc_columns() {
-  return {{{"probability of", "false alarm,", "as set"}, 14},
-          {{"", "counted", "[interval]"}, -estimate_width},
-          {{"probability of", "detection, counted", "[interval]"}, -estimate_width},
-          {{"", "in", "theory"}, 7}};
-}
-
-// ---- dataset ----
-
-void add_point_variables(TrialVariables<PresencePointRun>& to) {
-  to.count({"n_trials", "1", "windows with and windows without light"},
-           [](const PresencePointRun& p) { return p.result ? std::int64_t{p.result->trials} : 0; });
-  to.known({"irradiance_mw_per_m2", "mW/m2", "light of the device at the photodiode"},
-           irradiance_mw_per_m2);
-  to.known({"photocurrent_na", "nA", "photocurrent of it while lit"}, photocurrent_na);
-  to.real({"signal", "1", "mean of the statistic without noise, in units of the noise"},
-          [](const PresenceResult& r) { return r.signal; });
-  to.real({"noise_v", "V", "noise of a sample without light, rounding included"},
-          [](const PresenceResult& r) { return r.noise_v; });
-  to.real({"noise_in_steps", "1", "the same over a step of the ADC; theory: from 0.5 on"},
-          [](const PresenceResult& r) { return r.noise_over_step; });
-  to.real({"clipped", "1", "share of all samples that are clipped; theory: none"},
-          [](const PresenceResult& r) { return r.clipped; });
-}
-
-void add_probability(TrialVariables<PresencePointRun>& to, const std::string& name,
-                     const std::string& what, Estimate RocPoint::*member) {
-  const auto add = [&](const std::string& suffix, const std::string& of, double Estimate::*part) {
-    to.reals({name + suffix, "1", of + what}, "false_alarm",
-             [=](const PresenceResult& r, std::size_t i) { return r.roc[i].*member.*part; });
-  };
-  add("", "", &Estimate::value);
-  add("_ci_low", "lower end of the interval of the ", &Estimate::low);
-  add("_ci_high", "upper end of the interval of the ", &Estimate::high);
-}
-
-void add_roc_variables(TrialVariables<PresencePointRun>& to) {
-  to.counts({"n_false_alarms", "1", "windows without light above the threshold"}, "false_alarm",
-            [](const PresenceResult& r, std::size_t i) { return r.roc[i].false_alarms; });
-  to.counts({"n_detections", "1", "windows with light above the threshold"}, "false_alarm",
-            [](const PresenceResult& r, std::size_t i) { return r.roc[i].detections; });
-  to.reals({"threshold", "1", "of the statistic, in units of the noise"}, "false_alarm",
-           [](const PresenceResult& r, std::size_t i) { return r.roc[i].threshold; });
-  add_probability(to, "p_false_alarm", "share of windows without light above the threshold",
-                  &RocPoint::false_alarm);
-  add_probability(to, "p_detection", "share of windows with light above the threshold",
-                  &RocPoint::detection);
-  to.reals({"p_detection_theory", "1", "probability of detection by the closed form"},
-           "false_alarm",
-           [](const PresenceResult& r, std::size_t i) { return r.roc[i].detection_theory; });
+std::string details(const LoadedScenario&, const Point& point) {
+  return element_table(presence_columns(), "false_alarm", point);
 }
 
 }  // namespace
 
-std::string presence_header(const LoadedScenario& scenario) {
-  return table_head(presence_columns(scenario));
+const Columns<PresencePointRun>& presence_columns() {
+  static const Columns<PresencePointRun> columns = made_columns();
+  return columns;
 }
 
-std::string presence_row(const LoadedScenario& scenario, const PresencePointRun& point) {
-  const PresenceResult& result = point.result.value();
-  std::vector<std::string> texts = coordinate_texts(scenario.sweep, point.coordinates);
-  texts.push_back(fmt::format("{:.4g}", irradiance_mw_per_m2(point)));
-  texts.push_back(fmt::format("{:.4g}", photocurrent_na(point)));
-  texts.push_back(fmt::format("{:.3g}", result.noise_over_step));
-  for (const RocPoint& roc : result.roc) {
-    texts.push_back(estimate_text(roc.detection));
-    texts.push_back(fmt::format("{:.4f}", roc.detection_theory));
-  }
-  texts.push_back(outside_text(point));
-  return table_line(presence_columns(scenario), texts);
-}
-
-std::string roc_table(const PresencePointRun& point) {
-  std::string table = table_head(roc_columns());
-  for (const RocPoint& roc : point.result.value().roc)
-    table += table_line(
-        roc_columns(), {fmt::format("{:g}", roc.pfa), estimate_text(roc.false_alarm),
-                        estimate_text(roc.detection), fmt::format("{:.4f}", roc.detection_theory)});
-  return table;
-}
-
-Dataset presence_dataset(const LoadedScenario& scenario, const std::string& command,
-                         const std::vector<PresencePointRun>& points) {
-  Dataset data = dataset_of(scenario, command);
-  data.dimensions.push_back(
-      {{"false_alarm", "1", "probability of false alarm, as set"}, points.front().settings.pfa});
-  for (const PresencePointRun& point : points)
-    data.n_runs += point.result ? point.result->trials : 0;
-  TrialVariables<PresencePointRun> variables(data, points);
-  add_point_variables(variables);
-  add_roc_variables(variables);
-  return data;
-}
+constinit const PointReport<PresencePointRun> presence_report{presence_columns, details};
 
 }  // namespace sim

@@ -1,4 +1,5 @@
 #include "sim/location/presence_settings.hpp"
+#include "sim/location/scenario_settings.hpp"
 #include "sim/scenario/places.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ constexpr double zero_celsius_k = 273.15;
 dsp::Hertz off_by(double nominal, double ppm) { return dsp::Hertz(nominal * (1 + ppm * 1e-6)); }
 
 channel::LightMeter meter_of(const Scenario& s) {
-  const PresenceScenario& p = s.presence;
+  const PresenceScenario& p = s.settings.of<PresenceScenario>();
   return {.photodiode = s.photodiode,
           .feedback_ohm = p.feedback_ohm,
           .temperature_k = s.receiver.temperature_c + zero_celsius_k,
@@ -81,7 +82,7 @@ std::vector<double> false_alarms(const PresenceScenario& p, const Places& places
 }
 
 std::optional<KeyedMessage> keyed_message(const Scenario& s) {
-  if (s.presence.keyed == 0) return std::nullopt;
+  if (s.settings.of<PresenceScenario>().keyed == 0) return std::nullopt;
   return KeyedMessage{.message = s.device.message,
                       .baud = off_by(s.device.baud, s.device.clock_error_ppm)};
 }
@@ -89,7 +90,7 @@ std::optional<KeyedMessage> keyed_message(const Scenario& s) {
 }  // namespace
 
 PresenceSettings presence_settings(const Scenario& s, const Places& places) {
-  const PresenceScenario& p = s.presence;
+  const PresenceScenario& p = s.settings.of<PresenceScenario>();
   PresenceSettings settings{
       .meter = meter_of(s),
       .light = metered_light(s),

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/report/estimate_text.hpp"
+#include "sim/columns/estimate_text.hpp"
 
 namespace sim {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/columns/text_table.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/report/swept_curves.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {

@@ -8,7 +8,6 @@
 
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/dataset_cells.hpp"
-#include "sim/result/place_text.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
 
@@ -85,10 +84,6 @@ std::vector<std::size_t> measured_points(const Dataset& data) {
   for (std::size_t i = 0; i < std::min(runs.size(), count_points(data.axes)); ++i)
     if (runs[i] > 0) measured.push_back(i);
   return measured;
-}
-
-std::string place_text(const Dataset& data, std::size_t point) {
-  return place_text(data.axes, point_coordinates(data.axes, point));
 }
 
 std::string plain_words(const std::string& name) {

@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "sim/result/dataset.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/result/stored_dataset.hpp"
 
 namespace sim {
 
 /// Points of which something is known: those with runs or trials.
 std::vector<std::size_t> measured_points(const Dataset& data);
-
-/// "receiver.range_m = 2 m"; empty of a single point.
-std::string place_text(const Dataset& data, std::size_t point);
 
 /// A name of the program as people say it: "poor_fit" is "poor fit".
 std::string plain_words(const std::string& name);

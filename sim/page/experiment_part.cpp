@@ -4,10 +4,10 @@
 
 #include <utility>
 
+#include "sim/columns/outside_column.hpp"
 #include "sim/page/dataset_cells.hpp"
 #include "sim/page/numbers_section.hpp"
 #include "sim/page/picture_sections.hpp"
-#include "sim/report/outside_report.hpp"
 
 namespace sim {
 namespace {
@@ -31,6 +31,10 @@ std::string marked_points(const Dataset& data) {
 
 void add_chart(ReportPart& part, std::optional<Chart> chart) {
   if (chart && !chart->curves.empty()) part.charts.push_back(std::move(*chart));
+}
+
+void add_charts(ReportPart& part, const Dataset& data, const std::vector<DrawnVariable>& drawn) {
+  for (const DrawnVariable& variable : drawn) add_chart(part, swept_chart(data, variable));
 }
 
 void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColumn> columns) {

@@ -14,6 +14,9 @@ namespace sim {
 /// Adds a chart, if there is one with a curve.
 void add_chart(ReportPart& part, std::optional<Chart> chart);
 
+/// Adds those of a dataset's drawn columns that it has.
+void add_charts(ReportPart& part, const Dataset& data, const std::vector<DrawnVariable>& drawn);
+
 /// The last sections: all numbers of the points, with marks where one leaves the range of a model,
 /// and the scenario.
 void add_closing(ReportPart& part, const Dataset& data, std::vector<DatasetColumn> columns);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/page/eye_diagram.hpp"
 #include "sim/page/frame_charts.hpp"
@@ -16,12 +18,10 @@
 #include "sim/page/verdict.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/report/closing_lines.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_rows.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/trace/trace_picture.hpp"

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/swept_curves.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/result/point_loss.hpp"
 
 namespace sim {

@@ -7,13 +7,13 @@
 #include <functional>
 #include <utility>
 
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/frame_statistics.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/result/unfinished.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/report/estimate_text.hpp"
+#include "sim/columns/estimate_text.hpp"
 
 namespace sim {
 namespace {

@@ -7,10 +7,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/page/reach_section.hpp"
 #include "sim/report/closing_lines.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"

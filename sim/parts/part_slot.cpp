@@ -24,8 +24,8 @@ bool always(const Scenario&) { return true; }
 bool is_a_module(const Scenario& s) { return !channel::is_matched(s.module); }
 
 template <auto member>
-PartSlot slot(std::string key, std::string folder, bool (*to_be_had)(const Scenario&)) {
-  return {std::move(key), std::move(folder), name_of<member>, copy_of<member>, to_be_had};
+PartSlot slot(std::string ending, std::string folder, bool (*to_be_had)(const Scenario&)) {
+  return {std::move(ending), std::move(folder), name_of<member>, copy_of<member>, to_be_had};
 }
 
 }  // namespace
@@ -35,9 +35,9 @@ const PartSlot& part_slot(const std::string& key) {
       slot<&Scenario::module>("receiver.module", module_keys().folder, is_a_module),
       slot<&Scenario::emitter>("led.part", led_keys().folder, always),
       slot<&Scenario::floor>("floor.part", floor_keys().folder, always),
-      slot<&Scenario::photodiode>("presence.photodiode", photodiode_keys().folder, always),
-      slot<&Scenario::photodiode>("location.photodiode", photodiode_keys().folder, always)};
-  const auto* const at = std::ranges::find(slots, key, &PartSlot::key);
+      slot<&Scenario::photodiode>(".photodiode", photodiode_keys().folder, always)};
+  const auto* const at =
+      std::ranges::find_if(slots, [&](const PartSlot& slot) { return key.ends_with(slot.ending); });
   assert(at != slots.end());
   return *at;
 }

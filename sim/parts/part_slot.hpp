@@ -7,7 +7,7 @@
 namespace sim {
 
 struct PartSlot {
-  std::string key;                                   // "receiver.module"
+  std::string ending;                                // of its keys: "receiver.module"
   std::string folder;                                // "modules"
   std::string (*name)(const Scenario&);              // of the part that is in it
   void (*copy)(const Scenario& from, Scenario& to);  // the part and nothing else

@@ -55,6 +55,8 @@ std::size_t colour_of(const Chart& chart, std::size_t curve);
 /// axis. Intervals are not shown. A logarithmic axis leaves out what is not positive; it is marked
 /// at powers of ten, upright.
 std::string chart_as_text(const Chart& chart);
+/// Several, or that there is nothing to plot.
+std::string charts_as_text(const std::vector<Chart>& charts);
 
 /// As SVG. On a logarithmic axis what is not positive has no place, but limits, which are drawn as
 /// arrows from their upper end.

@@ -165,4 +165,11 @@ std::string chart_as_text(const Chart& chart) {
   return legend(chart) + framed(paper, across, up, chart.x);
 }
 
+std::string charts_as_text(const std::vector<Chart>& charts) {
+  if (charts.empty()) return "no number is swept: nothing to plot\n";
+  std::string text;
+  for (const Chart& chart : charts) text += "\n" + chart_as_text(chart);
+  return text + "\n";
+}
+
 }  // namespace sim

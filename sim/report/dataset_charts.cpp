@@ -6,34 +6,11 @@
 #include <utility>
 
 #include "sim/report/swept_curves.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
 namespace {
-
-std::string joined(const std::string& one, const std::string& other) {
-  return one + (one.empty() || other.empty() ? "" : ", ") + other;
-}
-
-/// "sender A", "false_alarm = 0.01".
-std::string element_text(const Dataset::Dimension& dimension, std::size_t i) {
-  const bool is_text = std::holds_alternative<std::vector<std::string>>(dimension.values);
-  return dimension.facts.name + (is_text ? " " : " = ") + value_text(dimension, i);
-}
-
-/// The elements of a variable's dimensions, as it has them at each point, in their order.
-std::vector<std::string> element_texts(const Dataset& data, const Dataset::Variable& variable) {
-  std::vector<std::string> texts{""};
-  for (const std::string& name : variable.dimensions) {
-    const Dataset::Dimension& dimension = dimension_named(data, name);
-    std::vector<std::string> finer;
-    for (const std::string& text : texts)
-      for (std::size_t i = 0; i < dimension.size(); ++i)
-        finer.push_back(joined(text, element_text(dimension, i)));
-    texts = std::move(finer);
-  }
-  return texts;
-}
 
 /// The cells of a variable with its interval; those of what a dataset does not have are empty.
 struct DrawnCells {
@@ -43,7 +20,7 @@ struct DrawnCells {
       : values(cells(data, drawn.name)),
         lows(cells(data, drawn.name + "_ci_low")),
         highs(cells(data, drawn.name + "_ci_high")),
-        theory(cells(data, drawn.theory)) {}
+        theory(cells(data, drawn.how.theory)) {}
 
   bool has_interval(std::size_t i) const {
     return i < lows.size() && i < highs.size() && std::isfinite(lows[i]) && std::isfinite(highs[i]);
@@ -77,10 +54,10 @@ struct DrawnCells {
 };
 
 Chart empty_chart(const DrawnVariable& drawn, const ChartAxis& x) {
-  return {.title = drawn.title,
-          .description = fmt::format("{} over {}", drawn.label, x.label),
+  return {.title = drawn.how.title,
+          .description = fmt::format("{} over {}", drawn.how.label, x.label),
           .x = x,
-          .y = {drawn.label, drawn.logarithmic},
+          .y = {drawn.how.label, drawn.how.logarithmic},
           .curves = {}};
 }
 

@@ -8,6 +8,7 @@
 #include "sim/engine/measurement.hpp"
 #include "sim/engine/team.hpp"
 #include "sim/program_info.hpp"
+#include "sim/report/dataset_charts.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/run_sharing.hpp"
@@ -21,7 +22,7 @@ struct ExperimentRun {
   ProgramInfo program;
   Workers workers{};
   Team* team = nullptr;  // each of whose members runs the same; the first speaks for all
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, plot = false;
   /// What was counted before, by files of the same scenario; the runs that the result has.
   std::vector<std::string> checkpoints{};
   std::vector<Shard> shards{{}};
@@ -30,12 +31,14 @@ struct ExperimentRun {
   bool speaks() const { return team == nullptr || team->rank() == 0; }
 };
 
-/// What the commands ask of an experiment.
+/// What the commands ask of an experiment, whatever its points are.
 struct ExperimentEngine {
   /// Whether all points have all of their runs.
   bool (*run)(const ExperimentRun&);
   /// One for each point, for a shard; fewer if interrupted.
   std::vector<RunPilot> (*pilots)(const LoadedScenario&, const Shard&, const Workers&);
+  /// Of its results.
+  std::vector<ColumnFacts> (*columns)();
 };
 
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any
@@ -55,10 +58,11 @@ class Rows {
 /// That an interrupt came before anything was counted.
 void say_left_as_it_was(const ExperimentRun& run);
 
-/// Writes a result and says what is in it: as JSON; or, behind the rows of its points, what is
-/// `missing`, notes, what more there is to say (`details`) and the digest. Where an interrupt came
+/// Writes a result and says what is in it: as JSON; or, behind the rows of its points, curves if
+/// they are asked for, what is `missing`, notes, `details` and the digest. Where an interrupt came
 /// before anything was measured, the file stays as it was.
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
-              const std::string& missing, const std::string& details);
+              const std::string& missing, const std::vector<DrawnVariable>& drawn,
+              const std::string& details);
 
 }  // namespace sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/report/text_table.hpp"
+#include "sim/columns/text_table.hpp"
 
 namespace sim {
 

@@ -17,17 +17,17 @@ using Json = nlohmann::ordered_json;
 
 using Kind = Crossing::Kind;
 
-nlohmann::ordered_json json_value(const Column& column, const PointResult& p, double ci_level) {
+nlohmann::ordered_json json_value(const LinkColumn& column, const PointResult& p, double ci_level) {
   struct Read {
     const PointResult& p;
     double level;
     Json operator()(std::uint64_t Tally::*count) const { return p.tally.*count; }
     Json operator()(std::uint64_t PointResult::*count) const { return p.*count; }
-    Json operator()(Column::Sum sum) const {
+    Json operator()(LinkColumn::Sum sum) const {
       Weighted weighted = p.tally.weighted;
       return sum(weighted);
     }
-    Json operator()(Column::Real real) const { return real(p, level); }
+    Json operator()(LinkColumn::Real real) const { return real(p, level); }
     Json operator()(StopReason PointResult::*flag) const {
       return measured(p) ? Json(stop_reason_name(p.*flag)) : Json(nullptr);
     }
@@ -105,7 +105,7 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
   }
   point["outside"] = raised_json(validity_limits(), p.outside);
   point["alarm_names"] = raised_json(alarms(), p.alarms);
-  for (const Column* column : columns_of(result))
+  for (const LinkColumn* column : columns_of(result))
     point[column->name] = json_value(*column, p, result.ci_level);
   return point;
 }

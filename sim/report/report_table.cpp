@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/link/validity.hpp"
-#include "sim/report/estimate_text.hpp"
-#include "sim/report/text_table.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/scenario/flags.hpp"

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/report/swept_curves.hpp"
 #include "sim/report/swept_maps.hpp"
 #include "sim/result/point_loss.hpp"

@@ -5,10 +5,10 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "sim/counting/holm.hpp"
 #include "sim/counting/statistics.hpp"
 
 namespace sim {
@@ -28,19 +28,6 @@ double normal_approximation(double lost_a, double n_a, double lost_b, double n_b
   if (deviation == 0) return 1;
   const double z = std::abs(lost_a / n_a - lost_b / n_b) / deviation;
   return 2 * cdf(complement(boost::math::normal(), z));
-}
-
-/// Holm, Scand. J. Statist. 6 (1979) 65-70: from the smallest p on, as long as they are below alpha
-/// over the number that is left.
-void mark_different(std::vector<RatioTest>& tests, double alpha) {
-  std::vector<std::size_t> order(tests.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::size_t i) { return tests[i].p_value; });
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    RatioTest& test = tests[order[rank]];
-    if (test.p_value > alpha / static_cast<double>(order.size() - rank)) return;
-    test.different = true;
-  }
 }
 
 /// Of a count, two-sided, that its loss is a weighted one: of the end of that one's 99 % interval
@@ -137,12 +124,15 @@ ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, d
       comparison.tests.push_back({i, ComparedRatio::ber, p_value_of_bits(one, other), false});
     (losses || bits ? comparison.compared : comparison.unknown) += 1;
   }
-  mark_different(comparison.tests, alpha);
+  std::vector<double> p_values;
+  for (const RatioTest& test : comparison.tests) p_values.push_back(test.p_value);
+  const std::vector<bool> rejected = rejected_by_holm(p_values, alpha);
+  for (std::size_t i = 0; i < rejected.size(); ++i) comparison.tests[i].different = rejected[i];
   return comparison;
 }
 
-bool same_axes(const ExperimentResult& a, const ExperimentResult& b) {
-  return std::ranges::equal(a.axes, b.axes, [](const Axis& x, const Axis& y) {
+bool same_axes(const std::vector<Axis>& a, const std::vector<Axis>& b) {
+  return std::ranges::equal(a, b, [](const Axis& x, const Axis& y) {
     return x.key == y.key && x.values == y.values && x.labels == y.labels;
   });
 }

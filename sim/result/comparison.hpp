@@ -34,7 +34,7 @@ struct ResultComparison {
 /// together.
 ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha);
 
-/// Whether the axes have the same keys and values.
-bool same_axes(const ExperimentResult& a, const ExperimentResult& b);
+/// Whether they have the same keys and values.
+bool same_axes(const std::vector<Axis>& a, const std::vector<Axis>& b);
 
 }  // namespace sim

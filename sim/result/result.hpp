@@ -46,7 +46,7 @@ struct ExperimentResult {
 
 /// One variable of the result file and of the JSON report: the table of them drives both, and the
 /// digest too, which covers every column that is a count of Tally, or a sum of its weights.
-struct Column {
+struct LinkColumn {
   using Real = double (*)(const PointResult&, double ci_level);
   using Sum = double& (*)(Weighted&);
   const char* name;
@@ -62,10 +62,10 @@ struct Column {
 bool is_weighted(const ExperimentResult& result);
 
 /// The table's columns that a result has.
-std::vector<const Column*> columns_of(const ExperimentResult& result);
+std::vector<const LinkColumn*> columns_of(const ExperimentResult& result);
 
 /// The table. At a point never reached the rates and the operating point are NaN.
-std::span<const Column> columns();
+std::span<const LinkColumn> columns();
 
 /// Whether anything was counted at this point: false for those a stopped run never reached.
 bool measured(const PointResult& point);

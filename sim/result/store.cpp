@@ -34,7 +34,7 @@ void write_axis(Target& to, const Axis& axis) {
 
 struct ColumnWriter {
   Target& to;
-  const Column& column;
+  const LinkColumn& column;
 
   void operator()(std::uint64_t Tally::*count) const {
     write<std::int64_t>([=](const PointResult& p) { return p.tally.*count; });
@@ -47,10 +47,10 @@ struct ColumnWriter {
       return measured(p) ? static_cast<std::int16_t>(p.*flag) : missing_int16;
     });
   }
-  void operator()(Column::Sum sum) const {
+  void operator()(LinkColumn::Sum sum) const {
     write<double>([=](PointResult p) { return sum(p.tally.weighted); });
   }
-  void operator()(Column::Real real) const {
+  void operator()(LinkColumn::Real real) const {
     const double level = to.result.ci_level;
     write<double>([=](const PointResult& p) { return real(p, level); });
   }
@@ -111,7 +111,7 @@ void write_root(Target& to) {
 std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
   Target to{result, NetcdfFile(link_result_type, program), {}};
   for (const Axis& axis : result.axes) write_axis(to, axis);
-  for (const Column* column : columns_of(result))
+  for (const LinkColumn* column : columns_of(result))
     std::visit(ColumnWriter{to, *column}, column->value);
   explain_stop_reason(to.file);
   to.file.set_flags("outside_validity", flag_names(validity_limits()));

@@ -47,7 +47,7 @@ struct ColumnReader {
     });
   }
   /// Only files of importance sampling have them.
-  bool operator()(Column::Sum sum) const {
+  bool operator()(LinkColumn::Sum sum) const {
     if (!file.has(name)) return true;
     const std::vector<double> values = file.reals(name);
     if (values.size() != points.size()) return false;
@@ -55,7 +55,7 @@ struct ColumnReader {
     return true;
   }
   /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
-  bool operator()(Column::Real) const { return true; }
+  bool operator()(LinkColumn::Real) const { return true; }
 
  private:
   template <class Set>
@@ -99,7 +99,7 @@ std::string mismatch(const Origin& own, const Origin& other) {
 }
 
 bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
-  const bool whole = std::ranges::all_of(columns(), [&](const Column& column) {
+  const bool whole = std::ranges::all_of(columns(), [&](const LinkColumn& column) {
     return std::visit(ColumnReader{file, column.name, result.points}, column.value);
   });
   const auto shards = parse_shards(file.text("shards", "1/1"));

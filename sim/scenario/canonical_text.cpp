@@ -4,10 +4,10 @@
 
 #include <cstddef>
 
-#include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 #include "sim/failure.hpp"
@@ -12,34 +13,13 @@
 namespace sim {
 namespace {
 
-constexpr std::array kinds{
-    ExperimentKind{.name = "link",
-                   .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}},
-    ExperimentKind{
-        .name = "arena", .tables = {"path.", "arena.", "devices."}, .amount = "arena.runs"},
-    ExperimentKind{.name = "guard",
-                   .tables = {"path.", "arena.", "devices.", "guard."},
-                   .amount = "arena.runs"},
-    ExperimentKind{
-        .name = "sharedlink",
-        .tables = {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                   "device.clock_error_ppm", "device.carrier_error_ppm"},
-        .amount = "exchange.runs"},
-    ExperimentKind{
-        .name = "presence",
-        .tables = {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
-                   "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-                   "receiver.temperature_c", "ambient.", "noise."},
-        .has_modules = false,
-        .amount = "presence.trials"},
-    ExperimentKind{.name = "location",
-                   .tables = {"location."},
-                   .has_modules = false,
-                   .amount = "location.trials"},
-    ExperimentKind{.name = "listening",
-                   .tables = {"listening.", "device.", "receiver.", "led.yaw_deg"},
-                   .amount = "listening.runs"},
-};
+constexpr ExperimentKind link{
+    .name = "link", .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}};
+
+std::vector<const ExperimentKind*>& known_kinds() {
+  static std::vector<const ExperimentKind*> kinds{&link};
+  return kinds;
+}
 
 /// Of every experiment.
 constexpr std::array<std::string_view, 12> common{
@@ -87,9 +67,9 @@ bool has_key(const ExperimentKind& kind, std::string_view key) {
 /// The experiments that such a key is of.
 std::string kinds_with(std::string_view key) {
   std::string names;
-  for (const ExperimentKind& kind : kinds)
-    if (has_key(kind, key))
-      names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind.name);
+  for (const ExperimentKind* kind : known_kinds())
+    if (has_key(*kind, key))
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", kind->name);
   return names;
 }
 
@@ -99,13 +79,19 @@ std::string remedy(const ExperimentKind& kind, std::string_view key) {
   return fmt::format("remove it, or write experiment = {} before the first table", kinds_with(key));
 }
 
-const ExperimentKind& kind_of(const Scenario& scenario) {
-  return *std::ranges::find(kinds, scenario.experiment, &ExperimentKind::name);
-}
-
 }  // namespace
 
-std::span<const ExperimentKind> experiment_kinds() { return kinds; }
+const std::vector<const ExperimentKind*>& experiment_kinds() { return known_kinds(); }
+
+KnownExperimentKind::KnownExperimentKind(const ExperimentKind& kind) : kind_(&kind) {
+  known_kinds().push_back(kind_);
+}
+
+KnownExperimentKind::~KnownExperimentKind() { std::erase(known_kinds(), kind_); }
+
+const ExperimentKind& kind_of(const Scenario& scenario) {
+  return **std::ranges::find(known_kinds(), scenario.experiment, &ExperimentKind::name);
+}
 
 std::string amount_key(const Scenario& scenario) {
   const std::string_view amount = kind_of(scenario).amount;

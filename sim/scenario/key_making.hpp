@@ -9,12 +9,25 @@
 
 namespace sim {
 
+/// The settings that an experiment has in a scenario (ExperimentSettings).
 template <class Group>
-Key number(std::string name, std::string unit, Range range, Group Scenario::*group,
-           double Group::*member, std::string long_name, std::string note = "",
-           KeyType type = KeyType::number) {
+struct SettingsOf {};
+
+template <class Group>
+Group& group_of(Scenario& s, Group Scenario::*group) {
+  return s.*group;
+}
+template <class Group>
+Group& group_of(Scenario& s, SettingsOf<Group>) {
+  return s.settings.of<Group>();
+}
+
+/// Of a group that `at` names: a member of Scenario, or SettingsOf an experiment.
+template <class At, class Group>
+Key number(std::string name, std::string unit, Range range, At at, double Group::*member,
+           std::string long_name, std::string note = "", KeyType type = KeyType::number) {
   return {{std::move(name), std::move(unit), range, std::move(long_name), std::move(note), type},
-          [=](Scenario& s) -> double& { return s.*group.*member; },
+          [=](Scenario& s) -> double& { return group_of(s, at).*member; },
           {},
           {}};
 }
@@ -26,29 +39,28 @@ Key whole(Rest&&... rest) {
   return key;
 }
 
-template <class Group>
-Key flag(std::string name, Group Scenario::*group, double Group::*member, std::string long_name,
-         std::string note) {
-  return number(std::move(name), "1", from(0, 1), group, member, std::move(long_name),
-                std::move(note), KeyType::flag);
+template <class At, class Group>
+Key flag(std::string name, At at, double Group::*member, std::string long_name, std::string note) {
+  return number(std::move(name), "1", from(0, 1), at, member, std::move(long_name), std::move(note),
+                KeyType::flag);
 }
 
-template <class Group>
-Key text(KeyType type, std::string name, Group Scenario::*group, std::string Group::*member,
-         std::string long_name, std::string note = "", std::vector<std::string> choices = {}) {
+template <class At, class Group>
+Key text(KeyType type, std::string name, At at, std::string Group::*member, std::string long_name,
+         std::string note = "", std::vector<std::string> choices = {}) {
   Key key{{std::move(name), "", {}, std::move(long_name), std::move(note), type},
           {},
-          [=](Scenario& s) -> std::string& { return s.*group.*member; },
+          [=](Scenario& s) -> std::string& { return group_of(s, at).*member; },
           std::move(choices)};
   key.physics = type != KeyType::part;
   return key;
 }
 
 /// Numbers that belong together, which are no sweep.
-template <class Group>
-Key number_list(std::string name, std::string unit, Range range, Group Scenario::*group,
-                std::string Group::*member, std::string long_name, std::string note = "") {
-  Key key = text(KeyType::number_list, std::move(name), group, member, std::move(long_name),
+template <class At, class Group>
+Key number_list(std::string name, std::string unit, Range range, At at, std::string Group::*member,
+                std::string long_name, std::string note = "") {
+  Key key = text(KeyType::number_list, std::move(name), at, member, std::move(long_name),
                  std::move(note));
   key.facts.unit = std::move(unit);
   key.facts.range = range;

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "protocol/cosys.hpp"
-#include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
 
 namespace sim {
 namespace {

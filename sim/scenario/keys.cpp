@@ -1,20 +1,17 @@
 #include "sim/scenario/keys.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "channel/conditions.hpp"
 #include "protocol/uart_receivers.hpp"
-#include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
-#include "sim/scenario/exchange_keys.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/fidelity.hpp"
-#include "sim/scenario/guard_keys.hpp"
 #include "sim/scenario/key_making.hpp"
-#include "sim/scenario/listening_keys.hpp"
-#include "sim/scenario/location_keys.hpp"
 #include "sim/scenario/method.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
 
 namespace sim {
 namespace {
@@ -33,7 +30,7 @@ Key experiment_key() {
   Key key{{"experiment", "", {}, "what is simulated", "before the first table", KeyType::choice},
           {},
           [](Scenario& s) -> std::string& { return s.experiment; },
-          names_of(experiment_kinds())};
+          {}};
   key.swept = false;
   return younger(key);
 }
@@ -208,17 +205,40 @@ std::vector<Key> stop_keys() {
   return keys;
 }
 
-std::vector<Key> make_scenario_keys() {
-  std::vector<Key> all{title_key(), experiment_key()};
-  for (const auto& group :
-       {device_keys(), led_settings_keys(), receiver_keys(),
-        override_keys("module", module_keys(), &Scenario::module), floor_part_keys(),
-        override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(), surroundings_keys(),
-        run_keys(), stop_keys(), path_keys(), arena_keys(), guard_keys(), exchange_keys(),
-        presence_keys(), location_keys(), listening_keys()})
-    all.insert(all.end(), group.begin(), group.end());
-  return all;
-}
+/// The keys of all experiments. Those of one experiment alone stand behind the others, in the order
+/// in which it became known, so that a key stays where it is when another becomes known.
+class KeyTable {
+ public:
+  KeyTable() {
+    for (const auto& group :
+         {std::vector<Key>{title_key(), experiment_key()}, device_keys(), led_settings_keys(),
+          receiver_keys(), override_keys("module", module_keys(), &Scenario::module),
+          floor_part_keys(), override_keys("floor", floor_keys(), &Scenario::floor), bump_keys(),
+          surroundings_keys(), run_keys(), stop_keys(), path_keys()})
+      keys_.insert(keys_.end(), group.begin(), group.end());
+    shared_ = keys_.size();
+  }
+
+  const std::deque<Key>& of(const std::vector<const ExperimentKind*>& kinds) {
+    if (kinds == kinds_) return keys_;
+    kinds_ = kinds;
+    keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(shared_), keys_.end());
+    std::vector<std::string>& names =
+        std::ranges::find(keys_, std::string("experiment"), &Key::name)->choices;
+    names.clear();
+    for (const ExperimentKind* kind : kinds) {
+      names.emplace_back(kind->name);
+      if (kind->keys != nullptr)
+        for (Key& key : kind->keys()) keys_.push_back(std::move(key));
+    }
+    return keys_;
+  }
+
+ private:
+  std::deque<Key> keys_;
+  std::size_t shared_ = 0;
+  std::vector<const ExperimentKind*> kinds_;  // whose keys there are
+};
 
 }  // namespace
 
@@ -233,9 +253,9 @@ std::string part_giving(const std::string& name) {
   return of_floor ? "floor.part" : "";
 }
 
-const std::vector<Key>& scenario_keys() {
-  static const std::vector<Key> keys = make_scenario_keys();
-  return keys;
+const std::deque<Key>& scenario_keys() {
+  static KeyTable table;
+  return table.of(experiment_kinds());
 }
 
 const Key* find_key(const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 // Keys: the one table of all that a scenario or a part file may say: name, unit, default, bounds,
 // meaning and place in the program. Loading, sweeping, --set, hashing and the README all follow it.
+#include <deque>
 #include <functional>
 #include <string>
 #include <utility>
@@ -104,8 +105,9 @@ const PartKeys<channel::EmitterData>& led_keys();
 const PartKeys<channel::Floor>& floor_keys();
 const PartKeys<channel::PhotodiodeData>& photodiode_keys();
 
-/// All keys of a scenario, in the order of the README and of the canonical text.
-const std::vector<Key>& scenario_keys();
+/// All keys of a scenario, in the order of the README and of the canonical text: those of all
+/// experiments, and behind them those of each experiment alone.
+const std::deque<Key>& scenario_keys();
 
 /// The key of the part that gives a key its value where the scenario does not, or nothing.
 std::string part_giving(const std::string& name);

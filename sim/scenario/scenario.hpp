@@ -11,12 +11,9 @@
 #include "channel/floor.hpp"
 #include "channel/photodiode.hpp"
 #include "channel/receiver_module.hpp"
-#include "sim/scenario/arena_settings.hpp"
 #include "sim/scenario/axis.hpp"
-#include "sim/scenario/exchange_settings.hpp"
-#include "sim/scenario/guard_settings.hpp"
-#include "sim/scenario/listening_settings.hpp"
-#include "sim/scenario/location_settings.hpp"
+#include "sim/scenario/experiment_settings.hpp"
+#include "sim/scenario/placed_device.hpp"
 
 namespace sim {
 
@@ -121,12 +118,7 @@ struct Scenario {
   SimulationSettings simulation;
   StopSettings stop;
   PathSettings path;
-  ArenaSettings arena;
-  GuardSettings guard;
-  ExchangeSettings exchange;
-  ListeningSettings listening;
-  PresenceScenario presence;
-  LocationScenario location;
+  ExperimentSettings settings;
   channel::PhotodiodeData photodiode;  // from the part's file, in experiments that have one
   std::map<std::string, PlacedDevice> devices;  // by their names
 };

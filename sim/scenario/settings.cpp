@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scenario/arena_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {

@@ -71,10 +71,17 @@ TEST_F(ArenaProgram, MeasuredTwoHundredDevicesRunInLittleMemory) {
   EXPECT_LT(o.peak_kb, 150 * 1024);
 }
 
-TEST_F(ArenaProgram, OptionsOfLinksAreRefused) {
-  expect_refused({"run", "a.toml", "--plot"}, bad_input,
-                 "--plot with a.toml (only ratios of links are drawn as characters) leave it out, "
-                 "and let cosys-sim report draw the result");
+TEST_F(ArenaProgram, IsDrawnAsCharacters) {
+  const Outcome swept = program({"run", "a.toml", "--plot", "--set", "devices.crowd.count=1:1:3"});
+  ASSERT_EQ(swept.code, 0) << swept.err;
+  EXPECT_NE(swept.out.find("\n            frame loss ratio (FLR)"), std::string::npos) << swept.out;
+  EXPECT_NE(swept.out.find("throughput S (dashed: of pure ALOHA"), std::string::npos);
+  EXPECT_NE(swept.out.find("devices.crowd.count"), std::string::npos);
+  const Outcome single = program({"run", "a.toml", "--plot"});
+  EXPECT_NE(single.out.find("no number is swept: nothing to plot\n"), std::string::npos);
+}
+
+TEST_F(ArenaProgram, StagesOfATrialAreNotTimed) {
   expect_refused({"run", "a.toml", "--profile"}, bad_input,
                  "--profile with a.toml (it times the stages of a link's trial) leave it out");
 }

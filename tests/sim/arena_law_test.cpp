@@ -9,7 +9,9 @@
 #include "arena_scenes.hpp"
 #include "counted_points.hpp"
 #include "gtest/gtest.h"
+#include "sim/arena/arena_columns.hpp"
 #include "sim/arena/way.hpp"
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -28,8 +30,9 @@ const std::string busy =
 
 std::string json_of(const std::vector<std::string>& set, int threads) {
   const LoadedScenario scenario = loaded_arena(busy, set);
-  return dataset_json(arena_dataset(
-      scenario, "", counted_points(arena_measurement, scenario, {.threads = threads})));
+  return dataset_json(
+      dataset_of(scenario, "", arena_columns(),
+                 counted_points(arena_measurement, scenario, {.threads = threads})));
 }
 
 TEST(ArenaLaws, FatesAddUp) {
@@ -207,7 +210,7 @@ TEST(ArenaRepeats, ItsTextGivesTheSameDigest) {
   check_experiment(there);
   const auto digest = [](const LoadedScenario& s) {
     return dataset_digest(
-        arena_dataset(s, "", counted_points(arena_measurement, s, {.threads = 2})));
+        dataset_of(s, "", arena_columns(), counted_points(arena_measurement, s, {.threads = 2})));
   };
   EXPECT_EQ(digest(there), digest(here));
 }
@@ -226,7 +229,7 @@ TEST(ArenaInterrupt, LeavesAWholeResult) {
     EXPECT_EQ(points[i].tally.n_runs, 0u);
     EXPECT_EQ(points[i].coordinates, point_coordinates(scenario.sweep, i));
   }
-  EXPECT_NE(dataset_json(arena_dataset(scenario, "", points)).find("\"n_runs\""),
+  EXPECT_NE(dataset_json(dataset_of(scenario, "", arena_columns(), points)).find("\"n_runs\""),
             std::string::npos);
 }
 

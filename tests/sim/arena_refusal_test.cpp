@@ -165,8 +165,8 @@ TEST(ArenaRefusals, UnknownNames) {
 
 // What is said to be set instead of [stop] can be.
 TEST(ExperimentKinds, HaveTheKeyOfTheirAmount) {
-  for (const ExperimentKind& kind : experiment_kinds())
-    EXPECT_EQ(find_key(std::string(kind.amount)) == nullptr, kind.name == "link") << kind.name;
+  for (const ExperimentKind* kind : experiment_kinds())
+    EXPECT_EQ(find_key(std::string(kind->amount)) == nullptr, kind->name == "link") << kind->name;
 }
 
 TEST(ArenaRefusals, KeysOfAnotherExperiment) {

@@ -214,7 +214,8 @@ TEST_F(IntervalFile, IsKeptWithTheResult) {
   std::filesystem::remove(file("q.txt"));
   const LoadedScenario there = parse_scenario(here.text, "elsewhere/y.toml", {}, {});
   const auto digest = [](const LoadedScenario& s) {
-    return dataset_digest(arena_dataset(s, "", counted_points(arena_measurement, s, {})));
+    return dataset_digest(
+        dataset_of(s, "", arena_columns(), counted_points(arena_measurement, s, {})));
   };
   EXPECT_EQ(digest(there), digest(here));
   EXPECT_EQ(there.text, here.text + there.text.substr(here.text.size()));

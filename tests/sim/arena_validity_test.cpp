@@ -4,8 +4,11 @@
 #include "arena_scenes.hpp"
 #include "counted_points.hpp"
 #include "gtest/gtest.h"
+#include "sim/arena/arena_columns.hpp"
+#include "sim/columns/columns_dataset.hpp"
+#include "sim/columns/columns_table.hpp"
+#include "sim/columns/outside_column.hpp"
 #include "sim/link/validity.hpp"
-#include "sim/report/outside_report.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/flags.hpp"
 
@@ -39,9 +42,12 @@ TEST(ArenaValidity, IsInTheTableInItsNotesAndInTheFile) {
   const LoadedScenario scenario =
       loaded_arena(past + "[arena]\nruns = 1\n", {"devices.one.y_m=0.04,0.3"});
   const std::vector<ArenaPoint> points = counted_points(arena_measurement, scenario, {});
-  EXPECT_NE(arena_row(scenario, points.at(0)).find("  ! near\n"), std::string::npos);
-  EXPECT_EQ(arena_row(scenario, points.at(1)).find('!'), std::string::npos);
-  const Dataset data = arena_dataset(scenario, "", points);
+  EXPECT_NE(
+      PointTable(arena_columns(), scenario, points.at(0)).row(points.at(0)).find("  ! near\n"),
+      std::string::npos);
+  EXPECT_EQ(PointTable(arena_columns(), scenario, points.at(1)).row(points.at(1)).find('!'),
+            std::string::npos);
+  const Dataset data = dataset_of(scenario, "", arena_columns(), points);
   EXPECT_EQ(outside_notes(data),
             "! near: nearer than 5 cm LED and module are no points to each other\n");
   const auto json = nlohmann::json::parse(dataset_json(data))["variables"]["outside_validity"];

@@ -21,9 +21,9 @@ class Runs : public CommandLine {
   /// Writes s.toml and gives the words that run it with so many runs a point.
   Words runs_of(const Experiment& experiment, const std::string& n) const {
     write("s.toml", sim::test::scenario_of(experiment, true));
-    const auto kinds = sim::experiment_kinds();
+    const auto& kinds = sim::experiment_kinds();
     const auto kind = std::ranges::find(kinds, experiment.name, &sim::ExperimentKind::name);
-    return {"run", "s.toml", "-q", "--set", std::string(kind->amount) + "=" + n};
+    return {"run", "s.toml", "-q", "--set", std::string((*kind)->amount) + "=" + n};
   }
 
   Outcome with(Words words, const Words& more) const {

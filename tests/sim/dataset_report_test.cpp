@@ -45,7 +45,7 @@ const ChartCurve& curve(const Chart& chart, const std::string& name) {
 
 TEST(DatasetCharts, DrawAVariableOverTheWidestAxis) {
   const auto chart = swept_chart(
-      swept(), {.name = "loss", .title = "t", .label = "l", .logarithmic = true, .theory = "law"});
+      swept(), {"loss", {.title = "t", .label = "l", .logarithmic = true, .theory = "law"}});
   ASSERT_TRUE(chart);
   EXPECT_EQ(chart->x.label, "receiver.range_m [m]");
   EXPECT_EQ(chart->curves.size(), 3U) << "two measured, one of theory";
@@ -67,7 +67,7 @@ TEST(DatasetCharts, KeepATheoryBesideWhatItIsTheTheoryOf) {
   Dataset data = swept();
   data.variables[1].values = Reals{nan, nan, nan, 0, 0.9, nan};
   data.variables[4].values = Reals{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
-  const DrawnVariable drawn{.name = "loss", .title = "t", .label = "l", .theory = "law"};
+  const DrawnVariable drawn{"loss", {.title = "t", .label = "l", .theory = "law"}};
   const Chart chart = swept_chart(data, drawn).value();
   ASSERT_EQ(chart.curves.size(), 4U) << "one of nothing, but its theory";
   EXPECT_EQ(chart.curves[1].name, "goertzel, theory");
@@ -79,7 +79,7 @@ TEST(DatasetCharts, KeepATheoryBesideWhatItIsTheTheoryOf) {
 }
 
 TEST(DatasetCharts, ACurveForEachElementOfADimension) {
-  const auto chart = swept_chart(swept(), {.name = "age", .title = "t", .label = "l"});
+  const auto chart = swept_chart(swept(), {"age", {.title = "t", .label = "l"}});
   ASSERT_TRUE(chart);
   EXPECT_EQ(chart->curves.size(), 4U);
   const ChartCurve& b = curve(*chart, "dc, sender B");
@@ -93,7 +93,7 @@ TEST(DatasetCharts, OverADimensionOfNumbers) {
   data.dimensions = swept().dimensions;
   data.variables = {{{"p", "1", ""}, true, {"false_alarm"}, Reals{0.9, 0.5}},
                     {{"q", "1", ""}, true, {"sender"}, Reals{0.9, 0.5}}};
-  const auto chart = dimension_chart(data, {.name = "p", .title = "ROC", .label = "l"});
+  const auto chart = dimension_chart(data, {"p", {.title = "ROC", .label = "l"}});
   ASSERT_TRUE(chart);
   EXPECT_EQ(chart->x.label, "as set");
   EXPECT_TRUE(chart->x.logarithmic) << "two decades";
@@ -101,16 +101,16 @@ TEST(DatasetCharts, OverADimensionOfNumbers) {
   EXPECT_EQ(chart->curves[0].name, "simulated");
   EXPECT_EQ(chart->curves[0].points.at(0).x, 0.001);
   EXPECT_EQ(chart->curves[0].points.at(0).y, 0.5);
-  EXPECT_FALSE(dimension_chart(data, {.name = "q", .title = "", .label = ""})) << "of texts";
-  EXPECT_FALSE(dimension_chart(data, {.name = "none", .title = "", .label = ""}));
+  EXPECT_FALSE(dimension_chart(data, {"q", {.title = "", .label = ""}})) << "of texts";
+  EXPECT_FALSE(dimension_chart(data, {"none", {.title = "", .label = ""}}));
 }
 
 TEST(DatasetCharts, NothingWhereNoNumberIsSwept) {
   Dataset data = swept();
-  EXPECT_FALSE(swept_chart(data, {.name = "none", .title = "", .label = ""}));
+  EXPECT_FALSE(swept_chart(data, {"none", {.title = "", .label = ""}}));
   data.axes.pop_back();
   for (Dataset::Variable& variable : data.variables) variable.values = Reals(2, 1.0);
-  EXPECT_FALSE(swept_chart(data, {.name = "loss", .title = "", .label = ""}));
+  EXPECT_FALSE(swept_chart(data, {"loss", {.title = "", .label = ""}}));
 }
 
 TEST(SweptRows, WeighThePointsOfARowAlike) {

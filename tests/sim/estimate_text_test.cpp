@@ -1,5 +1,5 @@
 // Ratios as people read them.
-#include "sim/report/estimate_text.hpp"
+#include "sim/columns/estimate_text.hpp"
 
 #include <gtest/gtest.h>
 

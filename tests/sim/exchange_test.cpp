@@ -9,6 +9,7 @@
 
 #include "counted_points.hpp"
 #include "gtest/gtest.h"
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/exchange/exchange.hpp"
 #include "sim/exchange/exchange_report.hpp"
@@ -127,8 +128,9 @@ TEST(Exchange, LightIsThatOfALink) {
 TEST(Exchange, ThreadsAndTheNumberOfRunsChangeNothing) {
   const LoadedScenario scenario = loaded(nodes, {"exchange.runs=5", "exchange.duration_s=5"});
   const auto digest = [&](int threads) {
-    return dataset_digest(exchange_dataset(
-        scenario, "", counted_points(exchange_measurement, scenario, {.threads = threads})));
+    return dataset_digest(
+        dataset_of(scenario, "", exchange_columns(),
+                   counted_points(exchange_measurement, scenario, {.threads = threads})));
   };
   const std::string one = digest(1);
   EXPECT_EQ(digest(2), one);
@@ -164,7 +166,7 @@ TEST(Exchange, AnInterruptKeepsWhatWasFinished) {
   const auto points = counted_points(exchange_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
   EXPECT_EQ(points[0].tally.n_runs, 0U);
-  EXPECT_NO_THROW(exchange_dataset(scenario, "", points));
+  EXPECT_NO_THROW(dataset_of(scenario, "", exchange_columns(), points));
 }
 
 TEST(Exchange, RefusesWhatCannotBe) {
@@ -214,7 +216,7 @@ TEST(Exchange, EachVariableHasAnAge) {
   const LoadedScenario scenario =
       loaded(nodes + "[sweep]\nexchange.variables = [1, 3]\n", {"exchange.query_every_s=0"});
   const auto points = counted_points(exchange_measurement, scenario, {});
-  const Dataset data = exchange_dataset(scenario, "", points);
+  const Dataset data = dataset_of(scenario, "", exchange_columns(), points);
   for (const char* name : {"variable_age_mean_s", "variable_age_p95_s", "variable_unknown_share"}) {
     const auto& values = reals(data, name);
     ASSERT_EQ(values.size(), 12U) << "points, senders, variables";

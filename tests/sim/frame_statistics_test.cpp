@@ -8,12 +8,12 @@
 #include <string>
 
 #include "made_up_trial.hpp"
+#include "sim/columns/estimate_text.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_charts.hpp"
 #include "sim/page/picture_sections.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/trial/trial.hpp"
 

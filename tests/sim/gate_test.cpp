@@ -89,15 +89,6 @@ TEST(Gate, FindsALossNegligibleAtTheLastLookAlone) {
   EXPECT_EQ(gate.state(), GateState::passed);
 }
 
-TEST(WorsePoints, AreThoseOfHolm) {
-  // Holm 1979: the smallest of four against alpha / 4, the next against alpha / 3 ...
-  EXPECT_EQ(worse_points({0.012, 0.3, 0.016, 0.04}, 0.05),
-            (std::vector<bool>{true, false, true, false}));
-  EXPECT_EQ(worse_points({0.013, 0.3, 0.016, 0.04}, 0.05),
-            (std::vector<bool>{false, false, false, false}));
-  EXPECT_TRUE(worse_points({}, 0.05).empty());
-}
-
 /// Two decoders, of which each loses a frame when it is hard for it: the same frames are hard for
 /// both in a share of cases.
 struct Decoders {

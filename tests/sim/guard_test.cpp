@@ -4,6 +4,7 @@
 
 #include "counted_points.hpp"
 #include "gtest/gtest.h"
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/guard/guard_experiment.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "tests/sim/scenarios.hpp"
@@ -53,7 +54,7 @@ std::uint64_t count_of(const Dataset& data, const std::string& name) {
 TEST(Guard, TheStagesOfTheWaterfallAddUp) {
   const LoadedScenario scenario = loaded(room);
   const auto points = counted_points(guard_measurement, scenario, {});
-  const Dataset data = guard_dataset(scenario, "", points);
+  const Dataset data = dataset_of(scenario, "", guard_columns(), points);
   std::uint64_t sum = count_of(data, "n_known");
   for (const char* stage : {"n_silent", "n_out_of_reach", "n_agc", "n_collision", "n_uart",
                             "n_checksum", "n_replaced", "n_sharedlink_lost"})
@@ -70,8 +71,9 @@ TEST(Guard, TheStagesOfTheWaterfallAddUp) {
 TEST(Guard, ThreadsChangeNothing) {
   const LoadedScenario scenario = loaded(room);
   const auto digest = [&](int threads) {
-    return dataset_digest(guard_dataset(
-        scenario, "", counted_points(guard_measurement, scenario, {.threads = threads})));
+    return dataset_digest(
+        dataset_of(scenario, "", guard_columns(),
+                   counted_points(guard_measurement, scenario, {.threads = threads})));
   };
   const std::string one = digest(1);
   EXPECT_EQ(digest(2), one);
@@ -84,23 +86,23 @@ TEST(Guard, ItsArenaIsThatOfAnArena) {
   // the same scenario.
   const auto arenas = counted_points(arena_measurement, loaded(room), {});
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(guards[0].arena.tally.senders[i].fate, arenas[0].tally.senders[i].fate);
+    EXPECT_EQ(guards[0].tally.senders[i].fate, arenas[0].tally.senders[i].fate);
 }
 
 TEST(Guard, WhateverTheLineDoesTheGuardHearsTheSame) {
   const auto points =
       counted_points(guard_measurement, loaded(room, {"guard.byte_error_ratio=0,0.1"}), {});
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(points[0].arena.tally.senders[i].fate, points[1].arena.tally.senders[i].fate);
+    EXPECT_EQ(points[0].tally.senders[i].fate, points[1].tally.senders[i].fate);
 }
 
 TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {
   const LoadedScenario scenario = loaded(room, {"guard.byte_error_ratio=0,0.3", "arena.runs=2"});
   const auto points = counted_points(guard_measurement, scenario, {});
   ASSERT_EQ(points.size(), 2U);
-  EXPECT_EQ(together(points[0]).n_lost, 0U);
-  EXPECT_GT(together(points[1]).n_lost, 5U);
-  EXPECT_GT(points[1].tally.n_timed_out, points[0].tally.n_timed_out);
+  EXPECT_EQ(relayed_together(points[0]).n_lost, 0U);
+  EXPECT_GT(relayed_together(points[1]).n_lost, 5U);
+  EXPECT_GT(points[1].relayed.n_timed_out, points[0].relayed.n_timed_out);
 }
 
 TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as likely as not
@@ -109,8 +111,8 @@ TEST(Guard, EachRunHasALineOfItsOwn) {  // out or not all through a run, as like
                      loaded(room, {"guard.outage_every_s=1e5", "guard.outage_for_s=1e5",
                                    "guard.byte_error_ratio=0", "arena.runs=8"}),
                      {});
-  EXPECT_GT(together(points[0]).n_known, 0U);
-  EXPECT_GT(together(points[0]).n_lost, 0U);
+  EXPECT_GT(relayed_together(points[0]).n_known, 0U);
+  EXPECT_GT(relayed_together(points[0]).n_lost, 0U);
 }
 
 TEST(Guard, AnInterruptLeavesPointsWithoutRuns) {
@@ -118,8 +120,8 @@ TEST(Guard, AnInterruptLeavesPointsWithoutRuns) {
   const LoadedScenario scenario = loaded(room);
   const auto points = counted_points(guard_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
-  EXPECT_EQ(points[0].arena.tally.n_runs, 0U);
-  EXPECT_NO_THROW(guard_dataset(scenario, "", points));
+  EXPECT_EQ(points[0].tally.n_runs, 0U);
+  EXPECT_NO_THROW(dataset_of(scenario, "", guard_columns(), points));
 }
 
 std::string list_refusal(const std::string& devices) {

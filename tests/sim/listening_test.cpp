@@ -1,5 +1,7 @@
 // A receiver that listens for hours: what it accepts that nobody sent it.
 #include "sim/listening/listening.hpp"
+#include "sim/columns/columns_dataset.hpp"
+#include "sim/columns/columns_table.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -150,9 +152,10 @@ TEST(Listening, IsTheSameForAnyNumberOfThreads) {
   const LoadedScenario s =
       loaded(silence, {"listening.air=cosys", "listening.device_sends=true",
                        "listening.duration_s=5", "listening.runs=20", "receiver.range_m=11"});
-  const std::string one =
-      dataset_digest(listening_dataset(s, "", counted_points(listening_measurement, s, {1})));
-  EXPECT_EQ(dataset_digest(listening_dataset(s, "", counted_points(listening_measurement, s, {3}))),
+  const std::string one = dataset_digest(
+      dataset_of(s, "", listening_columns(), counted_points(listening_measurement, s, {1})));
+  EXPECT_EQ(dataset_digest(dataset_of(s, "", listening_columns(),
+                                      counted_points(listening_measurement, s, {3}))),
             one);
 }
 
@@ -165,7 +168,8 @@ const Dataset::Variable& variable(const Dataset& data, const std::string& name) 
 
 TEST(Listening, ItsVariablesHaveUnitsAndNoFrameLossOfADarkDevice) {
   const LoadedScenario s = loaded(silence, {"listening.runs=1", "listening.device_sends=0,1"});
-  const Dataset data = listening_dataset(s, "", counted_points(listening_measurement, s, two));
+  const Dataset data =
+      dataset_of(s, "", listening_columns(), counted_points(listening_measurement, s, two));
   EXPECT_EQ(variable(data, "line_h").facts.unit, "h");
   for (const std::string name : {"false_per_hour", "undetected_per_hour"})
     for (const std::string suffix : {"", "_ci_low", "_ci_high"})
@@ -184,18 +188,23 @@ TEST(Listening, ItsVariablesHaveUnitsAndNoFrameLossOfADarkDevice) {
 TEST(Listening, TheTableSpeaksOfWhatIsSentOnlyWhereTheDeviceMaySend) {
   const LoadedScenario dark = loaded(silence),
                        either = loaded(silence, {"listening.device_sends=0,1"});
-  EXPECT_EQ(listening_header(dark).find("undetected"), std::string::npos);
-  EXPECT_NE(listening_header(either).find("undetected"), std::string::npos);
-  EXPECT_NE(listening_header(dark).find("[1/h]"), std::string::npos);
+  const auto head = [](const LoadedScenario& scenario) {
+    return PointTable(listening_columns(), scenario, ListeningPoint{}).head();
+  };
+  EXPECT_EQ(head(dark).find("undetected"), std::string::npos);
+  EXPECT_NE(head(either).find("undetected"), std::string::npos);
+  EXPECT_NE(head(dark).find("[1/h]"), std::string::npos);
   const ListeningPoint point{.coordinates = {}, .hours = 2, .tally = {.n_runs = 120}};
-  EXPECT_NE(listening_row(dark, point).find(" < 1.9\n"), std::string::npos)
-      << listening_row(dark, point);
+  EXPECT_NE(PointTable(listening_columns(), dark, point).row(point).find(" < 1.9 "),
+            std::string::npos)
+      << PointTable(listening_columns(), dark, point).row(point);
   const ListeningPoint busy{
       .coordinates = {},
       .hours = 1,
       .tally = {.n_runs = 60, .n_frames_false = 4500, .false_squared = 60 * (75 * 75 + 1)}};
-  EXPECT_NE(listening_row(dark, busy).find(" 4500 [4484, 4516]"), std::string::npos)
-      << listening_row(dark, busy);
+  EXPECT_NE(PointTable(listening_columns(), dark, busy).row(busy).find(" 4500 [4484, 4516]"),
+            std::string::npos)
+      << PointTable(listening_columns(), dark, busy).row(busy);
 }
 
 std::string refused(const std::vector<std::string>& set) {

@@ -6,10 +6,10 @@
 #include "counted_points.hpp"
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_settings.hpp"
-#include "sim/location/trial_commands.hpp"
 #include "sim/scenario/canonical_text.hpp"
 
 namespace sim {
@@ -92,7 +92,7 @@ TEST(LocationScenario, ThreadsChangeNothing) {
                                          {"location.trials=37", "floor.diffuse_reflectance=0"});
   const auto json = [&](int threads) {
     const auto points = counted_points(location_measurement, scenario, {.threads = threads});
-    return dataset_json(accuracy_dataset(scenario, "", points));
+    return dataset_json(dataset_of(scenario, "", location_columns(), points));
   };
   const std::string one = json(1);
   EXPECT_EQ(json(2), one);
@@ -103,15 +103,15 @@ TEST(LocationScenario, APointWithoutResultHasNoTrials) {
   const LoadedScenario scenario = loaded(location);
   const std::atomic<bool> stop{true};
   const auto points = counted_points(location_measurement, scenario, {.interrupt = &stop});
-  EXPECT_EQ(accuracy_dataset(scenario, "", points).n_runs, 0U);
+  EXPECT_EQ(dataset_of(scenario, "", location_columns(), points).n_runs, 0U);
 }
 
 TEST(LocationScenario, OtherErrorsAreAnotherDigest) {
   const auto digest = [](const std::string& seed) {
     const LoadedScenario scenario = loaded(
         location, {"simulation.seed=" + seed, "location.trials=3", "floor.diffuse_reflectance=0"});
-    return dataset_digest(
-        accuracy_dataset(scenario, "", counted_points(location_measurement, scenario, {})));
+    return dataset_digest(dataset_of(scenario, "", location_columns(),
+                                     counted_points(location_measurement, scenario, {})));
   };
   EXPECT_NE(digest("2"), digest("3"));
 }

@@ -4,11 +4,12 @@
 #include "counted_points.hpp"
 #include "program.hpp"
 #include "scenarios.hpp"
+#include "sim/columns/columns_dataset.hpp"
+#include "sim/columns/columns_table.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/presence_point.hpp"
 #include "sim/location/presence_report.hpp"
 #include "sim/location/presence_settings.hpp"
-#include "sim/location/trial_commands.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/text/text_file.hpp"
 
@@ -146,7 +147,7 @@ TEST(PresenceScenario, ThreadsChangeNothing) {
              {"presence.trials=61", "presence.window_ms=1", "presence.reference_ms=1"});
   const auto json = [&](int threads) {
     const auto points = counted_points(presence_measurement, scenario, {.threads = threads});
-    return dataset_json(presence_dataset(scenario, "", points));
+    return dataset_json(dataset_of(scenario, "", presence_columns(), points));
   };
   const std::string one = json(1);
   EXPECT_EQ(json(2), one);
@@ -165,7 +166,7 @@ TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   const std::atomic<bool> stop{true};
   const auto points = counted_points(presence_measurement, scenario, {.interrupt = &stop});
   ASSERT_EQ(points.size(), 1U);
-  const Dataset data = presence_dataset(scenario, "", points);
+  const Dataset data = dataset_of(scenario, "", presence_columns(), points);
   EXPECT_EQ(data.n_runs, 0U);
   for (const auto& variable : data.variables) {
     const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
@@ -242,7 +243,8 @@ TEST(PresenceScenario, RefusesWhatCannotBeMeasured) {
 /// The row of a point of few samples, coarsely rounded.
 std::string row_of(const std::vector<std::string>& set) {
   const LoadedScenario scenario = loaded(presence, set);
-  return presence_row(scenario, counted_points(presence_measurement, scenario, {}).at(0));
+  const PresencePointRun point = counted_points(presence_measurement, scenario, {}).at(0);
+  return PointTable(presence_columns(), scenario, point).row(point);
 }
 
 // Sums of few rounded samples have few values, however white rounding is: of 4 samples with 0.6

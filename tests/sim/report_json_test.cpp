@@ -33,7 +33,7 @@ TEST(Json, HoldsAllCountsAndRates) {
   EXPECT_EQ(point["n_frames_lost"], 100);
   EXPECT_EQ(point["flr"], 0.1);
   EXPECT_EQ(point["stop_reason"], "max_frame_errors");
-  for (const sim::Column& column : sim::columns())
+  for (const sim::LinkColumn& column : sim::columns())
     EXPECT_EQ(point.contains(column.name), !column.weighted) << column.name;
 }
 

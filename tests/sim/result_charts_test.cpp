@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/estimate_text.hpp"
 #include "sim/report/result_charts.hpp"
 #include "sim/report/swept_curves.hpp"
 

@@ -1,13 +1,15 @@
 // Runs of any experiment: in parts, kept as bytes and taken up again, they are the runs at once.
 #include "sim/engine/run_counting.hpp"
+#include "sim/columns/columns_dataset.hpp"
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/arena/arena_report.hpp"
+#include "sim/arena/arena_columns.hpp"
 #include "sim/exchange/exchange_report.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "sim/listening/listening_report.hpp"
-#include "sim/location/trial_commands.hpp"
+#include "sim/location/accuracy_report.hpp"
+#include "sim/location/presence_report.hpp"
 #include "small_experiments.hpp"
 
 namespace sim {
@@ -20,15 +22,11 @@ LoadedScenario small_scenario(const std::string& name, const std::string& amount
   return {};
 }
 
-template <class Point>
-using MakeDataset = Dataset (*)(const LoadedScenario&, const std::string&,
-                                const std::vector<Point>&);
-
 /// All that is known of the points, with what follows from lists and sums.
 template <class Setup, class Tally, class Point>
 std::string json_of(const RunCounting<Setup, Tally, Point>& counting,
-                    const LoadedScenario& scenario, MakeDataset<Point> dataset) {
-  return dataset_json(dataset(scenario, "", counting.points()));
+                    const LoadedScenario& scenario, const Columns<Point>& columns) {
+  return dataset_json(dataset_of(scenario, "", columns, counting.points()));
 }
 
 /// Counts one shard and keeps it.
@@ -43,42 +41,44 @@ std::string counted_shard(const Measurement<Setup, Tally, Point>& kind,
 
 template <class Setup, class Tally, class Point>
 void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
-                            const LoadedScenario& scenario, MakeDataset<Point> dataset) {
+                            const LoadedScenario& scenario, const Columns<Point>& columns) {
   RunCounting<Setup, Tally, Point> whole(kind, scenario), sum(kind, scenario);
   for (std::size_t i = 0; i < whole.points().size(); ++i) whole.count(i, {}, {{.threads = 3}});
   for (const Shard& shard : {Shard{3, 3}, Shard{1, 3}, Shard{2, 3}})
     sum.add(counted_shard(kind, scenario, shard, static_cast<int>(shard.number)));
-  EXPECT_NE(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
+  EXPECT_NE(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
   sum.describe_all({});
-  EXPECT_EQ(json_of(sum, scenario, dataset), json_of(whole, scenario, dataset));
+  EXPECT_EQ(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
 }
 
 TEST(RunCounting, PartsOfAnArenaAddUp) {
-  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=3"), arena_dataset);
+  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=3"),
+                         arena_columns());
 }
 
 TEST(RunCounting, PartsOfAGuardAddUp) {
-  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=3"), guard_dataset);
+  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=3"),
+                         guard_columns());
 }
 
 TEST(RunCounting, PartsOfAnExchangeAddUp) {
   expect_parts_to_add_up(exchange_measurement, small_scenario("sharedlink", "exchange.runs=3"),
-                         exchange_dataset);
+                         exchange_columns());
 }
 
 TEST(RunCounting, PartsOfPresenceAddUp) {
   expect_parts_to_add_up(presence_measurement, small_scenario("presence", "presence.trials=50"),
-                         presence_dataset);
+                         presence_columns());
 }
 
 TEST(RunCounting, PartsOfLocationAddUp) {
   expect_parts_to_add_up(location_measurement, small_scenario("location", "location.trials=50"),
-                         accuracy_dataset);
+                         location_columns());
 }
 
 TEST(RunCounting, PartsOfListeningAddUp) {
   expect_parts_to_add_up(listening_measurement, small_scenario("listening", "listening.runs=3"),
-                         listening_dataset);
+                         listening_columns());
 }
 
 // ---- interrupts, on an experiment that counts its runs and lists them ----

@@ -84,7 +84,7 @@ class StrangeDataset : public CommandLine,
   }
 
   static void expect_page(const StoredDataset& stored) {
-    const ReportPart part = reporter_of(stored.scenario)("x", stored);
+    const ReportPart part = report_of("x", stored);
     EXPECT_EQ(none_in(page_as_html(page_of({part}))), "");
   }
   /// A page of what `read` gives, or a line that refuses it.

@@ -1,8 +1,0 @@
-#pragma once
-#include "sim/report/experiment_run.hpp"
-
-namespace sim {
-
-extern const ExperimentEngine arena_engine;
-
-}  // namespace sim

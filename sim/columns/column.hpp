@@ -1,0 +1,229 @@
+#pragma once
+// The columns of a result. A column is declared once: its name, unit and meaning, its heading, and
+// how it is read of a point. The terminal's table, HDF5, JSON and the page are made of it.
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/columns/cell_text.hpp"
+#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/text_table.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/result/netcdf.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+/// What an element of a dimension is called.
+using Label = std::variant<double, std::string>;
+
+/// How a column is drawn over the swept number. A ratio is drawn with its interval.
+struct DrawnColumn {
+  std::string title, label;  // of the chart, and along its axis
+  bool logarithmic = false;
+  std::string theory{};  // the name of a column of the same shape, drawn dashed; empty: none
+};
+
+/// What does not depend on the type of the points.
+struct ColumnFacts {
+  VariableFacts facts;              // no name: the column is in the terminal's table only
+  std::vector<std::string> over{};  // its dimensions besides the axes, by their names
+  TextColumn heading{{}, 0};        // of width 0: the column is not in the terminal's table
+  std::optional<DrawnColumn> drawing{};
+  /// In the table of points: a column for each element of its one dimension, so headed.
+  std::function<TextColumn(const Label&, std::size_t element)> spread{};
+  bool is_known_before = false;  // the first run; otherwise a count is 0 then, and a real NaN
+  bool (*is_shown)(const LoadedScenario&) = nullptr;  // in the terminal's table; null: always
+
+  bool is_stored() const { return !facts.name.empty(); }
+  bool has_heading() const { return heading.width != 0; }
+};
+
+/// A value for each element that a point has of the column's dimensions, row-major; of a column
+/// without dimensions, for the point.
+template <class Point>
+struct Column : ColumnFacts {
+  template <class Value>
+  using Reader = std::function<Value(const Point&, std::size_t element)>;
+
+  /// Whole numbers. The digest of a result is made of those that are stored.
+  struct Count {
+    Reader<std::uint64_t> read;
+  };
+  /// NaN is not known.
+  struct Real {
+    Reader<double> read;
+    RealText text;
+  };
+  /// Stored with the ends of its interval, as NAME_ci_low and NAME_ci_high.
+  struct Ratio {
+    Reader<Estimate> read;
+    std::string (*text)(const Estimate&);
+  };
+  /// Stored as an index in the dimension `texts`, which has each text once.
+  struct Words {
+    Reader<std::string> read;
+    VariableFacts texts;
+  };
+  /// A bit for each of `names`; in the table as `text` has it.
+  struct Flags {
+    Reader<std::uint64_t> read;
+    std::vector<std::string> names;
+    std::string (*text)(std::uint64_t mask);
+  };
+
+  using Kind = std::variant<Count, Real, Ratio, Words, Flags>;
+  Kind kind;
+
+  Column& on(std::vector<std::string> dimensions) {
+    over = std::move(dimensions);
+    return *this;
+  }
+  Column& headed(TextColumn names_and_width) {
+    heading = std::move(names_and_width);
+    return *this;
+  }
+  Column& spread_as(std::function<TextColumn(const Label&, std::size_t)> heading_of) {
+    spread = std::move(heading_of);
+    return *this;
+  }
+  Column& drawn(DrawnColumn how) {
+    drawing = std::move(how);
+    return *this;
+  }
+  Column& known_before() {
+    is_known_before = true;
+    return *this;
+  }
+  Column& shown_if(bool (*condition)(const LoadedScenario&)) {
+    is_shown = condition;
+    return *this;
+  }
+};
+
+/// A dimension besides the axes. The elements of the result are those of all points, each once, in
+/// the order in which they are met. A list has all elements of all points one behind the other, so
+/// a column on it is not on the axes.
+template <class Point>
+struct ColumnDimension {
+  VariableFacts facts;
+  std::function<std::vector<Label>(const Point&)> labels;
+  bool is_list = false;
+};
+
+/// The columns of an experiment in the order of its files and of its table. The first one counts
+/// the runs (or trials).
+template <class Point>
+class Columns {
+ public:
+  /// Readers take a point, or a point and the number of the element.
+  template <class Read>
+  Column<Point>& count(VariableFacts facts, Read read) {
+    return add(std::move(facts),
+               typename Column<Point>::Count{reader<std::uint64_t>(std::move(read))});
+  }
+  template <class Read>
+  Column<Point>& real(VariableFacts facts, Read read, RealText text = significant(4)) {
+    return add(std::move(facts),
+               typename Column<Point>::Real{reader<double>(std::move(read)), std::move(text)});
+  }
+  template <class Read>
+  Column<Point>& ratio(VariableFacts facts, Read read,
+                       std::string (*text)(const Estimate&) = estimate_text) {
+    return add(std::move(facts),
+               typename Column<Point>::Ratio{reader<Estimate>(std::move(read)), text});
+  }
+  /// A text column of the table only; or, where `texts` has a name, one that is stored.
+  template <class Read>
+  Column<Point>& words(VariableFacts facts, Read read, VariableFacts texts = {}) {
+    return add(std::move(facts), typename Column<Point>::Words{reader<std::string>(std::move(read)),
+                                                               std::move(texts)});
+  }
+  template <class Read>
+  Column<Point>& flags(VariableFacts facts, Read read, std::vector<std::string> names,
+                       std::string (*text)(std::uint64_t)) {
+    return add(std::move(facts),
+               typename Column<Point>::Flags{reader<std::uint64_t>(std::move(read)),
+                                             std::move(names), text});
+  }
+
+  template <class Labels>
+  void dimension(VariableFacts facts, Labels labels) {
+    dimensions_.push_back({std::move(facts), std::move(labels)});
+  }
+  template <class Labels>
+  void list(VariableFacts facts, Labels labels) {
+    dimensions_.push_back({std::move(facts), std::move(labels), true});
+  }
+
+  /// Adds the stored columns of Base, from which Point is derived, without their headings.
+  template <class Base>
+  void add_stored(const Columns<Base>& columns) {
+    for (const ColumnDimension<Base>& dimension : columns.dimensions())
+      dimensions_.push_back({dimension.facts, dimension.labels, dimension.is_list});
+    for (const Column<Base>& column : columns.all()) {
+      if (!column.is_stored()) continue;
+      columns_.push_back({static_cast<const ColumnFacts&>(column), derived(column)});
+      columns_.back().heading.width = 0;
+    }
+  }
+
+  const std::vector<Column<Point>>& all() const { return columns_; }
+  const std::vector<ColumnDimension<Point>>& dimensions() const { return dimensions_; }
+  const ColumnDimension<Point>* dimension_of(const std::string& name) const {
+    for (const ColumnDimension<Point>& dimension : dimensions_)
+      if (dimension.facts.name == name) return &dimension;
+    return nullptr;
+  }
+
+ private:
+  template <class Value, class Read>
+  static typename Column<Point>::template Reader<Value> reader(Read read) {
+    if constexpr (std::invocable<const Read&, const Point&, std::size_t>)
+      return [read = std::move(read)](const Point& point, std::size_t element) {
+        return static_cast<Value>(read(point, element));
+      };
+    else
+      return [read = std::move(read)](const Point& point, std::size_t) {
+        return static_cast<Value>(read(point));
+      };
+  }
+
+  Column<Point>& add(VariableFacts facts, typename Column<Point>::Kind kind) {
+    columns_.push_back({{std::move(facts)}, std::move(kind)});
+    return columns_.back();
+  }
+
+  template <class Base>
+  static typename Column<Point>::Kind derived(const Column<Base>& column) {
+    using From = Column<Base>;
+    using To = Column<Point>;
+    return std::visit(
+        [](const auto& kind) -> typename To::Kind {
+          using Kind = std::decay_t<decltype(kind)>;
+          if constexpr (std::is_same_v<Kind, typename From::Count>)
+            return typename To::Count{kind.read};
+          else if constexpr (std::is_same_v<Kind, typename From::Real>)
+            return typename To::Real{kind.read, kind.text};
+          else if constexpr (std::is_same_v<Kind, typename From::Ratio>)
+            return typename To::Ratio{kind.read, kind.text};
+          else if constexpr (std::is_same_v<Kind, typename From::Words>)
+            return typename To::Words{kind.read, kind.texts};
+          else
+            return typename To::Flags{kind.read, kind.names, kind.text};
+        },
+        column.kind);
+  }
+
+  std::vector<Column<Point>> columns_;
+  std::vector<ColumnDimension<Point>> dimensions_;
+};
+
+}  // namespace sim

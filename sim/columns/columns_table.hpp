@@ -1,0 +1,110 @@
+#pragma once
+// The columns of a result as a table in the terminal: a row for each point, or for each element
+// that a point has of a dimension.
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/columns/column.hpp"
+#include "sim/columns/text_table.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+/// A column's cell as the table has it.
+template <class Point>
+std::string cell_text(const Column<Point>& column, const Point& point, std::size_t element = 0) {
+  return std::visit(
+      [&](const auto& kind) -> std::string {
+        using Kind = std::decay_t<decltype(kind)>;
+        const auto value = kind.read(point, element);
+        if constexpr (std::is_same_v<Kind, typename Column<Point>::Count>)
+          return std::to_string(value);
+        else if constexpr (std::is_same_v<Kind, typename Column<Point>::Words>)
+          return value;
+        else
+          return kind.text(value);
+      },
+      column.kind);
+}
+
+/// Rows for the points of a scenario, which can be printed while they are measured.
+template <class Point>
+class PointTable {
+ public:
+  /// `any`: one of the points, before its first run or after it.
+  PointTable(const Columns<Point>& columns, const LoadedScenario& scenario, const Point& any)
+      : axes_(scenario.sweep), headings_(axis_columns(axes_)) {
+    const std::vector<Column<Point>>& all = columns.all();
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      if (all[c].is_shown != nullptr && !all[c].is_shown(scenario)) continue;
+      if (all[c].spread) {
+        const std::size_t first = c;
+        while (c + 1 < all.size() && all[c + 1].spread && all[c + 1].over == all[first].over) ++c;
+        spread({all.begin() + first, all.begin() + c + 1},
+               columns.dimension_of(all[first].over.front())->labels(any));
+      } else if (all[c].has_heading() && all[c].over.empty()) {
+        add(all[c], 0, all[c].heading);
+      }
+    }
+  }
+
+  std::string head() const { return table_head(headings_); }
+  std::string row(const Point& point) const {
+    std::vector<std::string> texts = coordinate_texts(axes_, point.coordinates);
+    for (const Cell& cell : cells_) texts.push_back(cell_text(cell.column, point, cell.element));
+    return table_line(headings_, texts);
+  }
+
+ private:
+  struct Cell {
+    Column<Point> column;
+    std::size_t element;
+  };
+
+  /// Element by element, with all columns of each.
+  void spread(const std::vector<Column<Point>>& together, const std::vector<Label>& labels) {
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (const Column<Point>& column : together) add(column, i, column.spread(labels[i], i));
+  }
+
+  void add(const Column<Point>& column, std::size_t element, TextColumn heading) {
+    headings_.push_back(std::move(heading));
+    cells_.push_back({column, element});
+  }
+
+  std::vector<Axis> axes_;
+  std::vector<TextColumn> headings_;
+  std::vector<Cell> cells_;
+};
+
+/// The headed columns that have just this dimension: a row for each element that the point has.
+template <class Point>
+std::string element_table(const Columns<Point>& columns, const std::string& dimension,
+                          const Point& point) {
+  std::vector<TextColumn> headings;
+  std::vector<std::vector<std::string>> rows(columns.dimension_of(dimension)->labels(point).size());
+  for (const Column<Point>& column : columns.all()) {
+    if (!column.has_heading() || column.over != std::vector<std::string>{dimension}) continue;
+    headings.push_back(column.heading);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(cell_text(column, point, i));
+  }
+  return text_table(std::move(headings), rows);
+}
+
+/// The headed columns without dimensions: a row for each of `rows`.
+template <class Row>
+std::string row_table(const Columns<Row>& columns, const std::vector<Row>& rows) {
+  std::vector<TextColumn> headings;
+  std::vector<std::vector<std::string>> texts(rows.size());
+  for (const Column<Row>& column : columns.all()) {
+    headings.push_back(column.heading);
+    for (std::size_t i = 0; i < rows.size(); ++i) texts[i].push_back(cell_text(column, rows[i]));
+  }
+  return text_table(std::move(headings), texts);
+}
+
+}  // namespace sim

@@ -1,0 +1,22 @@
+#include "sim/columns/outside_column.hpp"
+
+#include "sim/link/validity.hpp"
+#include "sim/scenario/flags.hpp"
+
+namespace sim {
+
+std::string outside_mark(std::uint64_t mask) {
+  return raised_mark(validity_limits(), mask, outside_sign);
+}
+
+std::vector<std::string> outside_flags() { return flag_names(validity_limits()); }
+
+std::string outside_notes(const Dataset& data) {
+  std::uint64_t raised = 0;
+  if (const Dataset::Variable* variable = find_variable(data, outside_name))
+    if (const auto* masks = std::get_if<std::vector<std::int64_t>>(&variable->values))
+      for (const std::int64_t mask : *masks) raised |= static_cast<std::uint64_t>(mask);
+  return raised_notes(validity_limits(), raised, outside_sign);
+}
+
+}  // namespace sim

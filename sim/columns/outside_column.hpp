@@ -1,0 +1,33 @@
+#pragma once
+// How experiments say which of their points leave the range of a model (sim/link/validity).
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/columns/column.hpp"
+#include "sim/result/dataset.hpp"
+
+namespace sim {
+
+inline constexpr const char* outside_name = "outside_validity";
+
+/// "! near", or nothing.
+std::string outside_mark(std::uint64_t mask);
+
+/// Their names, by the bits of the mask.
+std::vector<std::string> outside_flags();
+
+/// Adds the column of the points' masks, which each has as `outside`.
+template <class Point>
+void add_outside(Columns<Point>& columns) {
+  columns
+      .flags(
+          {outside_name, "1", "models that are outside of their range"},
+          [](const Point& point) { return point.outside; }, outside_flags(), outside_mark)
+      .headed({{"", "", ""}, -1});
+}
+
+/// What the marks of all points mean, a line each.
+std::string outside_notes(const Dataset& data);
+
+}  // namespace sim

@@ -1,0 +1,19 @@
+#include "sim/location/location_experiment.hpp"
+
+#include "sim/location/location_settings.hpp"
+
+namespace sim {
+
+constinit const Measurement<LocationBench, LocationTally, LocationPointRun> location_measurement{
+    .unreached =
+        [](const Scenario& s, const Places& places, const std::vector<double>& coordinates) {
+          return LocationPointRun{coordinates, location_settings(s, places)};
+        },
+    .prepare = [](const Scenario& s, const Places& places,
+                  const Workers&) { return LocationBench(location_settings(s, places)); },
+    .most_at_once = trials_at_once<LocationBench>,
+    .run = run_location,
+    .describe = [](LocationPointRun& point, const LocationBench& bench,
+                   const LocationTally& tally) { point.result = bench.summed(tally); }};
+
+}  // namespace sim
