@@ -10,7 +10,7 @@
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/link.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 namespace {
@@ -49,13 +49,13 @@ Seconds longest_frame_of(const std::vector<Sender>& senders) {
 std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena,
                                      const Workers& workers) {
   const Seconds step(channel::gain_step / s.simulation.sample_rate_hz);
-  RunSharing<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
-                                  .most_at_once = 1,
-                                  .workers = workers},
-                                 [&](std::uint32_t sender, int) {
-                                   return light_track(s, arena.senders[sender], arena.way,
-                                                      arena.end, step, workers.interrupt);
-                                 });
+  ParallelRuns<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
+                                    .most_at_once = 1,
+                                    .workers = workers},
+                                   [&](std::uint32_t sender, int) {
+                                     return light_track(s, arena.senders[sender], arena.way,
+                                                        arena.end, step, workers.interrupt);
+                                   });
   return sharing();
 }
 
@@ -90,7 +90,7 @@ void add_lights(Arena& arena, const Scenario& s) {
 
 }  // namespace
 
-Seconds duration_of(const Scenario& s, const Way& way) {
+Seconds duration_of(const Scenario& s, const Trajectory& way) {
   const double duration_s = s.settings.of<ArenaSettings>().duration_s;
   if (!std::isnan(duration_s)) return Seconds(duration_s);
   return way.duration() > Seconds(0) ? way.duration() : default_duration;
@@ -99,7 +99,7 @@ Seconds duration_of(const Scenario& s, const Way& way) {
 Arena make_arena(const Scenario& scenario, const Workers& workers) {
   Scenario s = scenario;
   s.module = module_of(scenario);
-  Arena arena{.senders = make_senders(s), .way = Way(s.path)};
+  Arena arena{.senders = make_senders(s), .way = Trajectory(s.path)};
   arena.duration = duration_of(s, arena.way);
   arena.end = arena.duration + longest_frame_of(arena.senders) + lead_out;
   arena.light = light_tracks(s, arena, workers);

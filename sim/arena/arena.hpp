@@ -9,16 +9,16 @@
 #include "protocol/uart_receivers.hpp"
 #include "sim/arena/light_track.hpp"
 #include "sim/arena/sending.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 
 struct Arena {
   std::vector<Sender> senders;
   std::vector<LightTrack> light{};  // of each
-  Way way;
+  Trajectory way;
   dsp::Seconds duration{};  // frames that start within it count
   dsp::Seconds end{};       // of the simulation: those have ended
   // Light and module; other lights of the scenario come before those of the senders.
@@ -43,6 +43,6 @@ struct Arena {
 Arena make_arena(const Scenario& scenario, const Workers& workers = {});
 
 /// How long the runs of a scenario are.
-dsp::Seconds duration_of(const Scenario& scenario, const Way& way);
+dsp::Seconds duration_of(const Scenario& scenario, const Trajectory& way);
 
 }  // namespace sim

@@ -1,5 +1,5 @@
 #include "sim/arena/arena_check.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "sim/arena/arena.hpp"
 #include "sim/arena/sender.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -53,7 +53,7 @@ void check_names(const std::vector<Sender>& senders) {
                       "rename one of the two");
 }
 
-void check_currents(const std::vector<Sender>& senders, const Places& places) {
+void check_currents(const std::vector<Sender>& senders, const SourceLocations& places) {
   for (const Sender& sender : senders) {
     const double last = sender.emitter.intensity_mw_per_sr.x.back();
     const double current_ma = sender.current.value * 1e3;
@@ -65,11 +65,12 @@ void check_currents(const std::vector<Sender>& senders, const Places& places) {
   }
 }
 
-void check_temperatures(const std::vector<Sender>& senders, double celsius, const Places& places) {
+void check_temperatures(const std::vector<Sender>& senders, double celsius,
+                        const SourceLocations& places) {
   for (const Sender& sender : senders) check_led_temperature(sender.emitter, celsius, places);
 }
 
-void check_duration(const Scenario& s, const Way& way, const Places& places) {
+void check_duration(const Scenario& s, const Trajectory& way, const SourceLocations& places) {
   const double seconds = duration_of(s, way).value;
   if (seconds <= longest_run_s) return;
   throw bad_input(fmt::format("path.speed_m_per_s = {} {}", s.path.speed_m_per_s,
@@ -78,9 +79,9 @@ void check_duration(const Scenario& s, const Way& way, const Places& places) {
                   "raise it, or set arena.duration_s");
 }
 
-void check_point(const Scenario& s, const Places& places) {
+void check_point(const Scenario& s, const SourceLocations& places) {
   check_receiver_module(s, places);
-  const Way way(s.path);
+  const Trajectory way(s.path);
   check_duration(s, way, places);
   const std::vector<Sender> senders = make_senders(s);
   check_names(senders);

@@ -85,9 +85,9 @@ void add_device_counts(Columns<Point>& columns) {
         [](const T& t) { return t.n_captured; });
   count({"n_runs_heard", "1", "runs with a message delivered"},
         [](const T& t) { return t.latency.n_runs_heard; });
-  for (std::size_t f = 0; f < frame_fates; ++f)
-    count({"n_" + std::string(fate_names[f].name), "1",
-           "messages whose fate was: " + std::string(fate_names[f].words)},
+  for (std::size_t f = 0; f < loss_causes; ++f)
+    count({"n_" + std::string(loss_cause_names[f].name), "1",
+           "messages whose fate was: " + std::string(loss_cause_names[f].words)},
           [f](const T& t) { return t.fate[f]; });
 }
 

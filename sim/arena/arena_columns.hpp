@@ -24,7 +24,7 @@ Column<Row>& add_message_columns(Columns<Row>& columns, VariableFacts loss, Tall
   count({{"", "", "in reach"}, 9}, [](const SenderTally& t) { return t.n_in_reach; });
   count({{"", "", "overlapped"}, 10}, [](const SenderTally& t) { return t.n_overlapped; });
   count({{"", "", "captured"}, 9}, [](const SenderTally& t) { return t.n_captured; });
-  count({{"", "", "delivered"}, 9}, [](const SenderTally& t) { return t[FrameFate::delivered]; });
+  count({{"", "", "delivered"}, 9}, [](const SenderTally& t) { return t[LossCause::delivered]; });
   return columns.ratio(std::move(loss), [=](const Row& row) { return frame_loss(tally_of(row)); })
       .headed({{"", "frame loss ratio", "[interval]"}, -estimate_width});
 }

@@ -72,10 +72,11 @@ double pure_aloha(double load) { return load * std::exp(-2 * load); }
 
 constinit const Measurement<Arena, ArenaRuns, ArenaPoint> arena_measurement{
     .unreached =
-        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+        [](const Scenario&, const SourceLocations&, const std::vector<double>& coordinates) {
           return ArenaPoint{.coordinates = coordinates};
         },
-    .prepare = [](const Scenario& s, const Places&, const Workers& w) { return make_arena(s, w); },
+    .prepare = [](const Scenario& s, const SourceLocations&,
+                  const Workers& w) { return make_arena(s, w); },
     .most_at_once = [](const Arena& arena, std::uint32_t,
                        int threads) { return arena_runs_at_once(arena, threads); },
     .run = run_arena,

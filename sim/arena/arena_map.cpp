@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "sim/arena/sender.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/page/dataset_cells.hpp"
-#include "sim/page/dataset_words.hpp"
 #include "sim/picture/floor_plan.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/section/dataset_cells.hpp"
+#include "sim/section/dataset_words.hpp"
 
 namespace sim {
 namespace {
@@ -104,7 +104,7 @@ std::vector<HeardMessage> heard_on_map(const Dataset& data, std::size_t point) {
 }
 
 std::vector<PlanDots> dots_of(const std::vector<HeardMessage>& heard,
-                              const std::vector<Sender>& senders, const Way& way) {
+                              const std::vector<Sender>& senders, const Trajectory& way) {
   std::map<std::string, std::string> kind_of;
   for (const Sender& sender : senders) kind_of[sender.name] = sender.kind;
   std::vector<PlanDots> dots;
@@ -132,7 +132,7 @@ PageTable table_of(const std::vector<Sender>& senders, const Dataset& data, std:
 }
 
 FloorPlan plan_of(const StoredDataset& stored, std::size_t point,
-                  const std::vector<Sender>& senders, const Way& way) {
+                  const std::vector<Sender>& senders, const Trajectory& way) {
   FloorPlan plan{.title = "Where messages were heard",
                  .description =
                      "Devices (discs; rings where nothing was heard of them), the receiver's way, "
@@ -152,7 +152,7 @@ PageSection arena_map(const StoredDataset& stored, std::size_t point) {
   const Scenario scenario =
       point_scenario(stored.scenario, point_coordinates(stored.data.axes, point));
   const std::vector<Sender> senders = make_senders(scenario);
-  const FloorPlan plan = plan_of(stored, point, senders, Way(scenario.path));
+  const FloorPlan plan = plan_of(stored, point, senders, Trajectory(scenario.path));
   const std::string place = place_text(stored.data, point);
   return {.heading = plan.title + (place.empty() ? "" : ", " + place),
           .text = "The floor is \"" + scenario.floor_settings.part + "\".",

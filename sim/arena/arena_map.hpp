@@ -2,8 +2,8 @@
 // An arena from above, with what was heard where, for reports.
 #include <cstddef>
 
-#include "sim/page/page.hpp"
 #include "sim/result/stored_dataset.hpp"
+#include "sim/section/page_section.hpp"
 
 namespace sim {
 

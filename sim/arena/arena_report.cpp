@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/arena/arena_columns.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/loading/point_scenario.hpp"
@@ -85,7 +85,7 @@ std::string heard_text(const std::map<std::string, std::uint64_t>& counts) {
   return text.empty() ? "nothing" : text;
 }
 
-std::string way_row(const ArenaPoint& point, const Way& way, std::size_t stretch) {
+std::string way_row(const ArenaPoint& point, const Trajectory& way, std::size_t stretch) {
   const double length = point.duration_s / stretches;
   const double from = length * static_cast<double>(stretch), to = from + length;
   std::map<std::string, std::uint64_t> counts;
@@ -119,8 +119,8 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
 
 std::vector<LossStage> loss_stages(const SenderTally& tally) {
   std::vector<LossStage> stages;
-  for (std::size_t i = 1; i < frame_fates; ++i)
-    stages.push_back({fate_names[i].words, tally.fate[i]});
+  for (std::size_t i = 1; i < loss_causes; ++i)
+    stages.push_back({loss_cause_names[i].words, tally.fate[i]});
   return stages;
 }
 
@@ -139,7 +139,7 @@ std::string waterfall(std::uint64_t messages, const std::vector<LossStage>& stag
 }
 
 std::string way_table(const Scenario& scenario, const ArenaPoint& point) {
-  const Way way(scenario.path);
+  const Trajectory way(scenario.path);
   std::string table = table_head(way_columns());
   for (std::size_t i = 0; i < stretches; ++i) table += way_row(point, way, i);
   return table;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "protocol/cosys.hpp"
-#include "sim/arena/air.hpp"
+#include "sim/arena/airtime.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/trial/trial.hpp"
 
@@ -111,35 +111,35 @@ bool whole(const SentFrame& frame, const Sender& sender, const HeardLine& heard,
 }
 
 /// All that is known of one run.
-struct Witness {
+struct RunObservation {
   const Arena& arena;
-  const Air& air;
+  const Airtime& air;
   const HeardLine& heard;
   const HeardLine& without_slow_agc;
 };
 
-FrameFate fate_of(const Witness& w, std::size_t sender, const SentFrame& frame) {
+LossCause loss_cause_of(const RunObservation& w, std::size_t sender, const SentFrame& frame) {
   const Sender& from = w.arena.senders[sender];
   const Seconds delay = w.arena.delay;
-  if (frame.silent) return FrameFate::silent;
-  if (delivery_of(frame, from, w.heard, delay) != nullptr) return FrameFate::delivered;
-  if (!w.air.in_reach(sender, frame)) return FrameFate::out_of_reach;
-  if (delivery_of(frame, from, w.without_slow_agc, delay) != nullptr) return FrameFate::agc;
-  if (w.air.overlapped(sender, frame)) return FrameFate::collision;
-  return whole(frame, from, w.heard, delay) ? FrameFate::checksum : FrameFate::uart;
+  if (frame.silent) return LossCause::silent;
+  if (delivery_of(frame, from, w.heard, delay) != nullptr) return LossCause::delivered;
+  if (!w.air.in_reach(sender, frame)) return LossCause::out_of_reach;
+  if (delivery_of(frame, from, w.without_slow_agc, delay) != nullptr) return LossCause::agc;
+  if (w.air.overlapped(sender, frame)) return LossCause::collision;
+  return whole(frame, from, w.heard, delay) ? LossCause::checksum : LossCause::uart;
 }
 
 std::uint64_t microseconds(Seconds t) {
   return static_cast<std::uint64_t>(std::llround(t.value * 1e6));
 }
 
-void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame, FrameFate fate,
-                   SenderTally& tally) {
-  const bool delivered = fate == FrameFate::delivered;
+void count_airtime(const RunObservation& w, std::size_t sender, const SentFrame& frame,
+                   LossCause fate, SenderTally& tally) {
+  const bool delivered = fate == LossCause::delivered;
   const std::uint64_t airtime = microseconds(frame.end - frame.start);
   tally.airtime_us += airtime;
   if (delivered) tally.airtime_delivered_us += airtime;
-  if (fate == FrameFate::out_of_reach) return;
+  if (fate == LossCause::out_of_reach) return;
   tally.airtime_in_reach_us += airtime;
   ++tally.n_in_reach;
   const bool overlapped = w.air.overlapped(sender, frame);
@@ -148,16 +148,16 @@ void count_airtime(const Witness& w, std::size_t sender, const SentFrame& frame,
 }
 
 /// Frames that start within the run.
-SenderTally count_sender(const Witness& w, std::size_t sender, const std::vector<SentFrame>& frames,
-                         std::uint32_t run, ArenaRuns& into) {
+SenderTally count_sender(const RunObservation& w, std::size_t sender,
+                         const std::vector<SentFrame>& frames, std::uint32_t run, ArenaRuns& into) {
   SenderTally tally;
   for (const SentFrame& frame : frames) {
     if (frame.start < Seconds(0) || frame.start >= w.arena.duration) continue;
-    const FrameFate fate = fate_of(w, sender, frame);
+    const LossCause fate = loss_cause_of(w, sender, frame);
     ++tally.fate[static_cast<std::size_t>(fate)];
-    if (fate == FrameFate::silent) continue;
+    if (fate == LossCause::silent) continue;
     count_airtime(w, sender, frame, fate, tally);
-    if (fate != FrameFate::delivered) continue;
+    if (fate != LossCause::delivered) continue;
     if (tally.latency.n_runs_heard == 0) tally.latency.add(frame.end);
     const Pose2D place = w.arena.way.at(frame.end);
     into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,
@@ -180,12 +180,12 @@ bool is_true(const Arena& arena, const std::vector<SentFrames>& sent,
 
 void count_run(const Arena& arena, std::uint32_t run, const std::vector<SentFrames>& sent,
                const HeardLine& heard, const HeardLine& without_slow_agc, ArenaRuns& into) {
-  const Air air(arena, sent);
-  const Witness witness{arena, air, heard, without_slow_agc};
+  const Airtime air(arena, sent);
+  const RunObservation observation{arena, air, heard, without_slow_agc};
   const auto before = static_cast<std::ptrdiff_t>(into.heard.size());
   std::uint64_t lost = 0, all = 0;
   for (std::size_t i = 0; i < arena.senders.size(); ++i) {
-    const SenderTally tally = count_sender(witness, i, sent[i].frames, run, into);
+    const SenderTally tally = count_sender(observation, i, sent[i].frames, run, into);
     into.tally.senders[i] += tally;
     lost += tally.lost();
     all += tally.sent();

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/page/dataset_cells.hpp"
 #include "sim/scenario/sweep.hpp"
+#include "sim/section/dataset_cells.hpp"
 
 namespace sim {
 namespace {

@@ -35,7 +35,7 @@ std::uint64_t SenderTally::messages() const {
 }
 
 SenderTally& SenderTally::operator+=(const SenderTally& other) {
-  for (std::size_t i = 0; i < frame_fates; ++i) fate[i] += other.fate[i];
+  for (std::size_t i = 0; i < loss_causes; ++i) fate[i] += other.fate[i];
   n_in_reach += other.n_in_reach;
   n_overlapped += other.n_overlapped;
   n_captured += other.n_captured;

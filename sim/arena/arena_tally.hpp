@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dsp/units.hpp"
-#include "sim/arena/frame_fate.hpp"
+#include "sim/arena/loss_cause.hpp"
 #include "sim/counting/statistics.hpp"
 
 namespace sim {
@@ -30,7 +30,7 @@ struct Latency {
 
 /// Messages of one device that start within a run.
 struct SenderTally {
-  std::array<std::uint64_t, frame_fates> fate{};
+  std::array<std::uint64_t, loss_causes> fate{};
   std::uint64_t n_in_reach = 0;    // sent, less those out of reach
   std::uint64_t n_overlapped = 0;  // of those, with light of another device in reach
   std::uint64_t n_captured = 0;    // of those, delivered all the same
@@ -38,11 +38,11 @@ struct SenderTally {
   Latency latency;
   ClusterSums losses;  // lost of sent; its runs
 
-  std::uint64_t operator[](FrameFate f) const { return fate[static_cast<std::size_t>(f)]; }
+  std::uint64_t operator[](LossCause f) const { return fate[static_cast<std::size_t>(f)]; }
   /// Those that the device had to send.
   std::uint64_t messages() const;
-  std::uint64_t sent() const { return messages() - (*this)[FrameFate::silent]; }
-  std::uint64_t lost() const { return sent() - (*this)[FrameFate::delivered]; }
+  std::uint64_t sent() const { return messages() - (*this)[LossCause::silent]; }
+  std::uint64_t lost() const { return sent() - (*this)[LossCause::delivered]; }
 
   SenderTally& operator+=(const SenderTally& other);
   template <class Archive>

@@ -7,7 +7,7 @@
 
 #include "channel/geometry.hpp"
 #include "sim/link/link.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 namespace {
@@ -88,7 +88,7 @@ class LightField {
 /// Adds scattered light to a track of mirrored light.
 class ScatterFill {
  public:
-  ScatterFill(const LightField& field, const Way& way, LightTrack& track,
+  ScatterFill(const LightField& field, const Trajectory& way, LightTrack& track,
               const std::atomic<bool>* stop)
       : field_(field), way_(way), track_(track), stop_(stop) {}
 
@@ -128,7 +128,7 @@ class ScatterFill {
   }
 
   const LightField& field_;
-  const Way& way_;
+  const Trajectory& way_;
   LightTrack& track_;
   const std::atomic<bool>* stop_;
 };
@@ -149,8 +149,8 @@ double LightTrack::mean() const {
          static_cast<double>(irradiance.size());
 }
 
-LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way& way, Seconds end,
-                       Seconds step, const std::atomic<bool>* stop) {
+LightTrack light_track(const Scenario& scenario, const Sender& sender, const Trajectory& way,
+                       Seconds end, Seconds step, const std::atomic<bool>* stop) {
   const LightField field(scenario, sender);
   LightTrack track{step, {}};
   if (way.duration() == Seconds(0)) {

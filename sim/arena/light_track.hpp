@@ -5,7 +5,7 @@
 
 #include "dsp/units.hpp"
 #include "sim/arena/sender.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -27,7 +27,7 @@ struct LightTrack {
 /// floor scatters, at most some per cent of it (1 % from 1 m on at 10 mm height), only as often as
 /// keeps a straight line within 0.5 % of all. Worth nothing once `*stop` is true: it then gives up
 /// soon.
-LightTrack light_track(const Scenario& scenario, const Sender& sender, const Way& way,
+LightTrack light_track(const Scenario& scenario, const Sender& sender, const Trajectory& way,
                        dsp::Seconds end, dsp::Seconds step,
                        const std::atomic<bool>* stop = nullptr);
 

@@ -9,10 +9,10 @@
 #include <span>
 #include <utility>
 
+#include "sim/capture/carrier_demodulator.hpp"
 #include "sim/capture/csv_clock.hpp"
 #include "sim/capture/csv_columns.hpp"
 #include "sim/capture/csv_table.hpp"
-#include "sim/capture/keyed_wire.hpp"
 #include "sim/capture/sample_choice.hpp"
 #include "sim/capture/wire_choice.hpp"
 #include "sim/failure.hpp"
@@ -277,7 +277,7 @@ ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std
   if (moves && is_logic(table, column)) {
     LevelsAhead levels(table, clock, column);
     WireFlips flips(levels, 0);
-    KeyedWire line(flips, hints.carrier);
+    CarrierDemodulator line(flips, hints.carrier);
     return survey_of(name, line, hints);
   }
   const auto pace = moves ? pace_of_samples(table, clock) : std::nullopt;

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/capture/keyed_wire.hpp"
+#include "sim/capture/carrier_demodulator.hpp"
 #include "sim/capture/wire_names.hpp"
 #include "sim/failure.hpp"
 #include "sim/text/escaped_text.hpp"
@@ -138,7 +138,7 @@ std::vector<ChannelSurvey> surveys_of_kept(const std::vector<std::string>& names
   for (const std::size_t wire : wires_to_survey(names, edges)) {
     const KeptWire& own = kept[wire];
     KeptFlips flips(own.initial, own.flips, own.is_cut ? own.flips.back() : end, resolution);
-    KeyedWire line(flips, hints.carrier);
+    CarrierDemodulator line(flips, hints.carrier);
     surveys[wire] = survey_of(names[wire], line, hints);
     surveys[wire].edges = own.edges;
   }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/capture/line_survey.hpp"
+#include "sim/capture/autobaud.hpp"
 #include "sim/capture/logic_capture.hpp"
 
 namespace sim {

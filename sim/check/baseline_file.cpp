@@ -60,7 +60,7 @@ void add_counts(NetcdfFile& file, const Baseline& baseline) {
                 count_frames([](const FrameOutcome& o) { return o.lost(); }));
   add_of_points(file, baseline,
                 {"n_frames_undetected", "", "frames in whose time another was accepted"},
-                count_frames([](const FrameOutcome& o) { return o.deceived; }));
+                count_frames([](const FrameOutcome& o) { return o.undetected_error; }));
 }
 
 /// One value a frame; where a point has fewer frames, the last are empty.

@@ -15,7 +15,7 @@ class UartDecoder : public Decoder {
 
   const std::string& name() const override { return name_; }
 
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded;
     protocol::CosysDecoder decoder;
     for (const protocol::UartByte& byte : characters(line)) {
@@ -26,7 +26,7 @@ class UartDecoder : public Decoder {
     return decoded;
   }
 
-  std::vector<protocol::UartByte> characters(const MarkedLine& line) const override {
+  std::vector<protocol::UartByte> characters(const DelimitedStream& line) const override {
     return uart_.receive(line.wire, line.baud, 0);
   }
 
@@ -43,7 +43,7 @@ class WholeLineDecoder : public Decoder {
 
   const std::string& name() const override { return name_; }
 
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded;
     for (protocol::SoftMessage& message : protocol::decode_soft(line.wire, line.baud, memory_))
       decoded.accepted.push_back(std::move(message.message));

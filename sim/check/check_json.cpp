@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 Json counts_json(const FrameCounts& counts) {
   return {{"n_frames", counts.frames},
           {"n_frames_lost", counts.lost},
-          {"n_frames_undetected", counts.deceived}};
+          {"n_frames_undetected", counts.undetected_error}};
 }
 
 const char* name(Pairing pairing) {
@@ -62,7 +62,7 @@ Json point_json(const PointCheck& c) {
           {"frames_needed", c.frames_needed == 0 ? Json(nullptr) : Json(c.frames_needed)},
           {"lost_by_candidate_alone", c.only_candidate_lost},
           {"lost_by_baseline_alone", c.only_baseline_lost},
-          {"undetected_by_candidate_alone", c.only_candidate_deceived},
+          {"undetected_by_candidate_alone", c.only_candidate_undetected},
           {"fault", fault_json(c.fault)}};
 }
 
@@ -71,8 +71,8 @@ Json point_json(const PointCheck& c) {
 std::string check_json(const CheckReport& report) {
   Json points = Json::array();
   for (const PointCheck& check : report.checks) points.push_back(point_json(check));
-  const GateRule& rule = report.setup.rule;
-  const Json json{{"verdict", name(verdict_of(report.checks))},
+  const SequentialTestRule& rule = report.setup.rule;
+  const Json json{{"verdict", name(summary_of(report.checks))},
                   {"candidate", report.setup.candidate.name()},
                   {"baseline", report.baseline.decoder},
                   {"baseline_file", report.baseline_file.string()},

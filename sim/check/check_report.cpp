@@ -56,7 +56,8 @@ std::string interval_text(std::uint64_t part, std::uint64_t whole) {
 
 std::string counts_line(const char* who, const FrameCounts& counts) {
   return fmt::format("{}: {} of {} frames lost, {}; {} accepted wrongly\n", who, counts.lost,
-                     counts.frames, interval_text(counts.lost, counts.frames), counts.deceived);
+                     counts.frames, interval_text(counts.lost, counts.frames),
+                     counts.undetected_error);
 }
 
 std::string list_of(const char* what, const std::vector<std::uint32_t>& trials) {
@@ -88,7 +89,7 @@ const char* pairing_line(Pairing pairing) {
 
 /// What a trial is looked at for.
 const std::vector<std::uint32_t>& telling_frames(const PointCheck& check) {
-  return check.only_candidate_lost.empty() ? check.only_candidate_deceived
+  return check.only_candidate_lost.empty() ? check.only_candidate_undetected
                                            : check.only_candidate_lost;
 }
 
@@ -126,7 +127,7 @@ std::string head(const CheckReport& report) {
 }
 
 std::string power_lines(const CheckReport& report) {
-  const GateRule& rule = report.setup.rule;
+  const SequentialTestRule& rule = report.setup.rule;
   std::size_t known = 0, enough = 0;
   const PointCheck* least = nullptr;
   for (const PointCheck& check : report.checks) {
@@ -145,7 +146,7 @@ std::string power_lines(const CheckReport& report) {
 
 std::string last_line(const CheckReport& report) {
   const std::size_t points = report.checks.size();
-  switch (verdict_of(report.checks)) {
+  switch (summary_of(report.checks)) {
     case Verdict::broken:
       return fmt::format("failed: the decoder did not do its work at {} of {} points\n",
                          report.count(Verdict::broken), points);
@@ -195,7 +196,7 @@ std::string point_details(const CheckReport& report, const PointCheck& check) {
   if (check.verdict == Verdict::inconclusive) text += wish(report, check);
   text += list_of("lost by the candidate alone", check.only_candidate_lost);
   text += list_of("lost by the baseline alone", check.only_baseline_lost);
-  text += list_of("accepted wrongly by the candidate alone", check.only_candidate_deceived);
+  text += list_of("accepted wrongly by the candidate alone", check.only_candidate_undetected);
   text += "again: " + repeat_command(report, check) + "\n";
   if (!telling_frames(check).empty()) {
     const std::uint32_t trial = telling_frames(check).front();

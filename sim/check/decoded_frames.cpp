@@ -8,7 +8,7 @@
 namespace sim {
 namespace {
 
-DecodedFrames frames_of(const Decoded& decoded, const MarkedLine& line,
+DecodedFrames frames_of(const Decoded& decoded, const DelimitedStream& line,
                         const std::string& message) {
   DecodedFrames result{.frames = {}, .fault = decoded.fault};
   const std::size_t n = line.frames.size();
@@ -29,7 +29,7 @@ using OfDecoders = std::vector<DecodedFrames>;
 
 OfDecoders decode_capture(const JudgedLink& judged, const std::vector<const Decoder*>& decoders,
                           std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  const MarkedLine line = hear_marked(judged, first, n, stop);
+  const DelimitedStream line = hear_marked(judged, first, n, stop);
   OfDecoders all;
   for (const Decoder* decoder : decoders)
     all.push_back(is_stopped(stop) ? DecodedFrames{}
@@ -53,7 +53,7 @@ std::vector<DecodedFrames> decode_frames(const JudgedLink& judged,
   assert(first % frames_per_capture == 0);
   const std::uint32_t captures = (n + frames_per_capture - 1) / frames_per_capture;
   const SharedRuns shared{.runs = captures, .most_at_once = 1, .workers = workers};
-  RunSharing<OfDecoders> sharing(shared, [&](std::uint32_t capture, int) {
+  ParallelRuns<OfDecoders> sharing(shared, [&](std::uint32_t capture, int) {
     const std::uint32_t done = capture * frames_per_capture;
     return decode_capture(judged, decoders, first + done,
                           static_cast<int>(std::min(frames_per_capture, n - done)),

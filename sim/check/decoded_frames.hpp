@@ -7,8 +7,8 @@
 
 #include "sim/check/baseline.hpp"
 #include "sim/check/decoder.hpp"
-#include "sim/check/marked_line.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/check/delimited_stream.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocol/uart.hpp"
-#include "sim/check/marked_line.hpp"
+#include "sim/check/delimited_stream.hpp"
 
 namespace sim {
 
@@ -37,9 +37,9 @@ class Decoder {
   /// As the user named it.
   virtual const std::string& name() const = 0;
   /// From any thread.
-  virtual Decoded decode(const MarkedLine& line) const = 0;
+  virtual Decoded decode(const DelimitedStream& line) const = 0;
   /// The characters that it received, where it says them.
-  virtual std::vector<protocol::UartByte> characters(const MarkedLine&) const { return {}; }
+  virtual std::vector<protocol::UartByte> characters(const DelimitedStream&) const { return {}; }
 };
 
 /// Names of the decoders that the program brings.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/marked_line.hpp"
+#include "sim/check/delimited_stream.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {

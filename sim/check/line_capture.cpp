@@ -27,7 +27,7 @@ void for_each_level(const dsp::LogicTrace& wire, const Write& write) {
   write(std::lround(wire.end().value * 1e6), level);
 }
 
-std::string to_edges(const MarkedLine& line) {
+std::string to_edges(const DelimitedStream& line) {
   std::string text;
   for_each_level(line.wire, [&](long us, bool level) {
     fmt::format_to(std::back_inserter(text), "{} {:d}\n", us, level);
@@ -35,7 +35,7 @@ std::string to_edges(const MarkedLine& line) {
   return text;
 }
 
-std::string to_csv(const MarkedLine& line) {
+std::string to_csv(const DelimitedStream& line) {
   std::string text = "Time [s],rx\n";
   for_each_level(line.wire, [&](long us, bool level) {
     fmt::format_to(std::back_inserter(text), "{:.6f},{:d}\n", static_cast<double>(us) * 1e-6,
@@ -44,23 +44,25 @@ std::string to_csv(const MarkedLine& line) {
   return text;
 }
 
-std::string to_vcd(const MarkedLine& line) {
+std::string to_vcd(const DelimitedStream& line) {
   std::ostringstream out;
   const VcdWire rx{"rx", &line.wire};
   write_vcd(out, {&rx, 1}, line.wire.end());
   return out.str();
 }
 
-std::string to_pulses(const MarkedLine& line) {
+std::string to_pulses(const DelimitedStream& line) {
   std::ostringstream out;
   write_pulses(out, line.wire);
   return out.str();
 }
 
-std::string to_session(const MarkedLine& line) { return wire_as_session(line.wire, session_rate); }
+std::string to_session(const DelimitedStream& line) {
+  return wire_as_session(line.wire, session_rate);
+}
 
 /// What a serial port would have read by the scenario's own UART.
-std::string to_bytes(const MarkedLine& line) {
+std::string to_bytes(const DelimitedStream& line) {
   std::string bytes;
   for (const protocol::UartByte& byte : line.uart->receive(line.wire, line.baud, 0))
     bytes += static_cast<char>(byte.value);
@@ -80,7 +82,9 @@ std::vector<short> audio_of(const dsp::LogicTrace& wire) {
 
 /// The wire's voltage, as a sound card without a coupling capacitor hears it: half of full scale is
 /// 1, minus half of it 0.
-std::string to_wav(const MarkedLine& line) { return wav_image(audio_of(line.wire), audio_rate); }
+std::string to_wav(const DelimitedStream& line) {
+  return wav_image(audio_of(line.wire), audio_rate);
+}
 
 constexpr LineCapture formats[] = {
     {"vcd", ".vcd", to_vcd}, {"sr", ".sr", to_session},   {"edges", ".edges", to_edges},

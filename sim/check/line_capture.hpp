@@ -4,14 +4,14 @@
 #include <span>
 #include <string>
 
-#include "sim/check/marked_line.hpp"
+#include "sim/check/delimited_stream.hpp"
 
 namespace sim {
 
 struct LineCapture {
   const char* name;    // "vcd"
   const char* ending;  // of its file
-  std::string (*bytes)(const MarkedLine&);
+  std::string (*bytes)(const DelimitedStream&);
 };
 
 /// edges: a line a change, "1234567 0": microseconds and the level from then on; the first line is

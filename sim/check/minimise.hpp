@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/frame_story.hpp"
+#include "sim/check/frame_trace.hpp"
 
 namespace sim {
 

@@ -96,10 +96,11 @@ class PairCounter {
     check_.candidate.add(c);
     check_.baseline.add(b);
     check_.losses.add(c.lost(), b.lost());
-    check_.deceptions.add(c.deceived, b.deceived);
+    check_.undetected_errors.add(c.undetected_error, b.undetected_error);
     if (c.lost() && !b.lost()) check_.only_candidate_lost.push_back(trial);
     if (!c.lost() && b.lost()) check_.only_baseline_lost.push_back(trial);
-    if (c.deceived && !b.deceived) check_.only_candidate_deceived.push_back(trial);
+    if (c.undetected_error && !b.undetected_error)
+      check_.only_candidate_undetected.push_back(trial);
   }
 
   const FramePairs& pairs_;
@@ -111,11 +112,12 @@ std::uint64_t tests_of(const CheckSetup& setup) { return 2 * setup.points; }
 
 /// Look by look, until it is known.
 void check_pairs(const CheckSetup& setup, FramePairs& pairs, PointCheck& check) {
-  Gate losses(setup.rule, pairs.limit(), tests_of(setup));
-  Gate deceptions(setup.rule, pairs.limit(), tests_of(setup));
+  SequentialTest losses(setup.rule, pairs.limit(), tests_of(setup));
+  SequentialTest undetected_errors(setup.rule, pairs.limit(), tests_of(setup));
   PairCounter counter(pairs, check);
   const auto undecided = [&] {
-    return losses.state() == GateState::undecided && deceptions.state() != GateState::worse;
+    return losses.state() == SequentialTestState::undecided &&
+           undetected_errors.state() != SequentialTestState::worse;
   };
   while ((undecided() || setup.golden) && losses.next_look() > 0) {
     const std::uint64_t frames = losses.next_look();
@@ -123,10 +125,10 @@ void check_pairs(const CheckSetup& setup, FramePairs& pairs, PointCheck& check) 
     if (pairs.pairing() == Pairing::unpaired) return;
     counter.count_to(frames);
     losses.look(check.losses);
-    deceptions.look(check.deceptions);
+    undetected_errors.look(check.undetected_errors);
   }
   check.p_lost = losses.p_value();
-  check.p_deceived = deceptions.p_value();
+  check.p_deceived = undetected_errors.p_value();
   check.no_worse = losses.has_passed();
 }
 
@@ -147,8 +149,8 @@ void check_unpaired(const CheckSetup& setup, const BaselinePoint& baseline, Fram
   const LostOf c{check.candidate.lost, check.candidate.frames};
   const LostOf b{check.baseline.lost, check.baseline.frames};
   check.p_lost = fisher_p_value(c, b);
-  check.p_deceived =
-      fisher_p_value({check.candidate.deceived, c.frames}, {check.baseline.deceived, b.frames});
+  check.p_deceived = fisher_p_value({check.candidate.undetected_error, c.frames},
+                                    {check.baseline.undetected_error, b.frames});
   check.no_worse =
       fisher_no_worse_p_value(c, b, setup.rule.worse_than) <= (1 - setup.rule.power) / 3 ||
       is_negligible(c.lost, c.frames, setup.rule);
@@ -164,10 +166,10 @@ void add_power(const CheckSetup& setup, const BaselinePoint& baseline, PointChec
 
 bool is_same(const PointCheck& check) {
   return check.pairing == Pairing::stored && check.losses.discordant() == 0 &&
-         check.deceptions.discordant() == 0;
+         check.undetected_errors.discordant() == 0;
 }
 
-Verdict verdict_of(const PointCheck& check, bool worse, bool golden) {
+Verdict summary_of(const PointCheck& check, bool worse, bool golden) {
   if (check.fault) return Verdict::broken;
   if (golden) return is_same(check) ? Verdict::passed : Verdict::worse;
   if (worse) return Verdict::worse;
@@ -197,10 +199,10 @@ void judge(std::vector<PointCheck>& checks, const CheckSetup& setup) {
   }
   const std::vector<bool> worse = rejected_by_holm(p_values, setup.rule.alpha);
   for (std::size_t i = 0; i < checks.size(); ++i)
-    checks[i].verdict = verdict_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
+    checks[i].verdict = summary_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
 }
 
-Verdict verdict_of(const std::vector<PointCheck>& checks) {
+Verdict summary_of(const std::vector<PointCheck>& checks) {
   const auto any = [&](Verdict verdict) {
     return std::ranges::find(checks, verdict, &PointCheck::verdict) != checks.end();
   };

@@ -8,7 +8,7 @@
 
 #include "sim/check/baseline.hpp"
 #include "sim/check/decoded_frames.hpp"
-#include "sim/check/gate.hpp"
+#include "sim/check/sequential_test.hpp"
 
 namespace sim {
 
@@ -25,19 +25,20 @@ struct PointCheck {
   JudgedPoint point;
   std::uint64_t limit = 0;  // frames that may be judged
   Pairing pairing = Pairing::stored;
-  FrameCounts baseline{}, candidate{};  // of the frames that were judged
-  PairedLosses losses{}, deceptions{};  // not of unpaired ones
-  double p_lost = 1, p_deceived = 1;    // of a candidate that is no worse
-  bool no_worse = false;                // shown by the rule's margin
+  FrameCounts baseline{}, candidate{};         // of the frames that were judged
+  PairedLosses losses{}, undetected_errors{};  // not of unpaired ones
+  double p_lost = 1, p_deceived = 1;           // of a candidate that is no worse
+  bool no_worse = false;                       // shown by the rule's margin
   std::optional<DecoderFault> fault{};
-  std::vector<std::uint32_t> only_candidate_lost{}, only_baseline_lost{}, only_candidate_deceived{};
+  std::vector<std::uint32_t> only_candidate_lost{}, only_baseline_lost{},
+      only_candidate_undetected{};
   double power = std::numeric_limits<double>::quiet_NaN();  // of finding `worse_than`
   std::uint64_t frames_needed = 0;  // for the rule's power; 0: where nothing or all is lost
   Verdict verdict = Verdict::inconclusive;
 };
 
 struct CheckSetup {
-  GateRule rule;
+  SequentialTestRule rule;
   std::uint64_t frames = 0;  // of each point at most; 0: as many as the baseline has
   const Decoder& candidate;
   const Decoder* baseline;  // null if it cannot be run again
@@ -49,10 +50,10 @@ struct CheckSetup {
 PointCheck check_point(const CheckSetup& setup, const JudgedPoint& point,
                        const BaselinePoint& baseline, const Workers& workers);
 
-/// Gives each point its verdict, by Holm's correction over losses and deceptions of all.
+/// Gives each point its verdict, by Holm's correction over losses and undetected_errors of all.
 void judge(std::vector<PointCheck>& checks, const CheckSetup& setup);
 
 /// Of all points together: the worst.
-Verdict verdict_of(const std::vector<PointCheck>& checks);
+Verdict summary_of(const std::vector<PointCheck>& checks);
 
 }  // namespace sim

@@ -178,7 +178,7 @@ class ProgramForEach : public ProgramDecoder {
                     : std::make_unique<CaptureFolder>()),
         warden_(folder_ ? folder_->path() : fs::path()) {}
 
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     const std::string bytes = format().bytes(line);
     if (!folder_) return answer(command(), bytes);
     const CaptureFile file(*folder_, format().ending, bytes);
@@ -254,7 +254,7 @@ class ServingProgram : public ProgramDecoder {
     }
   }
 
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     const std::string bytes = format().bytes(line);
     const std::string input = fmt::format("{}\n", bytes.size()) + bytes;
     auto child = take();

@@ -48,7 +48,7 @@ std::string scenario_options(const ScenarioOptions& options) {
 }
 
 std::string repeated_options(const CheckRequest& request) {
-  const GateRule defaults = CheckRequest().rule;
+  const SequentialTestRule defaults = CheckRequest().rule;
   std::string text = option("--baseline", request.baseline.string());
   if (!request.decoder.empty()) text += option("--decoder", request.decoder);
   const ProgramSettings& program = request.program_settings;
@@ -56,11 +56,11 @@ std::string repeated_options(const CheckRequest& request) {
   if (program.prints_frames) text += " --decoder-output frames";
   if (program.timeout != ProgramSettings().timeout)
     text += option("--decoder-timeout", fmt::format("{}s", program.timeout.count()));
-  const std::pair<const char*, double GateRule::*> rules[] = {
-      {"--worse-than", &GateRule::worse_than},
-      {"--alpha", &GateRule::alpha},
-      {"--power", &GateRule::power},
-      {"--negligible", &GateRule::negligible}};
+  const std::pair<const char*, double SequentialTestRule::*> rules[] = {
+      {"--worse-than", &SequentialTestRule::worse_than},
+      {"--alpha", &SequentialTestRule::alpha},
+      {"--power", &SequentialTestRule::power},
+      {"--negligible", &SequentialTestRule::negligible}};
   for (const auto& [name, member] : rules)
     if (request.rule.*member != defaults.*member)
       text += option(name, fmt::format("{}", request.rule.*member));
@@ -127,7 +127,7 @@ ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
   if (setup.baseline != nullptr && setup.baseline->name() != setup.candidate.name())
     decoders.insert(decoders.begin(), setup.baseline);
   if (request.explain) {
-    const std::string story = frame_story(frame, decoders);
+    const std::string story = frame_trace(frame, decoders);
     if (stopping) return end_interrupted();
     print(point.name + ", " + story);
     return ExitCode::done;
@@ -178,7 +178,7 @@ ExitCode check_command(const CheckRequest& request) {
         *request.junit, [&](const fs::path& place) { write_file(place, check_junit(report)); },
         answer);
   request.json ? print_json(answer()) : print(answer());
-  return exit_code(verdict_of(checks));
+  return exit_code(summary_of(checks));
 }
 
 }  // namespace sim

@@ -7,7 +7,7 @@
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/command/read_usage.hpp"
-#include "sim/engine/team.hpp"
+#include "sim/engine/process_group.hpp"
 #include "sim/text/spelling.hpp"
 #include "sim/text/standard_output.hpp"
 
@@ -88,8 +88,8 @@ void fill_in(Requests& to, const Surroundings& from) {
 
 /// All commands but run would do the same in each process of a job, and write the same file.
 bool is_alone() {
-  const std::unique_ptr<Team> team = join_team();
-  return together(team.get(), [&] {
+  const std::unique_ptr<ProcessGroup> team = join_process_group();
+  return collective(team.get(), [&] {
     if (team != nullptr && team->size() > 1)
       throw bad_input("a job of several processes", "only cosys-sim run can share its work out",
                       "start this command without mpirun");

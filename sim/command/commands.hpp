@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/gate.hpp"
 #include "sim/check/program_decoder.hpp"
+#include "sim/check/sequential_test.hpp"
 #include "sim/command/usage.hpp"
 #include "sim/counting/shard.hpp"
 #include "sim/failure.hpp"
@@ -158,7 +158,7 @@ struct CheckRequest {
   std::filesystem::path baseline;
   std::string decoder;  // a name, or a command; empty: the baseline's
   ProgramSettings program_settings;
-  GateRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+  SequentialTestRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
   std::uint64_t frames = 0;            // of each point at most; 0: as many as the baseline has
   std::optional<std::uint64_t> point;  // of each scenario; nothing: all
   bool golden = false;                 // no frame may come out otherwise

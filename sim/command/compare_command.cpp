@@ -1,13 +1,13 @@
 // `cosys-sim compare`: which decoder loses least, or accepts least of what was not sent?
 #include <algorithm>
 
-#include "sim/check/contest.hpp"
+#include "sim/check/decoder_comparison.hpp"
+#include "sim/check/listening_comparison.hpp"
 #include "sim/check/program_decoder.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/command/judging.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
-#include "sim/listening/listening_contest.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
@@ -22,15 +22,15 @@ std::vector<std::unique_ptr<Decoder>> decoders_of(const CompareRequest& request)
   return decoders;
 }
 
-bool any_failed(const std::vector<ContestPoint>& points) {
-  for (const ContestPoint& point : points)
+bool any_failed(const std::vector<DecoderComparisonPoint>& points) {
+  for (const DecoderComparisonPoint& point : points)
     for (const auto& fault : point.faults)
       if (fault) return true;
   return false;
 }
 
-bool any_failed(const std::vector<ListeningContestPoint>& points) {
-  for (const ListeningContestPoint& point : points)
+bool any_failed(const std::vector<ListeningComparisonPoint>& points) {
+  for (const ListeningComparisonPoint& point : points)
     for (const Accepts& accepts : point.accepts)
       if (accepts.fault) return true;
   return false;
@@ -46,33 +46,34 @@ ExitCode print_and_end(const std::string& text, bool failed) {
 /// Which decoder loses least.
 ExitCode compare_losses(const CompareRequest& request, const std::vector<JudgedPoint>& points,
                         const Decoders& decoders, const Workers& workers) {
-  std::vector<ContestPoint> contests;
+  std::vector<DecoderComparisonPoint> contests;
   for (const JudgedPoint& point : points) {
     contests.push_back(contest(point, decoders, static_cast<std::uint32_t>(point.frames), workers));
     if (workers.interrupted()) return end_interrupted();
     show_progress(request.quiet, "compare", contests.size(), points.size());
   }
   decide(contests, request.alpha);
-  const ContestReport report{contests, decoders, request.alpha};
-  return print_and_end(request.json ? contest_json(report) : contest_text(report),
-                       any_failed(contests));
+  const DecoderComparisonReport report{contests, decoders, request.alpha};
+  return print_and_end(
+      request.json ? decoder_comparison_json(report) : decoder_comparison_text(report),
+      any_failed(contests));
 }
 
 /// Which decoder accepts what was not sent.
 ExitCode compare_accepts(const CompareRequest& request,
                          const std::vector<LoadedScenario>& scenarios, const Decoders& decoders,
                          const Workers& workers) {
-  std::vector<ListeningContestPoint> contests;
+  std::vector<ListeningComparisonPoint> contests;
   std::size_t all = 0;
   for (const LoadedScenario& scenario : scenarios) all += count_points(scenario.sweep);
   for (const LoadedScenario& scenario : scenarios)
     for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
-      contests.push_back(listening_contest(scenario, i, decoders, workers));
+      contests.push_back(listening_comparison(scenario, i, decoders, workers));
       if (workers.interrupted()) return end_interrupted();
       show_progress(request.quiet, "compare", contests.size(), all);
     }
-  return print_and_end(request.json ? listening_contest_json(contests, decoders)
-                                    : listening_contest_text(contests, decoders),
+  return print_and_end(request.json ? listening_comparison_json(contests, decoders)
+                                    : listening_comparison_text(contests, decoders),
                        any_failed(contests));
 }
 

@@ -8,7 +8,7 @@
 
 #include "protocol/uart_receivers.hpp"
 #include "protocol/uart_stream.hpp"
-#include "sim/capture/keyed_wire.hpp"
+#include "sim/capture/carrier_demodulator.hpp"
 #include "sim/capture/sampled_line.hpp"
 
 namespace sim {
@@ -125,7 +125,7 @@ DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeReq
   decoded.read = capture.facts;
   if (capture.logic) {
     WireFlips wire(*capture.logic, capture.wire);
-    KeyedWire line(wire, hints.carrier);
+    CarrierDemodulator line(wire, hints.carrier);
     decoded.carrier = line.carrier();
     decode_line(line, request, listener, decoded);
   } else {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "dsp/units.hpp"
+#include "sim/capture/autobaud.hpp"
 #include "sim/capture/capture_file.hpp"
 #include "sim/capture/line_statistics.hpp"
-#include "sim/capture/line_survey.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/trial/wire_protocols.hpp"
 

@@ -7,26 +7,26 @@
 
 #include "sim/arena/arena_check.hpp"
 #include "sim/arena/arena_keys.hpp"
-#include "sim/arena/arena_part.hpp"
 #include "sim/arena/arena_report.hpp"
+#include "sim/arena/arena_section.hpp"
 #include "sim/exchange/exchange_check.hpp"
 #include "sim/exchange/exchange_keys.hpp"
-#include "sim/exchange/exchange_part.hpp"
 #include "sim/exchange/exchange_report.hpp"
+#include "sim/exchange/exchange_section.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_keys.hpp"
-#include "sim/guard/guard_part.hpp"
 #include "sim/guard/guard_report.hpp"
+#include "sim/guard/guard_section.hpp"
 #include "sim/listening/listening_experiment.hpp"
 #include "sim/listening/listening_keys.hpp"
-#include "sim/listening/listening_part.hpp"
 #include "sim/listening/listening_report.hpp"
+#include "sim/listening/listening_section.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_keys.hpp"
-#include "sim/location/location_parts.hpp"
+#include "sim/location/location_sections.hpp"
 #include "sim/location/presence_report.hpp"
-#include "sim/page/columns_part.hpp"
 #include "sim/report/point_run.hpp"
+#include "sim/section/columns_section.hpp"
 
 namespace sim {
 namespace {
@@ -35,16 +35,16 @@ template <const auto& measurement, const auto& report>
 constexpr const ExperimentEngine* engine = &experiment_engine<measurement, report>;
 
 constexpr std::array shipped{
-    Experiment{&arena_kind, engine<arena_measurement, arena_report>, check_arena, arena_part},
-    Experiment{&guard_kind, engine<guard_measurement, guard_report>, check_guard, guard_part},
+    Experiment{&arena_kind, engine<arena_measurement, arena_report>, check_arena, arena_section},
+    Experiment{&guard_kind, engine<guard_measurement, guard_report>, check_guard, guard_section},
     Experiment{&exchange_kind, engine<exchange_measurement, exchange_report>, check_exchange,
-               exchange_part},
+               exchange_section},
     Experiment{&presence_kind, engine<presence_measurement, presence_report>, nullptr,
-               presence_part},
+               presence_section},
     Experiment{&location_kind, engine<location_measurement, location_report>, nullptr,
-               location_part},
+               location_section},
     Experiment{&listening_kind, engine<listening_measurement, listening_report>, check_listening,
-               listening_part},
+               listening_section},
 };
 
 std::vector<const Experiment*>& known() {
@@ -81,10 +81,10 @@ const ExperimentEngine* engine_of(const LoadedScenario& scenario) {
   return experiment == nullptr ? nullptr : experiment->engine;
 }
 
-ReportPart report_of(const std::string& name, const StoredDataset& stored) {
+ReportSection report_of(const std::string& name, const StoredDataset& stored) {
   const Experiment& experiment = *experiment_of(stored.scenario);
   return experiment.report != nullptr ? experiment.report(name, stored)
-                                      : columns_part(name, stored, experiment.engine->columns());
+                                      : columns_section(name, stored, experiment.engine->columns());
 }
 
 }  // namespace sim

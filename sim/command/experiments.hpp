@@ -3,16 +3,16 @@
 // the commands need to know of one.
 #include <string>
 
-#include "sim/page/report_part.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/section/report_section.hpp"
 
 namespace sim {
 
 /// What a result brings to a report; the name is that of its file.
-using ReportExperiment = ReportPart (*)(const std::string& name, const StoredDataset&);
+using ReportExperiment = ReportSection (*)(const std::string& name, const StoredDataset&);
 
 struct Experiment {
   const ExperimentKind* kind;
@@ -44,6 +44,6 @@ void check_experiment(const LoadedScenario& scenario);
 const ExperimentEngine* engine_of(const LoadedScenario& scenario);
 
 /// What a result that is not of a link brings to a report.
-ReportPart report_of(const std::string& name, const StoredDataset& stored);
+ReportSection report_of(const std::string& name, const StoredDataset& stored);
 
 }  // namespace sim

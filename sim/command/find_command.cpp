@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "sim/command/commands.hpp"
+#include "sim/engine/checkpointer.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
-#include "sim/engine/keeper.hpp"
 #include "sim/engine/search.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
@@ -152,7 +152,7 @@ class Finds {
 
  private:
   void keep_result() {
-    keeper_.keep([&] { write_result(output_, result(), request_.program); });
+    checkpointer_.keep([&] { write_result(output_, result(), request_.program); });
   }
 
   std::optional<Tally> count_at(Coordinates at, double value) {
@@ -168,10 +168,10 @@ class Finds {
     const EngineOptions engine{
         .threads = threads_for(request_.threads),
         .interrupt = &interrupt_,
-        .on_progress = [&](const PointResult& p) { keep(p, keeper_.is_due()); }};
+        .on_progress = [&](const PointResult& p) { keep(p, checkpointer_.is_due()); }};
     keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);
     if (!request_.json) print(table_row(ends_.sweep, counted_[at], 0.95, theory_));
-    if (keeper_.is_due_at_end()) keep_result();
+    if (checkpointer_.is_due_at_end()) keep_result();
     if (interrupt_) return std::nullopt;
     return counted_[at].tally;
   }
@@ -182,7 +182,7 @@ class Finds {
   const LoadedScenario ends_;  // swept over both ends of the range
   const bool theory_;
   const fs::path output_;
-  Keeper keeper_;
+  Checkpointer checkpointer_;
   const std::atomic<bool>& interrupt_;
   const std::size_t axis_;
   std::map<Coordinates, PointResult> counted_;

@@ -6,7 +6,7 @@
 #include "sim/check/child_process.hpp"
 #include "sim/check/decoder.hpp"
 #include "sim/failure.hpp"
-#include "sim/picture/own_picture.hpp"
+#include "sim/picture/image_provenance.hpp"
 #include "sim/threads/stop_signals.hpp"
 
 namespace sim {

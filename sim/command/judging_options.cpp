@@ -12,7 +12,7 @@ namespace {
 
 constexpr double most_frames = 1e9;  // of a point
 
-void add_gate_rule(CLI::App& check, GateRule& rule) {
+void add_gate_rule(CLI::App& check, SequentialTestRule& rule) {
   check
       .add_option("--worse-than", rule.worse_than,
                   "how many times as many lost frames must not pass; 1.5 if not given")

@@ -7,7 +7,7 @@
 
 #include "sim/command/gnuplot.hpp"
 #include "sim/failure.hpp"
-#include "sim/picture/own_picture.hpp"
+#include "sim/picture/image_provenance.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/text/new_file.hpp"
 

@@ -10,7 +10,7 @@
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/page/link_part.hpp"
+#include "sim/page/link_section.hpp"
 #include "sim/page/page.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
@@ -57,27 +57,27 @@ void look_closer(LinkReport& link, const StoredResult& stored, const Workers& wo
       stored, point, link.frames.first_misread.value_or(static_cast<std::uint32_t>(counted.first)));
 }
 
-ReportPart link_part_of(const fs::path& path, const ReportRequest& request) {
+ReportSection link_section_of(const fs::path& path, const ReportRequest& request) {
   StoredResult stored = read_result(path);
   describe_points(stored.scenario, stored.result);
   const Workers workers{threads_for(request.threads), &heed_stop_signals()};
   LinkReport link;
   link.name = name_of(path, request.results);
   link.settings = settings_of(stored.scenario);
-  link.omissions = leave_out(stored.scenario, stored.result, workers);
+  link.ablations = ablate(stored.scenario, stored.result, workers);
   if (is_weighted(stored.result))
     link.why_no_trial =
         "No trial is shown: importance sampling does not draw them as they come by nature.\n";
   else if (!workers.interrupted())
     look_closer(link, stored, workers);
   link.result = std::move(stored.result);
-  return link_part(link);
+  return link_section(link);
 }
 
-ReportPart part_of(const fs::path& path, const ReportRequest& request) {
-  if (filetype_of(path) != experiment_result_type) return link_part_of(path, request);
+ReportSection section_of(const fs::path& path, const ReportRequest& request) {
+  if (filetype_of(path) != experiment_result_type) return link_section_of(path, request);
   const StoredDataset stored = read_dataset(path);
-  ReportPart part = report_of(name_of(path, request.results), stored);
+  ReportSection part = report_of(name_of(path, request.results), stored);
   part.settings = settings_of(stored.scenario);
   return part;
 }
@@ -128,9 +128,9 @@ ExitCode report_command(const ReportRequest& request) {
   refuse_twice(request.results);
   check_place(request.output, {is_page, "a report of cosys-sim"});
   require_tools(request.pictures);
-  std::vector<ReportPart> parts;
+  std::vector<ReportSection> parts;
   const std::atomic<bool>& stopping = heed_stop_signals();
-  for (const fs::path& path : request.results) parts.push_back(part_of(path, request));
+  for (const fs::path& path : request.results) parts.push_back(section_of(path, request));
   if (stopping) return end_interrupted();
   const Page page = page_of(std::move(parts));
   auto files = picture_files(page, request.pictures);

@@ -6,12 +6,12 @@
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/command/run_plan.hpp"
+#include "sim/engine/checkpointer.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/engine/experiment.hpp"
-#include "sim/engine/keeper.hpp"
+#include "sim/engine/process_group.hpp"
 #include "sim/engine/progress_line.hpp"
 #include "sim/engine/resume.hpp"
-#include "sim/engine/team.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/report/closing_lines.hpp"
@@ -105,7 +105,7 @@ struct Run {
 };
 
 /// Whether this process prints and writes.
-bool speaks(const Team* team) { return team == nullptr || team->rank() == 0; }
+bool speaks(const ProcessGroup* team) { return team == nullptr || team->rank() == 0; }
 
 std::string profile_of(const ExperimentResult& result) {
   Profile profile;
@@ -118,9 +118,9 @@ std::string profile_of(const ExperimentResult& result) {
 }
 
 void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions options) {
-  Keeper keeper;
+  Checkpointer checkpointer;
   const auto keep = [&](const ExperimentResult& result) {
-    keeper.keep([&] { write_result(run.output, result, request.program); });
+    checkpointer.keep([&] { write_result(run.output, result, request.program); });
   };
   const auto keep_all = [&](const ExperimentResult& result) {
     keep_finished(
@@ -132,11 +132,11 @@ void run_scenario(const RunRequest& request, const Run& run, ExperimentOptions o
   if (!request.json) print(table_header(run.scenario.sweep, theory));
   options.on_progress = [&](const Progress& p) {
     progress.show(status_of(p));
-    if (keeper.is_due()) keep(p.result);
+    if (checkpointer.is_due()) keep(p.result);
   };
   options.on_point = [&](const ExperimentResult& result, std::size_t point) {
     progress.clear();
-    if (keeper.is_due_at_end()) keep(result);
+    if (checkpointer.is_due_at_end()) keep(result);
     if (!request.json) print_row(result, point, theory, keep_all);
   };
   const ExperimentResult result = run_experiment(run.scenario, run.result, options);
@@ -157,7 +157,7 @@ void refuse_link_options(const RunRequest& request, const fs::path& scenario) {
 }
 
 void run_other(const RunRequest& request, const Run& run, const ExperimentEngine& engine,
-               Team* team) {
+               ProcessGroup* team) {
   engine.run(
       {.scenario = run.scenario,
        .output = run.output,
@@ -191,7 +191,7 @@ void set_start(const RunRequest& request, Run& run) {
 }
 
 /// Everything that can be refused before the first trial.
-std::vector<Run> prepare(const RunRequest& request, Team* team) {
+std::vector<Run> prepare(const RunRequest& request, ProcessGroup* team) {
   if (team != nullptr && (request.plan || request.time_budget_s > 0))
     throw bad_input("--plan and --time-budget", "they time one process, not a job of several",
                     "run them without mpirun");
@@ -257,9 +257,9 @@ LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenari
 }
 
 ExitCode run_command(const RunRequest& request) {
-  const std::unique_ptr<Team> team = join_team();
+  const std::unique_ptr<ProcessGroup> team = join_process_group();
   std::vector<Run> runs;
-  const bool ready = together(team.get(), [&] { runs = prepare(request, team.get()); });
+  const bool ready = collective(team.get(), [&] { runs = prepare(request, team.get()); });
   if (!ready) return ExitCode::done;
   const ExperimentOptions options{.threads = threads_for(request.threads),
                                   .profiled = request.profile,

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sim/engine/batch_sizes.hpp"
-#include "sim/engine/team_engine.hpp"
+#include "sim/engine/group_engine.hpp"
 #include "sim/threads/stopwatch.hpp"
 #include "sim/threads/worker_threads.hpp"
 #include "sim/trial/trial.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/engine/engine.hpp"
-#include "sim/engine/team.hpp"
+#include "sim/engine/process_group.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/point_scenario.hpp"

@@ -11,7 +11,7 @@
 
 namespace sim {
 
-class Team;
+class ProcessGroup;
 
 /// Where a run is, for whoever shows or keeps it.
 struct Progress {
@@ -23,7 +23,7 @@ struct Progress {
 struct ExperimentOptions {
   int threads = 1;
   bool profiled = false;
-  Team* team = nullptr;  // each of whose members runs the same experiment
+  ProcessGroup* team = nullptr;  // each of whose members runs the same experiment
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
   /// After each finished point; the result holds all points so far.

@@ -5,18 +5,19 @@
 #include <vector>
 
 #include "sim/scenario/scenario.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 
 /// How an experiment is measured. Setup: a point with all worked out that its runs share. Tally:
-/// what runs count: an empty one has no runs; += adds the runs that follow; serialize is cereal's. Point: what is known
-/// of a point; has reached(), whether it has runs.
+/// what runs count: an empty one has no runs; += adds the runs that follow; serialize is cereal's.
+/// Point: what is known of a point; has reached(), whether it has runs.
 template <class Setup, class Tally, class Point>
 struct Measurement {
   /// A point before its first run. Throws bad_input for keys that contradict each other.
-  Point (*unreached)(const Scenario&, const Places&, const std::vector<double>& coordinates);
-  Setup (*prepare)(const Scenario&, const Places&, const Workers&);
+  Point (*unreached)(const Scenario&, const SourceLocations&,
+                     const std::vector<double>& coordinates);
+  Setup (*prepare)(const Scenario&, const SourceLocations&, const Workers&);
   /// How many of so many runs a thread may do at once.
   std::uint32_t (*most_at_once)(const Setup&, std::uint32_t runs, int threads);
   /// Runs first ... first + n - 1. Its result is dropped once `*stop` is true.

@@ -18,12 +18,12 @@
 
 #include "sim/counting/shard.hpp"
 #include "sim/engine/measurement.hpp"
-#include "sim/engine/team.hpp"
+#include "sim/engine/process_group.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 #include "sim/threads/stopwatch.hpp"
 
 namespace sim {
@@ -49,7 +49,7 @@ T from_bytes(const std::string& text) {
 /// Who counts runs.
 struct RunCounters {
   Workers workers{};
-  Team* team = nullptr;  // each of whose members counts the same
+  ProcessGroup* team = nullptr;  // each of whose members counts the same
 
   /// Whether any member was told to stop.
   bool interrupted() const {
@@ -244,7 +244,7 @@ class RunCounting {
 
   void run(CountedRuns<Tally>& part, const Wanted& wanted, const Workers& workers,
            const Meanwhile& meanwhile) {
-    RunSharing<Tally> sharing(
+    ParallelRuns<Tally> sharing(
         {.runs = wanted.all - part.n,
          .most_at_once = kind_.most_at_once(*setup_, wanted.all, workers.threads),
          .workers = workers,
@@ -286,7 +286,7 @@ class RunCounting {
 
   /// Of a wave in which each member does a share of the runs behind the first `done`.
   static Wanted share_of_member(const Wanted& wanted, std::uint32_t done, std::uint64_t share,
-                                const Team& team) {
+                                const ProcessGroup& team) {
     const auto at = [&](int rank) {
       const std::uint64_t behind = done + static_cast<std::uint64_t>(rank) * share;
       return static_cast<std::uint32_t>(std::min<std::uint64_t>(behind, wanted.all));

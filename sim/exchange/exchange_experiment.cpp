@@ -16,10 +16,11 @@ void describe_exchange(ExchangePoint& point, const Exchange& exchange, const Exc
 
 constinit const Measurement<Exchange, ExchangeTally, ExchangePoint> exchange_measurement{
     .unreached =
-        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+        [](const Scenario&, const SourceLocations&, const std::vector<double>& coordinates) {
           return ExchangePoint{.coordinates = coordinates};
         },
-    .prepare = [](const Scenario& s, const Places&, const Workers&) { return make_exchange(s); },
+    .prepare = [](const Scenario& s, const SourceLocations&,
+                  const Workers&) { return make_exchange(s); },
     .most_at_once = [](const Exchange&, std::uint32_t,
                        int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
     .run = run_exchange,

@@ -101,7 +101,7 @@ void add_direction(Columns<Point>& columns, std::vector<std::string> over, Tally
 }
 
 /// Why messages were refused: of SharedLinkOutcome all but that they were not.
-constexpr std::size_t reasons = protocol::shared_link_outcomes - 1;
+constexpr std::size_t all_reasons = protocol::shared_link_outcomes - 1;
 
 std::string reason_name(std::size_t reason) {
   return std::string(protocol::name(static_cast<protocol::SharedLinkOutcome>(reason + 1)));
@@ -112,7 +112,7 @@ void add_refusals(Columns<Point>& columns) {
     columns
         .count(std::move(facts),
                [=](const Point& p, std::size_t i) {
-                 return (p.tally.direction[i / reasons].*member)[i % reasons + 1];
+                 return (p.tally.direction[i / all_reasons].*member)[i % all_reasons + 1];
                })
         .on({"sender", "reason"});
   };
@@ -147,7 +147,7 @@ void add_dimensions(Columns<Point>& columns) {
   });
   columns.dimension({"reason", "", "why a message was refused"}, [](const Point&) {
     std::vector<Label> names;
-    for (std::size_t i = 0; i < reasons; ++i) names.emplace_back(reason_name(i));
+    for (std::size_t i = 0; i < all_reasons; ++i) names.emplace_back(reason_name(i));
     return names;
   });
   columns.dimension({"variable", "1", "place in the sender's list"}, [](const Point& p) {
@@ -184,7 +184,7 @@ Columns<Point> made_columns() {
 
 std::string refusal_text(const SharedLinkReasons& counts) {
   std::string text;
-  for (std::size_t i = 0; i < reasons; ++i)
+  for (std::size_t i = 0; i < all_reasons; ++i)
     if (counts[i + 1] > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", reason_name(i), counts[i + 1]);
   return text.empty() ? "none" : text;

@@ -10,16 +10,16 @@
 namespace sim {
 namespace {
 
-MirrorDesign mirror_design(const Scenario& scenario, const Arena& arena) {
+RelayDesign relay_design(const Scenario& scenario, const Arena& arena) {
   return {.variables = shared_variables(arena.senders),
           .settings = scenario.settings.of<GuardSettings>(),
           .duration = arena.duration,
           .delay = arena.delay};
 }
 
-Guard make_guard(const Scenario& scenario, const Places&, const Workers& workers) {
+Guard make_guard(const Scenario& scenario, const SourceLocations&, const Workers& workers) {
   Guard guard{make_arena(scenario, workers), {}};
-  if (!workers.interrupted()) guard.design = mirror_design(scenario, guard.arena);
+  if (!workers.interrupted()) guard.design = relay_design(scenario, guard.arena);
   return guard;
 }
 
@@ -29,12 +29,12 @@ GuardRuns run_guard(const Guard& guard, std::uint32_t first, int n, const std::a
     const auto& all = runs.arena.heard;
     const auto begin = std::ranges::lower_bound(all, run, {}, &HeardFrame::run);
     const auto end = std::ranges::upper_bound(all, run, {}, &HeardFrame::run);
-    runs.tally += mirror(guard.design, {begin, end},
-                         {.seed = guard.arena.seed,
-                          .point = guard.arena.point,
-                          .trial = run,
-                          .purpose = static_cast<std::uint32_t>(Purpose::serial_line)},
-                         stop);
+    runs.tally += relay(guard.design, {begin, end},
+                        {.seed = guard.arena.seed,
+                         .point = guard.arena.point,
+                         .trial = run,
+                         .purpose = static_cast<std::uint32_t>(Purpose::serial_line)},
+                        stop);
   }
   return runs;
 }
@@ -47,9 +47,9 @@ void describe_guard(GuardPoint& point, const Guard& guard, const GuardRuns& runs
 
 }  // namespace
 
-MirrorTally relayed_together(const GuardPoint& point) {
-  MirrorTally sum;
-  for (const MirrorTally& mirror : point.relayed.mirrors) sum += mirror;
+RelayTally relayed_together(const GuardPoint& point) {
+  RelayTally sum;
+  for (const RelayTally& relay : point.relayed.relays) sum += relay;
   return sum;
 }
 
@@ -61,7 +61,7 @@ GuardRuns& GuardRuns::operator+=(const GuardRuns& next) {
 
 constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
     .unreached =
-        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+        [](const Scenario&, const SourceLocations&, const std::vector<double>& coordinates) {
           return GuardPoint{{.coordinates = coordinates}};
         },
     .prepare = make_guard,

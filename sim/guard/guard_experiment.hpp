@@ -5,7 +5,7 @@
 
 #include "sim/arena/arena_experiment.hpp"
 #include "sim/guard/guard_tally.hpp"
-#include "sim/guard/mirror.hpp"
+#include "sim/guard/relay.hpp"
 
 namespace sim {
 
@@ -15,12 +15,12 @@ struct GuardPoint : ArenaPoint {
 };
 
 /// Sum over the devices of a point.
-MirrorTally relayed_together(const GuardPoint& point);
+RelayTally relayed_together(const GuardPoint& point);
 
 /// A point ready for its runs.
 struct Guard {
   Arena arena;
-  MirrorDesign design;
+  RelayDesign design;
 };
 
 struct GuardRuns {

@@ -17,21 +17,21 @@ using Point = GuardPoint;
 /// Messages on their way, of one device or of all: in the table only.
 template <class SentOf, class MirrorOf>
 void add_way_of_messages(Columns<Point>& columns, const std::vector<std::string>& over,
-                         SentOf sent_of, MirrorOf mirror_of) {
+                         SentOf sent_of, MirrorOf relay_of) {
   columns.count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i).messages(); })
       .on(over)
       .headed({{"", "", "messages"}, 9});
   columns
-      .count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i)[FrameFate::delivered]; })
+      .count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i)[LossCause::delivered]; })
       .on(over)
       .headed({{"heard by", "the", "guard"}, 9});
-  columns.count({}, [=](const Point& p, std::size_t i) { return mirror_of(p, i).n_known; })
+  columns.count({}, [=](const Point& p, std::size_t i) { return relay_of(p, i).n_known; })
       .on(over)
       .headed({{"known", "to the", "base"}, 9});
 }
 
-const MirrorTally& mirror_of(const Point& point, std::size_t device) {
-  return point.relayed.mirrors[device];
+const RelayTally& relay_of(const Point& point, std::size_t device) {
+  return point.relayed.relays[device];
 }
 
 void add_points(Columns<Point>& columns) {
@@ -55,24 +55,24 @@ void add_devices(Columns<Point>& columns) {
   add_way_of_messages(
       columns, {"device"},
       [](const Point& p, std::size_t i) -> const SenderTally& { return p.tally.senders[i]; },
-      mirror_of);
-  const auto count = [&](VariableFacts facts, std::uint64_t MirrorTally::*member) {
+      relay_of);
+  const auto count = [&](VariableFacts facts, std::uint64_t RelayTally::*member) {
     columns
         .count(std::move(facts),
-               [=](const Point& p, std::size_t i) { return mirror_of(p, i).*member; })
+               [=](const Point& p, std::size_t i) { return relay_of(p, i).*member; })
         .on({"device"});
   };
   count({"n_replaced", "1", "messages replaced before they were passed on"},
-        &MirrorTally::n_replaced);
-  count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &MirrorTally::n_lost);
-  count({"n_known", "1", "messages that the base station got to know"}, &MirrorTally::n_known);
+        &RelayTally::n_replaced);
+  count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &RelayTally::n_lost);
+  count({"n_known", "1", "messages that the base station got to know"}, &RelayTally::n_known);
   add_age_columns(columns,
                   {.prefix = "",
                    .mean_is = "mean age of what the base station knows",
                    .where = "at base",
                    .over = {"device"},
                    .drawn = DrawnColumn{"Age of what the base station knows", "mean age [s]"}},
-                  [](const Point& p, std::size_t i) { return mirror_of(p, i).age; });
+                  [](const Point& p, std::size_t i) { return relay_of(p, i).age; });
 }
 
 void add_line(Columns<Point>& columns) {
@@ -115,10 +115,10 @@ const Columns<GuardPoint>& guard_columns() {
 
 std::string guard_waterfall(const GuardPoint& point) {
   const SenderTally sent = together(point);
-  const MirrorTally mirror = relayed_together(point);
+  const RelayTally relay = relayed_together(point);
   std::vector<LossStage> stages = loss_stages(sent);
-  stages.push_back({"replaced by a newer one", mirror.n_replaced});
-  stages.push_back({"SharedLink", mirror.n_lost});
+  stages.push_back({"replaced by a newer one", relay.n_replaced});
+  stages.push_back({"SharedLink", relay.n_lost});
   return waterfall(sent.messages(), stages, "known to the base station");
 }
 

@@ -4,7 +4,7 @@
 
 namespace sim {
 
-MirrorTally& MirrorTally::operator+=(const MirrorTally& other) {
+RelayTally& RelayTally::operator+=(const RelayTally& other) {
   n_replaced += other.n_replaced;
   n_lost += other.n_lost;
   n_known += other.n_known;
@@ -13,8 +13,8 @@ MirrorTally& MirrorTally::operator+=(const MirrorTally& other) {
 }
 
 GuardTally& GuardTally::operator+=(const GuardTally& other) {
-  mirrors.resize(std::max(mirrors.size(), other.mirrors.size()));
-  for (std::size_t i = 0; i < other.mirrors.size(); ++i) mirrors[i] += other.mirrors[i];
+  relays.resize(std::max(relays.size(), other.relays.size()));
+  for (std::size_t i = 0; i < other.relays.size(); ++i) relays[i] += other.relays[i];
   n_sent += other.n_sent;
   n_accepted += other.n_accepted;
   n_asked += other.n_asked;

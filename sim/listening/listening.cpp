@@ -26,7 +26,7 @@ Seconds longest_message(const Link& link) {
 
 /// Messages that the run has room for, each with its pause before it.
 void send_messages(const Listening& listening, std::uint32_t run, Transmission& sent) {
-  const Link& link = listening.judged.link;
+  const Link& link = listening.link;
   const dsp::RandomAddress timing = address(link, run, Purpose::timing);
   const dsp::RandomAddress jitter = address(link, run, Purpose::jitter);
   std::uint32_t pauses = 0, characters = 0;
@@ -69,7 +69,7 @@ Scenario with_air(const Scenario& scenario) {
 }
 
 Listening make_listening(const Scenario& scenario) {
-  return {.judged = {make_link(with_air(scenario)), dsp::Hertz(scenario.device.baud)},
+  return {.link = make_link(with_air(scenario)),
           .device_sends = scenario.settings.of<ListeningSettings>().device_sends != 0,
           .duration = Seconds(scenario.settings.of<ListeningSettings>().duration_s)};
 }
@@ -83,7 +83,7 @@ Transmission line_of(const Listening& listening, std::uint32_t run) {
 
 HeardTrials hear_runs(const Listening& listening, std::uint32_t first, int n,
                       const std::atomic<bool>* stop) {
-  const Link& link = listening.judged.link;
+  const Link& link = listening.link;
   std::vector<Transmission> sent;
   for (int i = 0; i < n; ++i)
     sent.push_back(line_of(listening, first + static_cast<std::uint32_t>(i)));
@@ -95,7 +95,7 @@ HeardTrials hear_runs(const Listening& listening, std::uint32_t first, int n,
 ListeningTally run_listening(const Listening& listening, std::uint32_t first, int n,
                              const std::atomic<bool>* stop) {
   HeardTrials heard = hear_runs(listening, first, n, stop);
-  const Link& link = listening.judged.link;
+  const Link& link = listening.link;
   ListeningTally sum;
   for (std::size_t i = 0; i < heard.sent.size(); ++i)
     sum += tally_of(link, heard.sent[i],

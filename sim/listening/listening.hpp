@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/check/marked_line.hpp"
+#include "sim/link/link.hpp"
 #include "sim/listening/listening_tally.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/trial/heard_trials.hpp"
@@ -14,7 +14,7 @@
 namespace sim {
 
 struct Listening {
-  JudgedLink judged;
+  Link link;
   bool device_sends = false;
   dsp::Seconds duration;  // of a run
 };

@@ -8,7 +8,7 @@
 #include "sim/link/disturbance.hpp"
 #include "sim/listening/listening_settings.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -18,14 +18,14 @@ constexpr double ci_level = 0.95;
 
 void describe_listening(ListeningPoint& point, const Listening& listening,
                         const ListeningTally& tally) {
-  point.operating = listening.judged.link.operating;
-  point.outside = listening.judged.link.outside;
+  point.operating = listening.link.operating;
+  point.outside = listening.link.outside;
   point.hours = hours_of(listening, tally.n_runs);
   point.tally = tally;
 }
 
 /// Of what a point's other lights have, `listening.air` has the defaults: these may be too fast.
-void check_air(const Scenario& scenario, const Places& places) {
+void check_air(const Scenario& scenario, const SourceLocations& places) {
   const double rate = scenario.simulation.sample_rate_hz;
   for (const auto& [name, d] : with_air(scenario).disturbances)
     if (is_keyed(d) && rate < 4 * d.carrier_hz)
@@ -59,10 +59,11 @@ void check_listening(const LoadedScenario& scenario) {
 
 constinit const Measurement<Listening, ListeningTally, ListeningPoint> listening_measurement{
     .unreached =
-        [](const Scenario&, const Places&, const std::vector<double>& coordinates) {
+        [](const Scenario&, const SourceLocations&, const std::vector<double>& coordinates) {
           return ListeningPoint{.coordinates = coordinates};
         },
-    .prepare = [](const Scenario& s, const Places&, const Workers&) { return make_listening(s); },
+    .prepare = [](const Scenario& s, const SourceLocations&,
+                  const Workers&) { return make_listening(s); },
     .most_at_once = [](const Listening&, std::uint32_t,
                        int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
     .run = run_listening,

@@ -8,7 +8,7 @@
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
 #include "sim/scenario/fidelity.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 namespace sim {
 namespace {
@@ -25,11 +25,12 @@ constexpr double most_steps = 2e9;
 constexpr const char* fidelity_key = "simulation.fidelity";
 
 /// "KEY = VALUE in x.toml:3" of a text.
-std::string setting(const std::string& name, const std::string& value, const Places& places) {
+std::string setting(const std::string& name, const std::string& value,
+                    const SourceLocations& places) {
   return fmt::format("{} = \"{}\" {}", name, value, place_of(places, name));
 }
 
-void check_decision(const Scenario& s, const Places& places) {
+void check_decision(const Scenario& s, const SourceLocations& places) {
   const std::string asked = setting(fidelity_key, s.simulation.fidelity, places) + " with ";
   if (!channel::is_matched(s.module))
     throw bad_input(asked + setting("receiver.module", s.receiver.module, places),
@@ -42,12 +43,13 @@ void check_decision(const Scenario& s, const Places& places) {
                   "remove that light or use the fidelity waveform");
 }
 
-std::string number_setting(const std::string& name, double value, const Places& places) {
+std::string number_setting(const std::string& name, double value, const SourceLocations& places) {
   return fmt::format("{} = {} {}", name, value, place_of(places, name));
 }
 
 /// What there is besides a module and the device's light.
-void check_envelope_alone(const Scenario& s, const std::string& asked, const Places& places) {
+void check_envelope_alone(const Scenario& s, const std::string& asked,
+                          const SourceLocations& places) {
   if (channel::is_matched(s.module))
     throw bad_input(asked + setting("receiver.module", s.receiver.module, places),
                     "the envelope is that of a module", "use the fidelity decision or waveform");
@@ -72,7 +74,7 @@ std::string number_beyond(double limit, double value) {
 /// Where the envelope is not worked out, or was not compared with the waveform.
 class EnvelopeLimits {
  public:
-  EnvelopeLimits(std::string asked, const Places& places)
+  EnvelopeLimits(std::string asked, const SourceLocations& places)
       : asked_(std::move(asked)), places_(places) {}
 
   void check_light(const EnvelopeBounds& bounds) const {
@@ -116,7 +118,7 @@ class EnvelopeLimits {
   }
 
   std::string asked_;
-  const Places& places_;
+  const SourceLocations& places_;
 };
 
 /// Where pauses may be short all of a trial is one stretch (sim/trial/envelope_trial), whose steps
@@ -130,7 +132,7 @@ void check_envelope_length(const EnvelopeBounds& bounds, const std::string& aske
       "device.interval_max_ms, a shorter message or fewer simulation.warmup_messages");
 }
 
-void check_envelope(const Scenario& s, const Places& places) {
+void check_envelope(const Scenario& s, const SourceLocations& places) {
   const std::string asked = setting(fidelity_key, s.simulation.fidelity, places) + " with ";
   check_envelope_alone(s, asked, places);
   const EnvelopeBounds bounds = envelope_bounds(s);
@@ -142,7 +144,7 @@ void check_envelope(const Scenario& s, const Places& places) {
 
 }  // namespace
 
-void check_fidelity(const Scenario& scenario, const Places& places) {
+void check_fidelity(const Scenario& scenario, const SourceLocations& places) {
   switch (fidelity_of(scenario.simulation)) {
     case Fidelity::waveform:
       return;

@@ -4,6 +4,6 @@
 namespace sim {
 
 /// Throws Failure(bad_input) where the scenario has what its fidelity cannot compute.
-void check_fidelity(const Scenario& scenario, const Places& places);
+void check_fidelity(const Scenario& scenario, const SourceLocations& places);
 
 }  // namespace sim

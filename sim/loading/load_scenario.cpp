@@ -1,5 +1,5 @@
 #include "sim/loading/load_scenario.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "sim/failure.hpp"
+#include "sim/loading/parsed_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/loading/scenario_draft.hpp"
 #include "sim/parts/part_axis.hpp"
 #include "sim/parts/parts.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
@@ -31,12 +31,13 @@ std::vector<Entry> scenario_entries(const std::string& text, const std::filesyst
   return read_entries(text, path, {"override", "part"});
 }
 
-std::string asked_for(const Draft& draft, const std::string& key, const std::string& part) {
+std::string asked_for(const ParsedScenario& draft, const std::string& key,
+                      const std::string& part) {
   return fmt::format("{} = \"{}\" {}", key, part, place_of(draft.places, key));
 }
 
 /// LEDs of devices that have one of their own.
-void load_device_leds(Scenario& s, const Draft& draft, const PartSources& from,
+void load_device_leds(Scenario& s, const ParsedScenario& draft, const PartSources& from,
                       std::vector<CarriedPart>& parts) {
   for (auto& [name, device] : s.devices) {
     if (device.led.empty()) continue;
@@ -47,7 +48,7 @@ void load_device_leds(Scenario& s, const Draft& draft, const PartSources& from,
 }
 
 /// The photodiode of an experiment that looks at the light itself.
-void load_photodiode(Scenario& s, const Draft& draft, const PartSources& from,
+void load_photodiode(Scenario& s, const ParsedScenario& draft, const PartSources& from,
                      std::vector<CarriedPart>& parts) {
   const Key* key = find_key(s.experiment + ".photodiode");
   if (key == nullptr) return;
@@ -59,9 +60,9 @@ void load_photodiode(Scenario& s, const Draft& draft, const PartSources& from,
 
 /// Files of pauses become lists in the draft, and in the options that repeat the run: they are not
 /// carried with it.
-void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
+void read_interval_files(ParsedScenario& draft, const std::filesystem::path& scenario,
                          std::vector<std::string>& options) {
-  const Places given = draft.places;  // by name
+  const SourceLocations given = draft.places;  // by name
   for (const auto& [name, place] : given) {
     if (!name.ends_with(".interval_file")) continue;
     const std::string file = std::exchange(draft.texts[find_key(name)], "");
@@ -77,7 +78,7 @@ void read_interval_files(Draft& draft, const std::filesystem::path& scenario,
   }
 }
 
-Assembly assemble(const Draft& draft, const PartSources& from) {
+Assembly assemble(const ParsedScenario& draft, const PartSources& from) {
   Scenario s;
   for (const auto& [key, value] : draft.texts) key->text(s) = value;
   check_kinds(s, draft.places);
@@ -108,7 +109,7 @@ struct PartVariants {
   std::vector<CarriedPart> parts;
 };
 
-void add_axis(PartVariants& to, Draft& draft, Axis& axis, const PartSources& from) {
+void add_axis(PartVariants& to, ParsedScenario& draft, Axis& axis, const PartSources& from) {
   const Key* key = find_key(axis.key);
   const auto with = [&](const std::string& part) {
     draft.texts[key] = part;
@@ -122,7 +123,7 @@ void add_axis(PartVariants& to, Draft& draft, Axis& axis, const PartSources& fro
 }
 
 /// Loads the parts of all axes. The base then has the first of each.
-PartVariants load_variants(Draft& draft, const PartSources& from) {
+PartVariants load_variants(ParsedScenario& draft, const PartSources& from) {
   PartVariants all;
   for (const Axis& axis : draft.sweep)
     if (is_part_axis(axis))
@@ -182,7 +183,7 @@ LoadedScenario load_scenario(const std::filesystem::path& path,
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,
                               const std::vector<std::string>& overrides,
                               const std::vector<std::filesystem::path>& roots) {
-  Draft draft = draft_of(scenario_entries(text, path), overrides);
+  ParsedScenario draft = draft_of(scenario_entries(text, path), overrides);
   count_points(draft.sweep);
   check_dimension_names(draft.sweep);
   std::vector<std::string> options = overrides;

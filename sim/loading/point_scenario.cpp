@@ -1,6 +1,6 @@
 #include "sim/loading/point_scenario.hpp"
 #include "sim/loading/fidelity_check.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -84,7 +84,7 @@ std::vector<Limit> limits_of(const Scenario& s) {
 }
 
 [[noreturn]] void refuse_together(const Limit& limit, double small, double large,
-                                  const Places& places) {
+                                  const SourceLocations& places) {
   const std::string &a = limit.small->name(), &b = limit.large->name();
   throw bad_input(fmt::format("{} = {} {} with {} = {} {}", a, small, place_of(places, a), b, large,
                               place_of(places, b)),
@@ -93,7 +93,7 @@ std::vector<Limit> limits_of(const Scenario& s) {
                               small * limit.times));
 }
 
-void check_together(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+void check_together(Scenario& s, const std::vector<Limit>& limits, const SourceLocations& places) {
   for (const Limit& limit : limits) {
     const double small = limit.small->number(s), large = limit.large->number(s);
     if (large < limit.times * small) refuse_together(limit, small, large, places);
@@ -101,7 +101,7 @@ void check_together(Scenario& s, const std::vector<Limit>& limits, const Places&
 }
 
 /// Above the last point of its curve nothing is known of an LED.
-void check_current(const Scenario& s, const Places& places) {
+void check_current(const Scenario& s, const SourceLocations& places) {
   const double last = s.emitter.intensity_mw_per_sr.x.back();
   if (s.led.current_ma <= last) return;
   throw bad_input(
@@ -111,7 +111,7 @@ void check_current(const Scenario& s, const Places& places) {
 }
 
 /// Without noise there is no light of a given Eb/N0.
-void check_ebn0(const Scenario& s, const Places& places) {
+void check_ebn0(const Scenario& s, const SourceLocations& places) {
   if (std::isnan(s.receiver.ebn0_db) || s.noise.scale > 0) return;
   throw bad_input(
       fmt::format("receiver.ebn0_db = {} {} with noise.scale = 0 {}", s.receiver.ebn0_db,
@@ -119,7 +119,7 @@ void check_ebn0(const Scenario& s, const Places& places) {
       "without noise no light has this Eb/N0", "raise noise.scale or remove receiver.ebn0_db");
 }
 
-void check_remotes(const Scenario& s, const Places& places) {
+void check_remotes(const Scenario& s, const SourceLocations& places) {
   for (const auto& [name, d] : s.disturbances) {
     if (d.kind != "remote") continue;
     const double frame_ms = longest_frame(d).value * 1e3;
@@ -130,7 +130,7 @@ void check_remotes(const Scenario& s, const Places& places) {
   }
 }
 
-void check_point(Scenario& s, const std::vector<Limit>& limits, const Places& places) {
+void check_point(Scenario& s, const std::vector<Limit>& limits, const SourceLocations& places) {
   check_together(s, limits, places);
   check_remotes(s, places);
   check_current(s, places);
@@ -170,7 +170,7 @@ void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
 }  // namespace
 
 void check_led_temperature(const channel::EmitterData& emitter, double celsius,
-                           const Places& places) {
+                           const SourceLocations& places) {
   if (celsius == channel::emitter_reference_celsius) return;
   const auto& known = emitter.relative_intensity_against_temperature.x;
   if (!known.empty() && known.front() <= celsius && celsius <= known.back()) return;
@@ -185,7 +185,7 @@ void check_led_temperature(const channel::EmitterData& emitter, double celsius,
                   "use a temperature between them");
 }
 
-void check_receiver_module(const Scenario& s, const Places& places) {
+void check_receiver_module(const Scenario& s, const SourceLocations& places) {
   if (!channel::is_matched(s.module)) return;
   throw bad_input(fmt::format("receiver.module = \"{}\" {}", s.receiver.module,
                               place_of(places, "receiver.module")),

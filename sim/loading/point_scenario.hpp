@@ -24,9 +24,9 @@ void check_all_points(const LoadedScenario& loaded);
 
 /// Throws where the LED's data do not tell of that temperature.
 void check_led_temperature(const channel::EmitterData& emitter, double celsius,
-                           const Places& places);
+                           const SourceLocations& places);
 
 /// Throws where the receiver is an ideal one, for experiments that are not of one sender's bits.
-void check_receiver_module(const Scenario& scenario, const Places& places);
+void check_receiver_module(const Scenario& scenario, const SourceLocations& places);
 
 }  // namespace sim

@@ -6,10 +6,11 @@ namespace sim {
 
 constinit const Measurement<LocationBench, LocationTally, LocationPointRun> location_measurement{
     .unreached =
-        [](const Scenario& s, const Places& places, const std::vector<double>& coordinates) {
+        [](const Scenario& s, const SourceLocations& places,
+           const std::vector<double>& coordinates) {
           return LocationPointRun{coordinates, location_settings(s, places)};
         },
-    .prepare = [](const Scenario& s, const Places& places,
+    .prepare = [](const Scenario& s, const SourceLocations& places,
                   const Workers&) { return LocationBench(location_settings(s, places)); },
     .most_at_once = trials_at_once<LocationBench>,
     .run = run_location,

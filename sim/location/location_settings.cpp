@@ -1,6 +1,6 @@
 #include "sim/location/location_settings.hpp"
 #include "sim/location/scenario_settings.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_receivers = 1000;
 
-std::string given(const std::string& key, const std::string& value, const Places& places) {
+std::string given(const std::string& key, const std::string& value, const SourceLocations& places) {
   return fmt::format("{} = {} {}", key, value, place_of(places, key));
 }
 
@@ -38,7 +38,7 @@ LightModel model_of(const Scenario& s) {
 
 /// The lists of the receivers, each as long as the longest.
 struct ReceiverPlaces {
-  ReceiverPlaces(const LocationScenario& l, const Places& places)
+  ReceiverPlaces(const LocationScenario& l, const SourceLocations& places)
       : x(numbers("location.x_m", l.x_m, places)),
         y(numbers("location.y_m", l.y_m, places)),
         heading(numbers("location.heading_deg", l.heading_deg, places)) {
@@ -50,7 +50,7 @@ struct ReceiverPlaces {
   }
 
   static std::vector<double> numbers(const std::string& key, const std::string& list,
-                                     const Places& places) {
+                                     const SourceLocations& places) {
     std::vector<double> values = parse_values(list, given(key, list, places));
     if (values.size() > most_receivers)
       throw bad_input(fmt::format("{} of {} numbers {}", key, values.size(), place_of(places, key)),
@@ -75,7 +75,7 @@ Reading reading_at(const Scenario& s, double x, double y, double heading_deg) {
 }
 
 void refuse_too_near(const std::vector<Reading>& readings, const Scenario& s,
-                     const Places& places) {
+                     const SourceLocations& places) {
   const Position device{s.settings.of<LocationScenario>().device_x_m,
                         s.settings.of<LocationScenario>().device_y_m};
   const double nearest = nearest_receiver(readings, device);
@@ -87,7 +87,8 @@ void refuse_too_near(const std::vector<Reading>& readings, const Scenario& s,
       fmt::format("keep {} m from all of them", least_distance_m));
 }
 
-std::vector<Reading> readings_of(const Scenario& s, const LightModel& model, const Places& places) {
+std::vector<Reading> readings_of(const Scenario& s, const LightModel& model,
+                                 const SourceLocations& places) {
   const ReceiverPlaces at(s.settings.of<LocationScenario>(), places);
   std::vector<Reading> readings;
   for (std::size_t i = 0; i < at.x.size(); ++i)
@@ -103,7 +104,7 @@ std::vector<Reading> readings_of(const Scenario& s, const LightModel& model, con
   return readings;
 }
 
-std::optional<Area> scenario_area(const LocationScenario& l, const Places& places) {
+std::optional<Area> scenario_area(const LocationScenario& l, const SourceLocations& places) {
   if (l.area_m.empty()) return std::nullopt;
   const std::string problem = given("location.area_m", l.area_m, places);
   return area_of(parse_values(l.area_m, problem), problem);
@@ -120,7 +121,7 @@ Area area_of(const std::vector<double>& numbers, const std::string& problem) {
   return area;
 }
 
-LocationTrialsSettings location_settings(const Scenario& s, const Places& places) {
+LocationTrialsSettings location_settings(const Scenario& s, const SourceLocations& places) {
   LocationTrialsSettings settings;
   settings.locate.model = model_of(s);
   settings.locate.intensity_unknown = s.settings.of<LocationScenario>().intensity_unknown != 0;

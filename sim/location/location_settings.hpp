@@ -9,7 +9,7 @@
 namespace sim {
 
 /// Throws bad_input for keys that contradict each other; `places` are for its messages.
-LocationTrialsSettings location_settings(const Scenario& scenario, const Places& places);
+LocationTrialsSettings location_settings(const Scenario& scenario, const SourceLocations& places);
 
 /// x from, to, y from, to. `problem` opens the error line.
 Area area_of(const std::vector<double>& numbers, const std::string& problem);

@@ -7,7 +7,7 @@
 
 #include "sim/counting/skewed_mean.hpp"
 #include "sim/noise/addressed_normals.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {

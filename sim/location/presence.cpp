@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/location/presence_point.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 namespace {

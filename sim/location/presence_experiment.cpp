@@ -6,10 +6,11 @@ namespace sim {
 
 constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> presence_measurement{
     .unreached =
-        [](const Scenario& s, const Places& places, const std::vector<double>& coordinates) {
+        [](const Scenario& s, const SourceLocations& places,
+           const std::vector<double>& coordinates) {
           return PresencePointRun{coordinates, presence_settings(s, places)};
         },
-    .prepare = [](const Scenario& s, const Places& places,
+    .prepare = [](const Scenario& s, const SourceLocations& places,
                   const Workers&) { return PresenceBench(presence_settings(s, places)); },
     .most_at_once = trials_at_once<PresenceBench>,
     .run = run_presence,

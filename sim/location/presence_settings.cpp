@@ -1,6 +1,6 @@
 #include "sim/location/presence_settings.hpp"
 #include "sim/location/scenario_settings.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,8 @@ Detector detector_of(const std::string& name) {
   return static_cast<Detector>(std::ranges::find(names, name) - names.begin());
 }
 
-std::size_t samples_in(const std::string& key, double ms, double rate_hz, const Places& places) {
+std::size_t samples_in(const std::string& key, double ms, double rate_hz,
+                       const SourceLocations& places) {
   const double samples = std::round(ms * 1e-3 * rate_hz);
   if (samples >= fewest_samples && samples <= most_samples)
     return static_cast<std::size_t>(samples);
@@ -60,12 +61,12 @@ std::size_t samples_in(const std::string& key, double ms, double rate_hz, const 
 }
 
 /// Other detectors have none, whatever its key says.
-std::size_t reference_samples(const PresenceScenario& p, const Places& places) {
+std::size_t reference_samples(const PresenceScenario& p, const SourceLocations& places) {
   if (detector_of(p.detector) != Detector::dc_difference) return 0;
   return samples_in("presence.reference_ms", p.reference_ms, p.adc_rate_hz, places);
 }
 
-std::vector<double> false_alarms(const PresenceScenario& p, const Places& places) {
+std::vector<double> false_alarms(const PresenceScenario& p, const SourceLocations& places) {
   const std::string problem = fmt::format("presence.false_alarm = {} {}", p.false_alarm,
                                           place_of(places, "presence.false_alarm"));
   std::vector<double> pfa = parse_values(p.false_alarm, problem);
@@ -89,7 +90,7 @@ std::optional<KeyedMessage> keyed_message(const Scenario& s) {
 
 }  // namespace
 
-PresenceSettings presence_settings(const Scenario& s, const Places& places) {
+PresenceSettings presence_settings(const Scenario& s, const SourceLocations& places) {
   const PresenceScenario& p = s.settings.of<PresenceScenario>();
   PresenceSettings settings{
       .meter = meter_of(s),

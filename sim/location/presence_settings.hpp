@@ -6,6 +6,6 @@
 namespace sim {
 
 /// Throws bad_input for keys that contradict each other; `places` are for its messages.
-PresenceSettings presence_settings(const Scenario& scenario, const Places& places);
+PresenceSettings presence_settings(const Scenario& scenario, const SourceLocations& places);
 
 }  // namespace sim

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "sim/page/picture_sections.hpp"
+#include "sim/section/picture_sections.hpp"
 
 namespace sim {
 namespace {

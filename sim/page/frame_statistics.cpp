@@ -66,7 +66,7 @@ FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& count
   FrameStatistics frames{.are_all = trials == all};
   if (trials == 0) return frames;
   const auto begin = static_cast<std::uint32_t>(counted.first);
-  RunSharing<std::vector<TracedTrial>> sharing(
+  ParallelRuns<std::vector<TracedTrial>> sharing(
       {.runs = trials,
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},

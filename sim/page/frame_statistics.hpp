@@ -11,7 +11,7 @@
 #include "sim/counting/statistics.hpp"
 #include "sim/link/link.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 #include "sim/trace/trace.hpp"
 
 namespace sim {

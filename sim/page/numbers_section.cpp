@@ -1,7 +1,6 @@
 #include "sim/page/numbers_section.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +9,9 @@
 #include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/report/report_table.hpp"
-#include "sim/report/swept_curves.hpp"
 #include "sim/result/point_loss.hpp"
+#include "sim/section/point_marks.hpp"
+#include "sim/section/swept_curves.hpp"
 
 namespace sim {
 namespace {
@@ -62,12 +62,6 @@ PageTable table_of(const ExperimentResult& result) {
 
 PageSection numbers_section(const ExperimentResult& result) {
   return {.heading = "All numbers", .text = mark_notes(result), .table = table_of(result)};
-}
-
-std::string marked_line(std::size_t points, const std::vector<std::string>& marks) {
-  if (marks.empty()) return "";
-  return fmt::format("Marked in the table of all numbers: of {} point{} {}.\n", points,
-                     points == 1 ? "" : "s", fmt::join(marks, " and "));
 }
 
 std::string marked_points(const ExperimentResult& result) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -142,7 +141,7 @@ std::string data_of(const Page& page) {
   for (const PageSection& section : page.sections) {
     if (section.picture && section.picture->live)
       charts.push_back(chart_json(*section.picture->live));
-    if (section.trial) trials.push_back(view_json(section.trial->view));
+    if (section.trial) trials.push_back(section.trial->view);
   }
   return data_html("charts", charts) + data_html("trials", trials);
 }
@@ -159,23 +158,6 @@ std::vector<std::string> page_scripts() {
 
 }  // namespace
 
-std::string picture_name(const std::string& title) {
-  std::string name;
-  for (const char c : title) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0)
-      name += static_cast<char>(std::tolower(byte));
-    else if (!name.ends_with('-'))
-      name += '-';
-  }
-  return name;
-}
-
-PagePicture picture_of(Chart chart) {
-  std::string svg = chart_as_svg(chart);
-  return {picture_name(chart.title), chart.description, std::move(svg), std::move(chart)};
-}
-
 std::string page_as_html(const Page& page) {
   const std::vector<std::string> scripts = page_scripts();
   std::string html = fmt::format(
@@ -184,7 +166,7 @@ std::string page_as_html(const Page& page) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       page_head, content_policy(scripts), xml_escaped(page.title), uplot_style, report_style);
-  html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.verdict) +
+  html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.summary) +
           "</div>\n" + contents_html(page.sections);
   for (std::size_t i = 0; i < page.sections.size(); ++i) html += section_html(page.sections[i], i);
   html += "</main>\n" + data_of(page);

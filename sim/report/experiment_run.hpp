@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "sim/engine/measurement.hpp"
-#include "sim/engine/team.hpp"
+#include "sim/engine/process_group.hpp"
 #include "sim/program_info.hpp"
-#include "sim/report/dataset_charts.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/section/dataset_charts.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 
@@ -21,7 +21,7 @@ struct ExperimentRun {
   std::string command;  // as the user typed it
   ProgramInfo program;
   Workers workers{};
-  Team* team = nullptr;  // each of whose members runs the same; the first speaks for all
+  ProcessGroup* team = nullptr;  // each of whose members runs the same; the first speaks for all
   bool json = false, quiet = false, plot = false;
   /// What was counted before, by files of the same scenario; the runs that the result has.
   std::vector<std::string> checkpoints{};

@@ -7,7 +7,7 @@
 #include "sim/columns/columns_dataset.hpp"
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/point_report.hpp"
-#include "sim/engine/keeper.hpp"
+#include "sim/engine/checkpointer.hpp"
 #include "sim/engine/progress_line.hpp"
 #include "sim/engine/run_counting.hpp"
 #include "sim/report/experiment_run.hpp"
@@ -51,8 +51,8 @@ class PointRun {
     if (run_.counts_nothing) return;
     counting_.count(i, run_.shards.front(), by, [&](std::uint32_t done, std::uint32_t all) {
       progress_.show(runs_status(i, counting_.points().size(), done, all));
-      if (!run_.speaks() || !keeper_.is_due()) return;
-      keeper_.keep([&] {
+      if (!run_.speaks() || !checkpointer_.is_due()) return;
+      checkpointer_.keep([&] {
         counting_.bring_up_to_date();
         write();
       });
@@ -61,8 +61,8 @@ class PointRun {
   }
 
   void end_point(std::size_t i) {
-    if (!run_.counts_nothing && run_.speaks() && keeper_.is_due_at_end())
-      keeper_.keep([&] { write(); });
+    if (!run_.counts_nothing && run_.speaks() && checkpointer_.is_due_at_end())
+      checkpointer_.keep([&] { write(); });
     rows_.print(table_.row(counting_.points()[i]));
   }
 
@@ -96,7 +96,7 @@ class PointRun {
   PointTable<Point> table_;
   Rows rows_;
   ProgressLine progress_;
-  Keeper keeper_;
+  Checkpointer checkpointer_;
 };
 
 template <class Setup, class Tally, class Point>

@@ -9,10 +9,10 @@
 
 #include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/swept_curves.hpp"
-#include "sim/report/swept_maps.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/section/swept_curves.hpp"
+#include "sim/section/swept_maps.hpp"
 
 namespace sim {
 namespace {

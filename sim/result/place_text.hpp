@@ -1,5 +1,5 @@
 #pragma once
-// Places of a sweep in words.
+// SourceLocations of a sweep in words.
 #include <cstddef>
 #include <string>
 #include <vector>

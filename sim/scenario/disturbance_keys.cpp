@@ -128,7 +128,7 @@ const DisturbanceKind& kind_of(const DisturbanceSettings& disturbance) {
   return *std::ranges::find(disturbance_kinds(), disturbance.kind, &DisturbanceKind::name);
 }
 
-void check_kinds(const Scenario& scenario, const Places& places) {
+void check_kinds(const Scenario& scenario, const SourceLocations& places) {
   for (const auto& [key, place] : places) check_key(scenario, key, place);
 }
 

@@ -42,6 +42,6 @@ const DisturbanceKind& kind_of(const DisturbanceSettings& disturbance);
 
 /// Throw unless every disturbance has a kind, and every key in `places` belongs to the kind of its
 /// own.
-void check_kinds(const Scenario& scenario, const Places& places);
+void check_kinds(const Scenario& scenario, const SourceLocations& places);
 
 }  // namespace sim

@@ -1,5 +1,5 @@
 #include "sim/scenario/entries.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

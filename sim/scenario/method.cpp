@@ -1,5 +1,5 @@
 #include "sim/scenario/method.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ Method method_of(const SimulationSettings& simulation) {
   return std::ranges::find(method_names, simulation.method, &MethodName::name)->method;
 }
 
-void check_method(const Scenario& scenario, const Places& places) {
+void check_method(const Scenario& scenario, const SourceLocations& places) {
   if (method_of(scenario.simulation) == Method::brute_force) return;
   const Obstacle obstacle = obstacle_of(scenario);
   if (obstacle.setting.empty()) return;

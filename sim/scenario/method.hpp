@@ -23,7 +23,7 @@ std::span<const MethodName> methods();
 Method method_of(const SimulationSettings& simulation);
 
 /// Throws Failure(bad_input) where the scenario has what its method cannot do.
-void check_method(const Scenario& scenario, const Places& places);
+void check_method(const Scenario& scenario, const SourceLocations& places);
 
 /// Throws Failure(bad_input), saying why, where trials have weights.
 void refuse_weighted(const Scenario& scenario, const std::string& why);

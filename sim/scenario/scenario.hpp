@@ -124,7 +124,7 @@ struct Scenario {
 };
 
 /// Where each key was given: "in x.toml:14".
-using Places = std::map<std::string, std::string>;
+using SourceLocations = std::map<std::string, std::string>;
 
 /// A scenario's file, its sweep and what the command line changed.
 struct LoadedScenario {
@@ -135,7 +135,7 @@ struct LoadedScenario {
   std::string text;
   std::filesystem::path path;
   std::vector<Axis> sweep;  // in the order of the file, then of --set
-  Places places;
+  SourceLocations places;
   /// For each axis: of parts, the base with each of them; of others, nothing.
   std::vector<std::vector<Scenario>> variants;
 };

@@ -12,7 +12,7 @@
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/method.hpp"
-#include "sim/scenario/places.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {
@@ -39,7 +39,7 @@ void refuse_sweep(const LoadedScenario& loaded) {
       "a line is at one point", fmt::format("give one, such as {}={}", axis.key, first));
 }
 
-void refuse_lone_messages(const Scenario& point, const Places& places) {
+void refuse_lone_messages(const Scenario& point, const SourceLocations& places) {
   if (point.simulation.warmup_messages > 0) return;
   throw bad_input(
       "simulation.warmup_messages = 0 " + place_of(places, "simulation.warmup_messages"),

@@ -108,7 +108,7 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
                   Tally& tally) {
   tally.n_frames = 1;
   const SentMessage& counted = sent.messages.back();
-  bool delivered = false, deceived = false, ended = false;
+  bool delivered = false, undetected_error = false, ended = false;
   for (std::size_t i = 0; i < heard.frames.size(); ++i) {
     const protocol::CosysFrame& frame = heard.frames[i];
     if (!overlaps_any(link, sent, frame, heard.frame_end[i])) {
@@ -116,14 +116,14 @@ void count_frames(const Link& link, const Transmission& sent, const Reception& h
     } else if (within(counted, heard.frame_end[i], link)) {
       const bool accepted = frame.outcome == protocol::CosysOutcome::ok;
       delivered |= accepted && frame.message == link.message;
-      deceived |= accepted && frame.message != link.message;
+      undetected_error |= accepted && frame.message != link.message;
       ended = true;
       count_rejected(frame.outcome, tally);
     }
   }
   tally.n_frames_ok = delivered;
   tally.n_frames_lost = !delivered;
-  tally.n_frames_undetected = deceived;
+  tally.n_frames_undetected = undetected_error;
   if (!ended) ++(heard_any(counted, heard, link) ? tally.n_frames_unended : tally.n_frames_unheard);
 }
 

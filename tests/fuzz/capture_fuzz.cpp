@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string_view>
 
+#include "sim/capture/autobaud.hpp"
 #include "sim/capture/capture_file.hpp"
-#include "sim/capture/keyed_wire.hpp"
-#include "sim/capture/line_survey.hpp"
+#include "sim/capture/carrier_demodulator.hpp"
 #include "sim/capture/sampled_line.hpp"
 #include "sim/failure.hpp"
 
@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         sim::open_capture(written({reinterpret_cast<const char*>(data), size}), settings);
     if (capture.logic) {
       sim::WireFlips wire(*capture.logic, capture.wire);
-      sim::KeyedWire line(wire, {});
+      sim::CarrierDemodulator line(wire, {});
       read_line(line);
     } else {
       sim::SampledLine line(*capture.samples, {});

@@ -3,7 +3,7 @@
 
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
-#include "sim/arena/air.hpp"
+#include "sim/arena/airtime.hpp"
 
 namespace sim {
 namespace {
@@ -43,7 +43,7 @@ TEST(PureAloha, MeasuredTheShareThatMeetsNobodyIsExponentialInTheLoad) {
       for (const Sender& sender : arena.senders)
         sent.push_back(send(sender, {.seed = 1, .point = sender.point, .trial = run, .purpose = 12},
                             arena.end));
-      const Air air(arena, sent);
+      const Airtime air(arena, sent);
       double frames = 0, clear = 0, airtime = 0;
       for (std::size_t i = 0; i < sent.size(); ++i)
         for (const SentFrame& frame : sent[i].frames) {
@@ -80,7 +80,7 @@ TEST(PureAloha, MeasuredThroughputIsOnItsCurveAtASmallLoad) {
   EXPECT_NEAR(s.value, g * std::exp(-2 * g * (n - 1) / n), 3.3 * s.error) << "G = " << g;
   EXPECT_LT(static_cast<double>(all.n_captured), 0.1 * static_cast<double>(all.n_overlapped));
   EXPECT_GT(all.n_overlapped, 20u);
-  EXPECT_LT(all[FrameFate::uart] + all[FrameFate::checksum], all.n_overlapped / 4);
+  EXPECT_LT(all[LossCause::uart] + all[LossCause::checksum], all.n_overlapped / 4);
 }
 
 TEST(PureAloha, MeasuredHasItsMaximumWhereAbramsonSays) {

@@ -8,7 +8,7 @@ namespace {
 const std::string two_minutes = "[arena]\nduration_s = 8\nruns = 16\n";
 const std::string without_pause = "interval_min_ms = 0\ninterval_max_ms = 0\n";
 
-double share(const SenderTally& tally, FrameFate fate) {
+double share(const SenderTally& tally, LossCause fate) {
   return static_cast<double>(tally[fate]) / static_cast<double>(tally.messages());
 }
 
@@ -24,8 +24,8 @@ constexpr double first_messages = 0.03;
 TEST(FrameFates, NearAndAloneAllIsDelivered) {
   const SenderTally tally = sender_tally(device("a", "1"));
   EXPECT_GT(tally.messages(), 100u);
-  EXPECT_GT(share(tally, FrameFate::delivered), 1 - first_messages);
-  EXPECT_EQ(tally[FrameFate::out_of_reach] + tally[FrameFate::agc] + tally[FrameFate::collision],
+  EXPECT_GT(share(tally, LossCause::delivered), 1 - first_messages);
+  EXPECT_EQ(tally[LossCause::out_of_reach] + tally[LossCause::agc] + tally[LossCause::collision],
             0u);
   EXPECT_EQ(tally.n_in_reach, tally.messages());
   EXPECT_EQ(tally.n_overlapped, 0u);
@@ -34,13 +34,13 @@ TEST(FrameFates, NearAndAloneAllIsDelivered) {
 TEST(FrameFates, ABusyDeviceIsSilent) {
   const SenderTally tally =
       sender_tally(device("a", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6"));
-  EXPECT_EQ(share(tally, FrameFate::silent), 1);
+  EXPECT_EQ(share(tally, LossCause::silent), 1);
   EXPECT_EQ(tally.sent() + tally.airtime_us, 0u);
 }
 
 TEST(FrameFates, AFarDeviceIsOutOfReach) {
   const SenderTally tally = sender_tally(device("a", "100"));
-  EXPECT_EQ(share(tally, FrameFate::out_of_reach), 1);
+  EXPECT_EQ(share(tally, LossCause::out_of_reach), 1);
   EXPECT_EQ(tally.n_in_reach + tally.airtime_in_reach_us, 0u);
   EXPECT_GT(tally.airtime_us, 0u);
 }
@@ -48,9 +48,9 @@ TEST(FrameFates, AFarDeviceIsOutOfReach) {
 // Noise lifts light that is a little less than the module hears: what it delivers was in reach.
 TEST(FrameFates, WhatIsDeliveredFromBelowReachWasInReach) {
   const SenderTally tally = sender_tally(device("a", "12.4"));
-  ASSERT_GT(tally[FrameFate::out_of_reach], 0u);
-  ASSERT_GT(tally[FrameFate::delivered], 0u);
-  EXPECT_EQ(tally.n_in_reach, tally.sent() - tally[FrameFate::out_of_reach]);
+  ASSERT_GT(tally[LossCause::out_of_reach], 0u);
+  ASSERT_GT(tally[LossCause::delivered], 0u);
+  EXPECT_EQ(tally.n_in_reach, tally.sent() - tally[LossCause::out_of_reach]);
   EXPECT_GE(tally.airtime_in_reach_us, tally.airtime_delivered_us);
 }
 
@@ -59,11 +59,11 @@ TEST(FrameFates, ASlowAgcKillsFromTwoMetresOn) {
   const std::string pauses = "interval_min_ms = 600\ninterval_max_ms = 1200";
   const std::vector<std::string> tsop{"receiver.module=TSOP4856"};
   const SenderTally near = sender_tally(device("a", "1", pauses), tsop);
-  EXPECT_GT(share(near, FrameFate::delivered), 1 - first_messages);
-  EXPECT_EQ(near[FrameFate::agc], 0u);
+  EXPECT_GT(share(near, LossCause::delivered), 1 - first_messages);
+  EXPECT_EQ(near[LossCause::agc], 0u);
   const SenderTally far = sender_tally(device("a", "3", pauses), tsop);
-  EXPECT_GT(share(far, FrameFate::agc), 0.8);
-  EXPECT_GT(share(far, FrameFate::agc) + share(far, FrameFate::delivered), 1 - first_messages);
+  EXPECT_GT(share(far, LossCause::agc), 0.8);
+  EXPECT_GT(share(far, LossCause::agc) + share(far, LossCause::delivered), 1 - first_messages);
 }
 
 TEST(FrameFates, TwoOfEqualLightCollide) {
@@ -71,7 +71,7 @@ TEST(FrameFates, TwoOfEqualLightCollide) {
       sender_tally(device("a", "1", without_pause) +
                    device("b", "1", "carrier_error_ppm = 700\n" + without_pause));
   EXPECT_EQ(tally.n_overlapped, tally.messages());
-  EXPECT_GT(share(tally, FrameFate::collision), 0.95);
+  EXPECT_GT(share(tally, LossCause::collision), 0.95);
 }
 
 TEST(FrameFates, NobodyCollidesWithTheSilentNorWithTheFar) {
@@ -80,7 +80,7 @@ TEST(FrameFates, NobodyCollidesWithTheSilentNorWithTheFar) {
       device("quiet", "1", "silent_every_s = 1e-3\nsilent_for_s = 1e6\n" + without_pause));
   EXPECT_GT(tally.n_in_reach, 100u);
   EXPECT_EQ(tally.n_overlapped, 0u);
-  EXPECT_EQ(tally[FrameFate::collision], 0u);
+  EXPECT_EQ(tally[LossCause::collision], 0u);
 }
 
 // The comparator follows the stronger light, which the weaker, a hundredth of it, cannot reach.
@@ -91,14 +91,14 @@ TEST(FrameFates, TheStrongerCaptures) {
   EXPECT_GT(point.senders[0].highest_irradiance, 99 * point.senders[1].highest_irradiance);
   EXPECT_EQ(near.n_overlapped, near.messages());
   EXPECT_GT(static_cast<double>(near.n_captured), 0.95 * static_cast<double>(near.messages()));
-  EXPECT_EQ(near.n_captured, near[FrameFate::delivered]);
-  EXPECT_GT(share(weak, FrameFate::collision), 0.95);
+  EXPECT_EQ(near.n_captured, near[LossCause::delivered]);
+  EXPECT_GT(share(weak, LossCause::collision), 0.95);
 }
 
 // A clock that is 7 % slow puts the last bit of each character where its stop bit should be.
 TEST(FrameFates, AWrongClockIsTheUartsLoss) {
   const SenderTally tally = sender_tally(device("a", "1", "clock_error_ppm = -70000"));
-  EXPECT_EQ(share(tally, FrameFate::uart), 1);
+  EXPECT_EQ(share(tally, LossCause::uart), 1);
 }
 
 // At the edge of what noise allows single bits are wrong, seldom one that starts or ends a
@@ -106,10 +106,10 @@ TEST(FrameFates, AWrongClockIsTheUartsLoss) {
 TEST(FrameFates, ASingleWrongBitIsTheChecksumsLoss) {
   const SenderTally tally = sender_tally(device("a", "11"), {"noise.scale=8"});
   EXPECT_EQ(tally.n_in_reach, tally.messages());
-  EXPECT_EQ(tally[FrameFate::checksum] + tally[FrameFate::uart] + tally[FrameFate::delivered],
+  EXPECT_EQ(tally[LossCause::checksum] + tally[LossCause::uart] + tally[LossCause::delivered],
             tally.messages());
-  EXPECT_GT(tally[FrameFate::checksum], 2 * tally[FrameFate::uart]);
-  EXPECT_GT(share(tally, FrameFate::checksum), 0.1);
+  EXPECT_GT(tally[LossCause::checksum], 2 * tally[LossCause::uart]);
+  EXPECT_GT(share(tally, LossCause::checksum), 0.1);
 }
 
 }  // namespace

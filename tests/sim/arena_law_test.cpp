@@ -10,7 +10,7 @@
 #include "counted_points.hpp"
 #include "gtest/gtest.h"
 #include "sim/arena/arena_columns.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 #include "sim/columns/columns_dataset.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/loading/load_scenario.hpp"
@@ -41,33 +41,33 @@ TEST(ArenaLaws, FatesAddUp) {
   std::uint64_t delivered = 0;
   for (const SenderTally& tally : point.tally.senders) {
     EXPECT_GT(tally.messages(), 0u);
-    EXPECT_EQ(tally.sent(), tally.messages() - tally[FrameFate::silent]);
-    EXPECT_EQ(tally.lost() + tally[FrameFate::delivered], tally.sent());
+    EXPECT_EQ(tally.sent(), tally.messages() - tally[LossCause::silent]);
+    EXPECT_EQ(tally.lost() + tally[LossCause::delivered], tally.sent());
     EXPECT_LE(tally.n_in_reach, tally.sent());
     EXPECT_LE(tally.n_overlapped, tally.n_in_reach);
     EXPECT_LE(tally.n_captured, tally.n_overlapped);
-    EXPECT_LE(tally.n_captured, tally[FrameFate::delivered]);
-    EXPECT_EQ(tally[FrameFate::out_of_reach], tally.sent() - tally.n_in_reach);
-    EXPECT_LE(tally[FrameFate::collision], tally.n_overlapped - tally.n_captured);
+    EXPECT_LE(tally.n_captured, tally[LossCause::delivered]);
+    EXPECT_EQ(tally[LossCause::out_of_reach], tally.sent() - tally.n_in_reach);
+    EXPECT_LE(tally[LossCause::collision], tally.n_overlapped - tally.n_captured);
     EXPECT_LE(tally.airtime_in_reach_us, tally.airtime_us);
     EXPECT_LE(tally.airtime_delivered_us, tally.airtime_us);
     EXPECT_LE(tally.latency.n_runs_heard, 6u);
     EXPECT_LE(tally.latency.sum_us, tally.latency.n_runs_heard * tally.latency.worst_us);
-    EXPECT_EQ(tally.latency.n_runs_heard > 0, tally[FrameFate::delivered] > 0);
-    delivered += tally[FrameFate::delivered];
+    EXPECT_EQ(tally.latency.n_runs_heard > 0, tally[LossCause::delivered] > 0);
+    delivered += tally[LossCause::delivered];
   }
   EXPECT_EQ(point.tally.n_runs, 6u);
   EXPECT_EQ(delivered, point.heard.size());
-  EXPECT_EQ(together(point)[FrameFate::delivered], delivered);
-  for (const FrameFate fate : {FrameFate::delivered, FrameFate::silent, FrameFate::out_of_reach,
-                               FrameFate::agc, FrameFate::collision})
+  EXPECT_EQ(together(point)[LossCause::delivered], delivered);
+  for (const LossCause fate : {LossCause::delivered, LossCause::silent, LossCause::out_of_reach,
+                               LossCause::agc, LossCause::collision})
     EXPECT_GT(together(point)[fate], 0u) << static_cast<int>(fate);
 }
 
 TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
   const LoadedScenario scenario = loaded_arena(busy);
   const ArenaPoint point = counted_points(arena_measurement, scenario, {.threads = 2}).front();
-  const Way way(scenario.base.path);
+  const Trajectory way(scenario.base.path);
   ASSERT_GT(point.heard.size(), 30u);
   std::vector<std::uint64_t> first_us(point.senders.size());
   for (std::size_t i = 0; i < point.heard.size(); ++i) {
@@ -128,9 +128,9 @@ TEST(ArenaLaws, ADeviceIsHeardAsFarAsItsLightGoes) {
   EXPECT_LT(farthest, 13);
   const double share_near = 11.2 / 29;  // of the way, of equal messages
   EXPECT_NEAR(
-      static_cast<double>(tally[FrameFate::delivered]) / static_cast<double>(tally.messages()),
+      static_cast<double>(tally[LossCause::delivered]) / static_cast<double>(tally.messages()),
       share_near, 0.04);
-  EXPECT_GT(tally[FrameFate::out_of_reach], tally.messages() / 2);
+  EXPECT_GT(tally[LossCause::out_of_reach], tally.messages() / 2);
 }
 
 // With a slow AGC, which makes two passes of each run.

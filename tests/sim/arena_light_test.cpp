@@ -103,7 +103,7 @@ const std::string drive_past =
 TEST(LightTrack, MeasuredIsTheGeometrysAllAlongTheWay) {
   Scenario s = point_scenario(loaded_arena(drive_past, {"floor.part=concrete"}), {});
   s.module = module_of(s);
-  const Way way(s.path);
+  const Trajectory way(s.path);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> u(0, way.duration().value + 1);
   for (const Sender& sender : make_senders(s)) {

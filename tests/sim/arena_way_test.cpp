@@ -4,18 +4,18 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/arena/way.hpp"
+#include "sim/arena/trajectory.hpp"
 
 namespace sim {
 namespace {
 
 using dsp::Seconds;
 
-double heading_deg(const Way& way, double t) {
+double heading_deg(const Trajectory& way, double t) {
   return way.at(Seconds(t)).heading.value * 180 / std::numbers::pi;
 }
 
-void expect_at(const Way& way, double t, double x, double y, double degrees) {
+void expect_at(const Trajectory& way, double t, double x, double y, double degrees) {
   const Pose2D place = way.at(Seconds(t));
   EXPECT_NEAR(place.x, x, 1e-9) << t;
   EXPECT_NEAR(place.y, y, 1e-9) << t;
@@ -24,7 +24,7 @@ void expect_at(const Way& way, double t, double x, double y, double degrees) {
 
 std::string refusal_of(const PathSettings& path) {
   try {
-    const Way way(path);
+    const Trajectory way(path);
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::bad_input);
     return failure.what();
@@ -32,18 +32,18 @@ std::string refusal_of(const PathSettings& path) {
   return "accepted";
 }
 
-TEST(Way, OnePlaceIsNoWay) {
-  const Way way({.x_m = "2", .y_m = "-1"});
+TEST(Trajectory, OnePlaceIsNoWay) {
+  const Trajectory way({.x_m = "2", .y_m = "-1"});
   EXPECT_EQ(way.duration(), Seconds(0));
   EXPECT_EQ(way.distance(Seconds(9)), 0);
   expect_at(way, 0, 2, -1, 0);
   expect_at(way, 1e6, 2, -1, 0);
-  expect_at(Way({.heading_deg = "70"}), 5, 0, 0, 70);
+  expect_at(Trajectory({.heading_deg = "70"}), 5, 0, 0, 70);
 }
 
 // 4 m at 2 m/s, a quarter turn at 45 degrees a second, 3 m.
-TEST(Way, LooksWhereItGoesAndTurnsOnTheSpot) {
-  const Way way({.x_m = "0,4,4", .y_m = "0,0,3", .speed_m_per_s = 2, .turn_deg_per_s = 45});
+TEST(Trajectory, LooksWhereItGoesAndTurnsOnTheSpot) {
+  const Trajectory way({.x_m = "0,4,4", .y_m = "0,0,3", .speed_m_per_s = 2, .turn_deg_per_s = 45});
   EXPECT_NEAR(way.duration().value, 2 + 2 + 1.5, 1e-12);
   expect_at(way, -1, 0, 0, 0);
   expect_at(way, 1, 2, 0, 0);
@@ -55,34 +55,37 @@ TEST(Way, LooksWhereItGoesAndTurnsOnTheSpot) {
   EXPECT_NEAR(way.distance(Seconds(99)), 7, 1e-12);
 }
 
-TEST(Way, HasItsCornersInOrder) {
+TEST(Trajectory, HasItsCornersInOrder) {
   const auto corners =
-      Way({.x_m = "0,4,4", .y_m = "0,0,3", .speed_m_per_s = 2, .turn_deg_per_s = 45}).corners();
+      Trajectory({.x_m = "0,4,4", .y_m = "0,0,3", .speed_m_per_s = 2, .turn_deg_per_s = 45})
+          .corners();
   ASSERT_EQ(corners.size(), 4U) << "and the turn, which stays where it is";
   EXPECT_EQ(corners[0].x, 0);
   EXPECT_EQ(corners[1].x, 4);
   EXPECT_EQ(corners[2].x, 4);
   EXPECT_EQ(corners[3].y, 3);
-  EXPECT_EQ(Way({.x_m = "2", .y_m = "-1"}).corners().at(0).x, 2);
+  EXPECT_EQ(Trajectory({.x_m = "2", .y_m = "-1"}).corners().at(0).x, 2);
 }
 
-TEST(Way, BeginsAsItSetsOutAndSkipsAPlaceWhereItIs) {
-  const Way way({.x_m = "1,1,1,0", .y_m = "1,1,0,0", .speed_m_per_s = 1, .turn_deg_per_s = 90});
+TEST(Trajectory, BeginsAsItSetsOutAndSkipsAPlaceWhereItIs) {
+  const Trajectory way(
+      {.x_m = "1,1,1,0", .y_m = "1,1,0,0", .speed_m_per_s = 1, .turn_deg_per_s = 90});
   expect_at(way, 0, 1, 1, -90);
   EXPECT_NEAR(way.duration().value, 1 + 1 + 1, 1e-12);  // a quarter turn back to -180
   expect_at(way, 1.5, 1, 0, -135);
 }
 
-TEST(Way, TurnsTheShorterWayRound) {
+TEST(Trajectory, TurnsTheShorterWayRound) {
   // From 135 to -135 degrees: 90 through 180.
-  const Way way({.x_m = "0,-1,-2", .y_m = "0,1,0", .speed_m_per_s = 1, .turn_deg_per_s = 90});
+  const Trajectory way(
+      {.x_m = "0,-1,-2", .y_m = "0,1,0", .speed_m_per_s = 1, .turn_deg_per_s = 90});
   const double leg = std::numbers::sqrt2;
   EXPECT_NEAR(way.duration().value, 2 * leg + 1, 1e-12);
   expect_at(way, leg + 0.5, -1, 1, 180);
 }
 
-TEST(Way, GivenHeadingsChangeEvenlyAlongTheWay) {
-  const Way way({.x_m = "0,2,2,4", .heading_deg = "0,90,-90,180", .speed_m_per_s = 1});
+TEST(Trajectory, GivenHeadingsChangeEvenlyAlongTheWay) {
+  const Trajectory way({.x_m = "0,2,2,4", .heading_deg = "0,90,-90,180", .speed_m_per_s = 1});
   expect_at(way, 1, 1, 0, 45);
   expect_at(way, 2, 2, 0, 90);
   EXPECT_NEAR(way.duration().value, 2 + 2 + 2, 1e-12);  // half a turn at 90 degrees a second
@@ -90,13 +93,13 @@ TEST(Way, GivenHeadingsChangeEvenlyAlongTheWay) {
   EXPECT_NEAR(way.distance(Seconds(3)), 2, 1e-12);
 }
 
-TEST(Way, OneNumberHoldsForAll) {
-  const Way way({.x_m = "0:1:3", .y_m = "5", .heading_deg = "30", .speed_m_per_s = 1});
+TEST(Trajectory, OneNumberHoldsForAll) {
+  const Trajectory way({.x_m = "0:1:3", .y_m = "5", .heading_deg = "30", .speed_m_per_s = 1});
   EXPECT_NEAR(way.duration().value, 3, 1e-12);
   expect_at(way, 2.5, 2.5, 5, 30);
 }
 
-TEST(Way, ListsThatDoNotFitAreRefused) {
+TEST(Trajectory, ListsThatDoNotFitAreRefused) {
   EXPECT_EQ(refusal_of({.x_m = "0,1,2", .y_m = "0,1"}),
             "path.y_m has 2 numbers (the way has 3 way-points) give one or 3");
   EXPECT_EQ(refusal_of({.x_m = "0,1", .heading_deg = "0,1,2"}),
@@ -104,8 +107,8 @@ TEST(Way, ListsThatDoNotFitAreRefused) {
 }
 
 // Speed and direction: what lies between two moments is never farther than the speed takes it.
-TEST(Way, NeverJumps) {
-  const Way way({.x_m = "0,1,1,-2,0.5", .y_m = "0,0,3,-1,0.5", .speed_m_per_s = 0.7});
+TEST(Trajectory, NeverJumps) {
+  const Trajectory way({.x_m = "0,1,1,-2,0.5", .y_m = "0,0,3,-1,0.5", .speed_m_per_s = 0.7});
   double length = 0;
   constexpr double step = 1e-3;
   for (double t = 0; t < way.duration().value; t += step) {

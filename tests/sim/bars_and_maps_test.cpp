@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "occurrences.hpp"
-#include "sim/page/picture_sections.hpp"
+#include "sim/section/picture_sections.hpp"
 
 namespace sim {
 namespace {

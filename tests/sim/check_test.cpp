@@ -22,7 +22,7 @@ class OwnDecoder : public Decoder {
   explicit OwnDecoder(Bytes bytes) : bytes_(std::move(bytes)) {}
 
   const std::string& name() const override { return name_; }
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded;
     protocol::CosysDecoder decoder;
     for (const protocol::UartByte& byte : bytes_(line.wire)) {
@@ -70,7 +70,8 @@ JudgedPoint judged_point(const char* clock_error_ppm, const char* range_m = "12.
       .front();
 }
 
-constexpr GateRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+constexpr SequentialTestRule rule{
+    .worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
 
 BaselinePoint baseline_of(const JudgedPoint& point, const Decoder& decoder, std::uint32_t frames) {
   return {
@@ -126,7 +127,7 @@ TEST(Check, IsInconclusiveRatherThanGuess) {
 TEST(Check, StopsEarlyForNothingThatHolmWouldLetPass) {
   const JudgedPoint point = judged_point("0");
   const BaselinePoint good = baseline_of(point, ScriptedDecoder(losing(0, 0)), 128);
-  GateRule nothing_is_negligible = rule;
+  SequentialTestRule nothing_is_negligible = rule;
   nothing_is_negligible.negligible = 0;
   const auto checked_losing = [&](std::uint32_t lost) {
     const ScriptedDecoder candidate(losing(0, lost));
@@ -161,7 +162,7 @@ TEST(Check, FindsADecoderThatAcceptsWrongMessages) {
   judge(checks, {.rule = rule, .candidate = liar, .baseline = nullptr});
   EXPECT_EQ(checks[0].verdict, Verdict::worse);
   EXPECT_EQ(checks[0].losses.discordant(), 0U);
-  EXPECT_GT(checks[0].deceptions.candidate_only, 10U);
+  EXPECT_GT(checks[0].undetected_errors.candidate_only, 10U);
 }
 
 /// As if another version of the program had made it.
@@ -240,7 +241,7 @@ TEST(Check, GoldenCountsWrongMessagesToo) {
   const PointCheck check = checked(setup, point, baseline_of(point, good, 64));
   EXPECT_EQ(check.verdict, Verdict::worse);
   EXPECT_EQ(check.losses.discordant(), 0U);
-  EXPECT_EQ(check.only_candidate_deceived, std::vector<std::uint32_t>{7});
+  EXPECT_EQ(check.only_candidate_undetected, std::vector<std::uint32_t>{7});
 }
 
 TEST(Check, GoldenSaysEveryFrameThatComesOutOtherwise) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/page/curve_span.hpp"
+#include "sim/section/curve_span.hpp"
 
 namespace sim {
 namespace {

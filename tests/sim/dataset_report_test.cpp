@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "sim/loading/load_scenario.hpp"
-#include "sim/page/dataset_cells.hpp"
-#include "sim/page/dataset_shares.hpp"
-#include "sim/page/dataset_table.hpp"
-#include "sim/page/dataset_words.hpp"
-#include "sim/report/dataset_charts.hpp"
-#include "sim/report/swept_maps.hpp"
-#include "sim/report/swept_rows.hpp"
+#include "sim/section/dataset_cells.hpp"
+#include "sim/section/dataset_charts.hpp"
+#include "sim/section/dataset_shares.hpp"
+#include "sim/section/dataset_table.hpp"
+#include "sim/section/dataset_words.hpp"
+#include "sim/section/swept_maps.hpp"
+#include "sim/section/swept_rows.hpp"
 
 namespace sim {
 namespace {

@@ -50,7 +50,7 @@ TEST(DecodedFrames, AreTheSameWherePointsAreGoneOnWith) {
 class Forgetful : public Decoder {
  public:
   const std::string& name() const override { return name_; }
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     if (line.first / frames_per_capture % 3 == 1) return {};
     return decoder_->decode(line);
   }
@@ -75,7 +75,7 @@ TEST(DecodedFrames, AreUnknownWhereADecoderLosesUndisturbedMessages) {
 class Failing : public Decoder {
  public:
   const std::string& name() const override { return name_; }
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded = decoder_->decode(line);
     decoded.fault = {.kind = DecoderFault::Kind::timeout, .what = "late", .words = "oh"};
     return decoded;

@@ -4,7 +4,7 @@
 
 #include "experiment_report.hpp"
 #include "page_tables.hpp"
-#include "sim/listening/listening_part.hpp"
+#include "sim/listening/listening_section.hpp"
 #include "sim/loading/load_scenario.hpp"
 
 namespace sim {
@@ -109,7 +109,7 @@ std::string listening_answer(double hours, std::int64_t frames, std::int64_t und
   add("false_per_hour", 0.0);
   add("false_per_hour_ci_low", 0.0);
   add("false_per_hour_ci_high", 3.7 / hours);
-  return listening_part("x", stored).verdict;
+  return listening_section("x", stored).summary;
 }
 
 TEST(ListeningAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {

@@ -13,8 +13,8 @@
 #include "sim/link/link.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_charts.hpp"
-#include "sim/page/picture_sections.hpp"
 #include "sim/result/unfinished.hpp"
+#include "sim/section/picture_sections.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {

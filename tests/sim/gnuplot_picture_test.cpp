@@ -8,7 +8,7 @@
 
 #include "program.hpp"
 #include "sim/command/gnuplot.hpp"
-#include "sim/picture/own_picture.hpp"
+#include "sim/picture/image_provenance.hpp"
 #include "sim/picture/svg.hpp"
 
 namespace sim {

@@ -1,4 +1,4 @@
-// The robo-guard as a whole: an arena, a mirror behind it, and a waterfall whose stages add up.
+// The robo-guard as a whole: an arena, a relay behind it, and a waterfall whose stages add up.
 #include <atomic>
 #include <string>
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lossy_sweep.hpp"
-#include "sim/page/link_part.hpp"
+#include "sim/page/link_section.hpp"
 #include "sim/page/page.hpp"
 #include "sim/report/report_table.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 TEST(Report, HasThePicturesAndTablesOfAResult) {
   const Page page =
-      page_of({link_part({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
+      page_of({link_section({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
@@ -29,13 +29,13 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
 
 TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
   const LinkReport link{"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}};
-  const PageTable alone = *page_of({link_part(link)}).sections[2].table;
+  const PageTable alone = *page_of({link_section(link)}).sections[2].table;
   EXPECT_EQ(alone.head,
             (std::vector<std::string>{"receiver.range_m [m]", "frame loss ratio (FLR)"}));
   EXPECT_EQ(alone.rows[1][0], "2");
   LinkReport other = link;
   other.name = "other";
-  const Page both = page_of({link_part(link), link_part(other)});
+  const Page both = page_of({link_section(link), link_section(other)});
   const auto loss = std::ranges::find(both.sections, "Frame loss", &PageSection::heading);
   EXPECT_EQ(loss->table->head[0], "curve");
   EXPECT_EQ(loss->table->rows[1][0], "file, simulated");
@@ -44,26 +44,27 @@ TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
 TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   const ExperimentResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
   const ExperimentResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
-  const Page page = page_of({link_part({"one", one, {}}), link_part({"two", two, {}})});
-  EXPECT_EQ(page.verdict.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
+  const Page page = page_of({link_section({"one", one, {}}), link_section({"two", two, {}})});
+  EXPECT_EQ(page.summary.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
                               "2 m; two: between 2 and 3 m.\none: "),
             0U)
-      << page.verdict;
+      << page.summary;
   EXPECT_EQ(page.sections[0].heading, "How far each reaches");
   EXPECT_EQ(page.sections[0].table->rows,
             (std::vector<std::vector<std::string>>{{"two", "between 2 and 3 m"},
                                                    {"one", "between 1 and 2 m"}}));
   ExperimentResult lamps = two;
   lamps.axes[0].key = "ambient.irradiance_w_per_m2";
-  EXPECT_EQ(
-      page_of({link_part({"one", one, {}}), link_part({"lamps", lamps, {}})}).sections[0].heading,
-      "Differences")
+  EXPECT_EQ(page_of({link_section({"one", one, {}}), link_section({"lamps", lamps, {}})})
+                .sections[0]
+                .heading,
+            "Differences")
       << "distances and lights are not compared";
 }
 
 TEST(Report, ComparesReachesOfSeveralResultsAlone) {
-  ReportPart links{"links", "", ""}, arena{"arena", "", ""};
-  links.reaches = {Reach{}, Reach{}};
+  ReportSection links{"links", "", ""}, arena{"arena", "", ""};
+  links.reaches = {LinkRange{}, LinkRange{}};
   EXPECT_EQ(page_of({links, arena}).sections[0].heading, "Differences");
   EXPECT_NE(page_of({links, links}).sections[0].heading, "Differences");
 }
@@ -80,7 +81,7 @@ TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
   from_zero.y.from_zero = true;
   from_zero.curves[0].points[0].x = 0;
   const auto page = [](const Chart& first, const Chart& second) {
-    ReportPart one{"one", "", ""}, two{"two", "", ""};
+    ReportSection one{"one", "", ""}, two{"two", "", ""};
     one.charts = {first};
     two.charts = {second};
     return page_of({one, two});
@@ -101,12 +102,12 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
   result.points[0].outside = 1;
   result.points[0].operating.ber_theory = 0.25;
   result.points[1].alarms = result.points[2].alarms = 1;
-  const ReportPart part = link_part({"file", result, {}});
-  EXPECT_NE(part.verdict.find(
+  const ReportSection part = link_section({"file", result, {}});
+  EXPECT_NE(part.summary.find(
                 "\nMarked in the table of all numbers: of 3 points 1 outside of what a model is "
                 "valid for and 2 with an alarm.\n"),
             std::string::npos)
-      << part.verdict;
+      << part.summary;
   const PageSection& numbers = part.sections.back();
   EXPECT_EQ(numbers.heading, "All numbers");
   EXPECT_EQ(numbers.text, mark_notes(result));
@@ -120,13 +121,13 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
 TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
   ExperimentResult result = sweep_of({point_of(1, 10, 0)});
   result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
-  const ReportPart part = link_part({"file", result, {}});
+  const ReportSection part = link_section({"file", result, {}});
   EXPECT_EQ(part.sections.back().table->rows[0][2], "-");
 }
 
 TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
-  const ReportPart part = link_part({"file", sweep_of({point_of(1, 10, 0)}), {}});
-  EXPECT_EQ(part.verdict.find("Marked"), std::string::npos) << part.verdict;
+  const ReportSection part = link_section({"file", sweep_of({point_of(1, 10, 0)}), {}});
+  EXPECT_EQ(part.summary.find("Marked"), std::string::npos) << part.summary;
   const PageSection& numbers = part.sections.back();
   EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
 }
@@ -147,7 +148,7 @@ std::vector<std::string> headings_of(std::size_t modules) {
   result.axes[0].values = {1, 2};
   result.axes.insert(result.axes.begin(), names);
   std::vector<std::string> headings;
-  for (const PageSection& section : page_of({link_part({"file", result, {}})}).sections)
+  for (const PageSection& section : page_of({link_section({"file", result, {}})}).sections)
     headings.push_back(section.heading);
   return headings;
 }
@@ -172,7 +173,7 @@ TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
       result.points.push_back(point_of(x, fails ? 20 : 10, fails ? 8 : 0));
       result.points.back().coordinates = {module, static_cast<double>(x)};
     }
-  const Page page = page_of({link_part({"file", result, {}})});
+  const Page page = page_of({link_section({"file", result, {}})});
   const auto section =
       std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
   ASSERT_NE(section, page.sections.end());

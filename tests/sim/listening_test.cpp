@@ -14,8 +14,8 @@
 #include "held_intervals.hpp"
 #include "program.hpp"
 #include "protocol/shared_link.hpp"
+#include "sim/check/listening_comparison.hpp"
 #include "sim/command/experiments.hpp"
-#include "sim/listening/listening_contest.hpp"
 #include "sim/listening/listening_report.hpp"
 #include "tests/sim/scenarios.hpp"
 
@@ -44,7 +44,7 @@ ListeningPoint only_point(const std::vector<std::string>& set) {
 }
 
 std::vector<protocol::UartByte> read(const Listening& at, const dsp::LogicTrace& wire) {
-  return at.judged.link.uart->receive(wire, at.judged.baud, 0);
+  return at.link.uart->receive(wire, at.link.device_baud, 0);
 }
 
 /// COSYS messages of a wire that is no receiver's.
@@ -79,7 +79,7 @@ TEST(Listening, CountsEachMessageOfAKnownSender) {
     EXPECT_TRUE(nothing.messages.empty());
     EXPECT_TRUE(nothing.line.flips().empty());
     EXPECT_EQ(nothing.line.end(), at.duration);
-    auto drive = chain_input(at.judged.link, run, nothing).disturbances.at(0).drive;
+    auto drive = chain_input(at.link, run, nothing).disturbances.at(0).drive;
     sent += messages_on(at, drive);
   }
   // 283 ms and 500 ms of pause: 153 in 120 s, less those that a run's ends cut.
@@ -240,7 +240,7 @@ class Dreamer : public Decoder {
  public:
   explicit Dreamer(int words) : words_(words) {}
   const std::string& name() const override { return name_; }
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded;
     if (words_ < 0) return decoded;
     decoded = decoder_->decode(line);
@@ -255,10 +255,10 @@ class Dreamer : public Decoder {
   std::unique_ptr<Decoder> decoder_ = make_built_in_decoder("atmega");
 };
 
-TEST(ListeningContest, CountsAllThatADecoderAcceptsOfADarkDevice) {
+TEST(ListeningComparison, CountsAllThatADecoderAcceptsOfADarkDevice) {
   const auto atmega = make_built_in_decoder("atmega");
   const Dreamer twice(2), deaf(-1);
-  const auto point = listening_contest(loaded(silence), 0, {atmega.get(), &twice, &deaf}, two);
+  const auto point = listening_comparison(loaded(silence), 0, {atmega.get(), &twice, &deaf}, two);
   EXPECT_EQ(point.accepts[0].n_runs, 6U);
   EXPECT_EQ(point.accepts[0].n_wrong, 0U);
   EXPECT_EQ(point.accepts[1].n_wrong, 12U);
@@ -267,21 +267,21 @@ TEST(ListeningContest, CountsAllThatADecoderAcceptsOfADarkDevice) {
   EXPECT_TRUE(std::isnan(point.wrong_per_hour(2).value));
   const Decoders all{atmega.get(), &twice, &deaf};
   EXPECT_NE(
-      listening_contest_text({point}, all).find("dreamer failed at x: it lost an undisturbed"),
+      listening_comparison_text({point}, all).find("dreamer failed at x: it lost an undisturbed"),
       std::string::npos);
-  const auto json = nlohmann::json::parse(listening_contest_json({point}, all));
+  const auto json = nlohmann::json::parse(listening_comparison_json({point}, all));
   EXPECT_EQ(json["points"][0]["decoders"][1]["n_accepted_wrong"], 12);
   EXPECT_TRUE(json["points"][0]["decoders"][2]["wrong_per_hour"].is_null());
 }
 
 // What `run` counts of the line, a decoder does too that is given it between markers.
-TEST(ListeningContest, AgreesWithRun) {
+TEST(ListeningComparison, AgreesWithRun) {
   const std::vector<std::string> sends{"listening.device_sends=true"},
       neighbour{"listening.air=cosys"};
   const auto atmega = make_built_in_decoder("atmega"), soft = make_built_in_decoder("soft");
   const Decoders both{atmega.get(), soft.get()};
-  const auto delivered = listening_contest(loaded(silence, sends), 0, both, two);
-  const auto accepted = listening_contest(loaded(silence, neighbour), 0, both, two);
+  const auto delivered = listening_comparison(loaded(silence, sends), 0, both, two);
+  const auto accepted = listening_comparison(loaded(silence, neighbour), 0, both, two);
   for (std::size_t d = 0; d < 2; ++d) {
     EXPECT_EQ(delivered.accepts[d].n_ok, only_point(sends).tally.n_frames_ok);
     EXPECT_EQ(delivered.accepts[d].n_wrong, 0U);

@@ -129,7 +129,7 @@ TEST(LocationScenario, MeasuredTheShippedOneReachesTheBoundWhereReadingsAreGood)
       COSYS_SOURCE_DIR "/scenarios/location.toml",
       {"location.relative_sigma=0.01", "location.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
   auto strict = location_measurement;
-  strict.prepare = [](const Scenario& s, const Places& places, const Workers&) {
+  strict.prepare = [](const Scenario& s, const SourceLocations& places, const Workers&) {
     LocationTrialsSettings settings = location_settings(s, places);
     settings.level = 0.999;
     return LocationBench(settings);

@@ -7,7 +7,7 @@
 #include "occurrences.hpp"
 #include "sim/page/embedded.hpp"
 #include "sim/page/page.hpp"
-#include "sim/page/picture_sections.hpp"
+#include "sim/section/picture_sections.hpp"
 
 namespace sim {
 namespace {
@@ -32,7 +32,7 @@ nlohmann::json charts_of(const std::string& page) {
 TEST(Page, ShowsTextsAsTexts) {
   const std::string page =
       page_as_html({.title = hostile,
-                    .verdict = hostile + "\n" + hostile,
+                    .summary = hostile + "\n" + hostile,
                     .sections = {{.heading = hostile,
                                   .text = hostile,
                                   .preformatted = hostile,
@@ -46,7 +46,7 @@ TEST(Page, ShowsTextsAsTexts) {
 
 TEST(Page, HasTheLicenceOfWhatItEmbeds) {
   if (uplot_script.empty()) GTEST_SKIP() << "built without uPlot, which npm fetches (Debian: npm)";
-  const std::string page = page_as_html({.title = "a", .verdict = {}, .sections = {}});
+  const std::string page = page_as_html({.title = "a", .summary = {}, .sections = {}});
   EXPECT_EQ(occurrences(page, "Leon Sorokin"), 1U);
   EXPECT_EQ(occurrences(page, "Permission is hereby granted"), 1U);
 }
@@ -54,7 +54,7 @@ TEST(Page, HasTheLicenceOfWhatItEmbeds) {
 TEST(Page, KeepsTextThatIsNoUtf8) {
   const std::string page =
       page_as_html({.title = "a",
-                    .verdict = {},
+                    .summary = {},
                     .sections = {{.heading = "b", .picture = picture_of(chart_named("\xff"))}}});
   EXPECT_EQ(charts_of(page)[0]["x"]["label"], "\xef\xbf\xbd");
 }
@@ -63,7 +63,7 @@ TEST(Page, OpensTablesThatAreShortOrTheAnswer) {
   const auto opens = [](std::size_t rows, bool is_answer) {
     const PageTable table{.head = {"a"}, .rows = {rows, {"b"}}, .is_answer = is_answer};
     const std::string page =
-        page_as_html({.title = "t", .verdict = {}, .sections = {{.heading = "h", .table = table}}});
+        page_as_html({.title = "t", .summary = {}, .sections = {{.heading = "h", .table = table}}});
     return occurrences(page, "<details open>") == 1;
   };
   EXPECT_TRUE(opens(20, false));
@@ -77,7 +77,7 @@ TEST(Page, HasEachLiveChartAsAStillPictureToo) {
   chart.curves[0].points.push_back({3, std::nan(""), std::nan(""), std::nan("")});
   const std::string page = page_as_html(
       {.title = "t",
-       .verdict = {},
+       .summary = {},
        .sections = {{.heading = "one", .picture = picture_of(chart)},
                     {.heading = "two", .picture = PagePicture{"still", "words", "<svg></svg>"}},
                     {.heading = "three", .picture = picture_of(chart_named("BER"))}}});
@@ -95,14 +95,14 @@ TEST(Page, HasEachLiveChartAsAStillPictureToo) {
 
 TEST(Page, LeadsToItsSections) {
   const std::string html = page_as_html(
-      {.title = "t", .verdict = {}, .sections = {{.heading = "one"}, {.heading = hostile}}});
+      {.title = "t", .summary = {}, .sections = {{.heading = "one"}, {.heading = hostile}}});
   EXPECT_NE(html.find("<a href=\"#section-0\">one</a>\n<a href=\"#section-1\">&lt;/script&gt;"),
             std::string::npos);
   EXPECT_NE(html.find("<section id=\"section-0\">\n<h2>one</h2>"), std::string::npos);
 }
 
 TEST(Page, IsKnownByItsBeginning) {
-  EXPECT_EQ(page_as_html({.title = "t", .verdict = {}, .sections = {}})
+  EXPECT_EQ(page_as_html({.title = "t", .summary = {}, .sections = {}})
                 .find("<!DOCTYPE html>\n<!-- by cosys-sim -->\n"),
             0U);
 }

@@ -182,7 +182,7 @@ TEST(PresenceScenario, TheShippedOneCountsWhatTheClosedFormSays) {
       load_scenario(shipped_scenario, {"presence.trials=400"}, {COSYS_SOURCE_DIR "/scenarios"});
   int between = 0;
   auto strict = presence_measurement;
-  strict.prepare = [](const Scenario& s, const Places& places, const Workers&) {
+  strict.prepare = [](const Scenario& s, const SourceLocations& places, const Workers&) {
     PresenceSettings settings = presence_settings(s, places);
     settings.level = 0.99995;  // of each of 126 intervals
     return PresenceBench(settings);

@@ -6,7 +6,7 @@
 #include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/report/result_charts.hpp"
-#include "sim/report/swept_curves.hpp"
+#include "sim/section/swept_curves.hpp"
 
 namespace sim {
 namespace {

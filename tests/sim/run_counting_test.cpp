@@ -110,9 +110,9 @@ NumberedRuns run_numbered(const int&, std::uint32_t first, int n, const std::ato
 }
 
 const Measurement<int, NumberedRuns, NumberedPoint> numbered_measurement{
-    .unreached = [](const Scenario&, const Places&,
+    .unreached = [](const Scenario&, const SourceLocations&,
                     const std::vector<double>&) { return NumberedPoint{}; },
-    .prepare = [](const Scenario&, const Places&, const Workers&) { return 0; },
+    .prepare = [](const Scenario&, const SourceLocations&, const Workers&) { return 0; },
     .most_at_once = [](const int&, std::uint32_t, int) { return 3U; },
     .run = run_numbered,
     .describe = [](NumberedPoint& point, const int&,

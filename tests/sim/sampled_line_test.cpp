@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "capture_lines.hpp"
-#include "sim/capture/line_survey.hpp"
+#include "sim/capture/autobaud.hpp"
 
 namespace sim {
 namespace {

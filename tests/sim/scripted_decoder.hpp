@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/check/decoder.hpp"
-#include "sim/threads/run_sharing.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 
@@ -22,7 +22,7 @@ class ScriptedDecoder : public Decoder {
       : script_(std::move(script)), lost_marker_(lost_marker) {}
 
   const std::string& name() const override { return name_; }
-  Decoded decode(const MarkedLine& line) const override {
+  Decoded decode(const DelimitedStream& line) const override {
     Decoded decoded;
     const auto end = line.first + static_cast<std::uint32_t>(line.frames.size());
     for (std::uint32_t trial = line.first; trial <= end; ++trial) {

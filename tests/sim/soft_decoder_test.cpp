@@ -28,9 +28,9 @@ std::vector<DecodedFrames> decoded_by_all(const JudgedPoint& point) {
   return decode_frames(judged_link(point), decoders, 0, frames, workers);
 }
 
-std::ptrdiff_t deceived(const DecodedFrames& decoded) {
-  return std::ranges::count_if(decoded.frames,
-                               [](const FrameRecord& frame) { return frame.outcome.deceived; });
+std::ptrdiff_t undetected_error(const DecodedFrames& decoded) {
+  return std::ranges::count_if(
+      decoded.frames, [](const FrameRecord& frame) { return frame.outcome.undetected_error; });
 }
 
 PairedLosses paired(const DecodedFrames& candidate, const DecodedFrames& baseline) {
@@ -49,7 +49,7 @@ TEST(SoftDecoders, MeasuredLoseLessThanEachPlainOneWithoutMoreWrongMessages) {
         const std::string what = point.name + ": " + names[soft] + ", " + names[plain];
         EXPECT_FALSE(all[soft].fault.has_value()) << what;
         EXPECT_LT(mcnemar_p_value(paired(all[plain], all[soft])), 1e-3) << what;
-        EXPECT_LE(deceived(all[soft]), deceived(all[plain])) << what;
+        EXPECT_LE(undetected_error(all[soft]), undetected_error(all[plain])) << what;
       }
   }
 }

@@ -14,6 +14,7 @@
 #include "sanitized.hpp"
 #include "scenarios.hpp"
 #include "sim/command/experiments.hpp"
+#include "sim/page/page.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "small_experiments.hpp"
@@ -84,7 +85,7 @@ class StrangeDataset : public CommandLine,
   }
 
   static void expect_page(const StoredDataset& stored) {
-    const ReportPart part = report_of("x", stored);
+    const ReportSection part = report_of("x", stored);
     EXPECT_EQ(none_in(page_as_html(page_of({part}))), "");
   }
   /// A page of what `read` gives, or a line that refuses it.

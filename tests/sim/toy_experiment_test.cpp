@@ -80,10 +80,10 @@ Throws throw_dice(const Dice& dice, std::uint32_t first, int n, const std::atomi
 }
 
 constexpr Measurement<Dice, Throws, DicePoint> dice_measurement{
-    .unreached = [](const Scenario&, const Places&,
+    .unreached = [](const Scenario&, const SourceLocations&,
                     const std::vector<double>& coordinates) { return DicePoint{coordinates}; },
     .prepare =
-        [](const Scenario& s, const Places&, const Workers&) {
+        [](const Scenario& s, const SourceLocations&, const Workers&) {
           return Dice{
               static_cast<std::uint32_t>(s.settings.of<DiceSettings>().sides),
               {.seed = static_cast<std::uint64_t>(s.simulation.seed), .point = point_hash(s)}};

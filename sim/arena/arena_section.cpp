@@ -1,0 +1,188 @@
+#include "sim/arena/arena_section.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "sim/arena/arena_columns.hpp"
+#include "sim/arena/arena_map.hpp"
+#include "sim/arena/arena_sums.hpp"
+#include "sim/arena/loss_cause.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/section/dataset_cells.hpp"
+#include "sim/section/dataset_words.hpp"
+#include "sim/section/experiment_section.hpp"
+#include "sim/section/picture_sections.hpp"
+#include "sim/section/swept_maps.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::size_t most_maps = 6;
+
+std::string size_of(const Dataset& data) {
+  const double all = DatasetCells(data, "n_messages").sum();
+  const double silent = DatasetCells(data, "n_silent").sum();
+  return fmt::format(
+      "{:.0f} messages were sent in {}; {:.0f} of them were delivered.{}\n", all - silent,
+      runs_text(data), DatasetCells(data, "n_delivered").sum(),
+      silent > 0 ? fmt::format(" {:.0f} more were left out in silent spells.", silent) : "");
+}
+
+/// "98", "2.1": two digits.
+std::string percent(double share) {
+  return fmt::format("{:.{}f}", 100 * share, share < 0.00995 ? 2 : share < 0.0995 ? 1 : 0);
+}
+
+/// What was lost, by what each cause has of it.
+std::string causes_of(const Dataset& data) {
+  std::vector<std::pair<double, std::string>> causes;
+  double lost = 0;
+  for (const LossCauseName& fate : loss_cause_names) {
+    if (fate.name == "delivered" || fate.name == "silent") continue;
+    causes.emplace_back(DatasetCells(data, fmt::format("n_{}", fate.name)).sum(), fate.words);
+    lost += causes.back().first;
+  }
+  std::erase_if(causes, [](const auto& cause) { return cause.first == 0; });
+  std::ranges::stable_sort(causes, std::greater<>(), [](const auto& cause) { return cause.first; });
+  std::string text;
+  for (const auto& [count, words] : causes)
+    text += fmt::format("{}{} {} %", text.empty() ? "Of those lost: " : ", ", words,
+                        percent(count / lost));
+  return text.empty() ? text : text + ".\n";
+}
+
+/// How soon any device is heard; points where none ever is have no time.
+std::string first_of_any(const Dataset& data) {
+  const DatasetCells time(data, "total_latency_mean_s");
+  std::size_t unheard = 0;
+  for (const std::size_t point : measured_points(data))
+    unheard += point < time.size() && std::isnan(time[point]);
+  return extremes(data, "total_latency_mean_s", "The mean time until the first message is heard",
+                  " s") +
+         (unheard > 0 ? fmt::format("At {} of {} points none is ever heard.\n", unheard,
+                                    measured_points(data).size())
+                      : "");
+}
+
+/// Of a single point how soon each device is heard, the soonest first; of a sweep how soon any is.
+std::string first_heard(const Dataset& data) {
+  if (!data.axes.empty()) return first_of_any(data);
+  constexpr std::size_t most = 8;
+  const DatasetCells time(data, "latency_mean_s"), runs(data, "n_runs_heard");
+  const Dataset::Dimension& devices = dimension_named(data, "device");
+  if (time.size() != devices.size() || devices.size() > most) return "";
+  std::vector<std::pair<double, std::string>> known;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    if (std::isfinite(time[i]))
+      known.emplace_back(
+          time[i], fmt::format("{} after {:.2g} s ({} of {} runs)", value_text(devices, i), time[i],
+                               runs.text(i), data.n_runs));
+  if (known.empty()) return "";
+  std::ranges::stable_sort(known, {}, [](const auto& one) { return one.first; });
+  std::vector<std::string> words;
+  for (const auto& [after, text] : known) words.push_back(text);
+  return fmt::format("First heard on average: {}.\n", fmt::join(words, ", "));
+}
+
+/// Rows of the devices where there is one point, else of the points.
+ShareBars shares_of(const Dataset& data, const std::vector<CountedKind>& fates) {
+  const char *title = "What became of the messages", *of = "messages by what became of them";
+  return data.axes.empty() ? element_shares(data, title, of, fates)
+                           : point_shares(data, title, of, fates);
+}
+
+/// Of a sweep its curves come first.
+void add_maps(ReportSection& part, const StoredDataset& stored) {
+  std::vector<PageSection>& sections = stored.data.axes.empty() ? part.first : part.sections;
+  std::vector<std::size_t> points = measured_points(stored.data);
+  const std::size_t all = points.size();
+  points.resize(std::min(all, most_maps));
+  for (const std::size_t point : points) sections.push_back(arena_map(stored, point));
+  if (all > most_maps)
+    sections.back().text += fmt::format(
+        "\nOf {} points the first {} have a map; --set chooses others.", all, most_maps);
+}
+
+void add_arena_charts(ReportSection& part, const Dataset& data) {
+  add_charts(part, data, drawn_columns(arena_columns()));
+  const DatasetCells loss(data, "total_frame_loss");
+  std::vector<MapValue> ratios;
+  for (std::size_t i = 0; i < count_points(data.axes); ++i)
+    ratios.push_back({loss[i], loss.text(i)});
+  for (const HeatMap& map : swept_maps(data.axes, ratios, "Map of frame loss", "frame loss ratio"))
+    part.sections.push_back(map_section("frame-loss-map", map));
+}
+
+std::vector<DatasetColumn> device_table_columns() {
+  std::vector<DatasetColumn> columns{{"irradiance_mw_per_m2", "highest irradiance [mW/m2]"}};
+  add_message_columns(columns, "", "delivered");
+  columns.push_back({"n_runs_heard", "heard in runs"});
+  columns.push_back({"latency_mean_s", "first after [s]"});
+  return columns;
+}
+
+std::vector<DatasetColumn> point_table_columns() {
+  std::vector<DatasetColumn> columns{{"n_runs", "runs"}, {"n_devices", "devices"}};
+  add_message_columns(columns, "total_", "delivered");
+  add_load_columns(columns);
+  return columns;
+}
+
+}  // namespace
+
+std::vector<CountedKind> arena_fates() {
+  std::vector<CountedKind> fates;
+  for (const LossCauseName& fate : loss_cause_names)
+    fates.push_back({fmt::format("n_{}", fate.name), std::string(fate.words)});
+  return fates;
+}
+
+void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
+                         const std::string& delivered) {
+  for (const auto& [name, head] : {std::pair<const char*, std::string>{"n_sent", "messages sent"},
+                                   {"n_in_reach", "in reach"},
+                                   {"n_overlapped", "overlapped"},
+                                   {"n_captured", "captured"},
+                                   {"n_delivered", delivered},
+                                   {"frame_loss", "frame loss ratio"}})
+    columns.push_back({of + name, head});
+}
+
+void add_load_columns(std::vector<DatasetColumn>& columns) {
+  for (const auto& [name, head] : {std::pair{"total_latency_mean_s", "first after [s]"},
+                                   {"total_offered_load", "offered load G"},
+                                   {"total_throughput", "throughput S"},
+                                   {"pure_aloha_throughput", "pure ALOHA S"},
+                                   {"n_frames_false", "accepted, never sent"}})
+    columns.push_back({name, head});
+}
+
+ReportSection section_of_messages(const std::string& name, StoredDataset stored,
+                                  const MessageTables& tables) {
+  Dataset& data = stored.data;
+  add_message_sums(data);
+  ReportSection part{name, data.title, size_of(data)};
+  part.summary += extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) +
+                  first_heard(data) + missing_points(stored);
+  add_arena_charts(part, data);
+  add_maps(part, stored);
+  part.sections.push_back(shares_section("fates", shares_of(data, tables.fates)));
+  part.sections.push_back({.heading = "All devices", .table = dataset_table(data, tables.devices)});
+  add_closing(part, data, tables.points);
+  return part;
+}
+
+ReportSection arena_section(const std::string& name, const StoredDataset& stored) {
+  ReportSection part = section_of_messages(
+      name, stored, {arena_fates(), device_table_columns(), point_table_columns()});
+  if (!stored.data.axes.empty())
+    part.summary += extremes(stored.data, "total_throughput", "Throughput");
+  return part;
+}
+
+}  // namespace sim

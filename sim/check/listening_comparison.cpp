@@ -1,0 +1,93 @@
+#include "sim/check/listening_comparison.hpp"
+
+#include <limits>
+
+#include "channel/instruction_set.hpp"
+#include "sim/check/judged_point.hpp"
+#include "sim/counting/event_rate.hpp"
+#include "sim/listening/listening.hpp"
+#include "sim/listening/listening_settings.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double comparison_ci_level = 0.95;
+
+using OfDecoders = std::vector<Accepts>;
+
+DecoderFault lost_markers() {
+  return {.kind = DecoderFault::Kind::garbage,
+          .what = "it lost an undisturbed message before or behind a run",
+          .words = {}};
+}
+
+Accepts accepts_of(const Listening& listening, const Decoder& decoder,
+                   const DelimitedStream& line) {
+  const Decoded decoded = decoder.decode(line);
+  if (decoded.fault) return {.fault = decoded.fault};
+  const auto accepted = accepted_between_markers(decoded.accepted, line.first);
+  if (!accepted) return {.fault = lost_markers()};
+  Accepts accepts{.n_runs = 1};
+  for (const std::string& message : *accepted) {
+    const bool sent = listening.device_sends && message == listening.link.message;
+    ++(sent ? accepts.n_ok : accepts.n_wrong);
+  }
+  accepts.wrong_squared = accepts.n_wrong * accepts.n_wrong;
+  return accepts;
+}
+
+OfDecoders accepts_of_all(const Listening& listening, dsp::Hertz baud, const Decoders& decoders,
+                          std::uint32_t first, int n, const std::atomic<bool>* stop) {
+  const JudgedLink judged{listening.link, baud};
+  const HeardTrials heard = hear_runs(listening, first, n, stop);
+  OfDecoders all(decoders.size());
+  for (std::size_t i = 0; i < heard.pins.size() && !is_stopped(stop); ++i) {
+    const DelimitedStream line = mark(judged, first + static_cast<std::uint32_t>(i), heard.pins[i]);
+    for (std::size_t d = 0; d < decoders.size(); ++d)
+      all[d] += accepts_of(listening, *decoders[d], line);
+  }
+  return all;
+}
+
+}  // namespace
+
+Accepts& Accepts::operator+=(const Accepts& other) {
+  n_runs += other.n_runs;
+  n_ok += other.n_ok;
+  n_wrong += other.n_wrong;
+  wrong_squared += other.wrong_squared;
+  if (!fault) fault = other.fault;
+  return *this;
+}
+
+Estimate ListeningComparisonPoint::wrong_per_hour(std::size_t decoder) const {
+  const Accepts& of = accepts[decoder];
+  const double hours = of.fault ? 0 : static_cast<double>(of.n_runs) * hours_of_a_run;
+  return event_rate({of.n_runs, of.n_wrong, of.wrong_squared}, hours, comparison_ci_level);
+}
+
+ListeningComparisonPoint listening_comparison(const LoadedScenario& scenario, std::size_t point,
+                                              const Decoders& decoders, const Workers& workers) {
+  const std::vector<double> coordinates = point_coordinates(scenario.sweep, point);
+  const Scenario at = point_scenario(scenario, coordinates);
+  refuse_marker(scenario, at.device.message);
+  const Listening listening = make_listening(at);
+  ParallelRuns<OfDecoders> sharing(
+      {.runs = static_cast<std::uint32_t>(at.settings.of<ListeningSettings>().runs),
+       .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
+       .workers = workers},
+      [&](std::uint32_t first, int n) {
+        return accepts_of_all(listening, dsp::Hertz(at.device.baud), decoders, first, n,
+                              workers.interrupt);
+      });
+  ListeningComparisonPoint result{.name = point_name(scenario, coordinates),
+                                  .hours_of_a_run = hours_of(listening, 1),
+                                  .accepts = OfDecoders(decoders.size())};
+  for (const OfDecoders& lot : sharing())
+    for (std::size_t d = 0; d < lot.size(); ++d) result.accepts[d] += lot[d];
+  return result;
+}
+
+}  // namespace sim

@@ -1,0 +1,297 @@
+#include "sim/loading/parsed_scenario.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "sim/failure.hpp"
+#include "sim/scenario/disturbance_keys.hpp"
+#include "sim/scenario/key_check.hpp"
+#include "sim/scenario/named_key.hpp"
+#include "sim/scenario/placed_device_keys.hpp"
+#include "sim/scenario/sweep.hpp"
+#include "sim/scenario/text_axis.hpp"
+#include "sim/text/list_text.hpp"
+#include "sim/text/number_text.hpp"
+#include "sim/text/spelling.hpp"
+
+namespace sim {
+
+void ParsedScenario::set_number(const Key& key, double value, const std::string& place) {
+  check_number(key.facts, value, place);
+  numbers[&key] = value;
+  places[key.name()] = place;
+}
+
+void ParsedScenario::set_text(const Key& key, const std::string& value, const std::string& place) {
+  check_text(key, value, place);
+  texts[&key] = value;
+  places[key.name()] = place;
+}
+
+void ParsedScenario::set_axis(Axis axis, const std::string& place) {
+  places[axis.key] = place;
+  const auto old = std::ranges::find(sweep, axis.key, &Axis::key);
+  if (old == sweep.end())
+    sweep.push_back(std::move(axis));
+  else
+    *old = std::move(axis);
+}
+
+void ParsedScenario::drop_axis(const Key& key) {
+  std::erase_if(sweep, [&](const Axis& axis) { return axis.key == key.name(); });
+}
+
+namespace {
+
+constexpr std::string_view sweep_prefix = "sweep.";
+constexpr std::string_view override_key = "override.set";
+constexpr std::string_view part_prefix = "part.";
+
+/// Names that could have been meant.
+std::vector<std::string> names_like(const std::string& name) {
+  std::vector<std::string> names;
+  if (const auto of = named_key("disturbance", name)) names = disturbance_key_names(of->name);
+  if (const auto of = named_key("devices", name))
+    for (const Key& key : placed_device_keys(of->name)) names.push_back(key.name());
+  for (const Key& key : scenario_keys()) names.push_back(key.name());
+  return names;
+}
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> tables{"sweep", "disturbance", "devices"};
+  for (const Key& key : scenario_keys()) {
+    const std::string table = key.name().substr(0, key.name().find('.'));
+    if (table != key.name() && table != tables.back()) tables.push_back(table);
+  }
+  return tables;
+}
+
+/// A table that a user names, and what it is.
+struct NamedTable {
+  std::string table, one, example;
+};
+
+void check_table_name(const NamedTable& named, const std::string& key, const std::string& place) {
+  const auto of = named_key(named.table, key);
+  if (of && !is_table_name(of->name))
+    throw bad_input(key + " " + place, "no name of a " + named.one,
+                    "use letters, digits, - and _ for it");
+  if (!of && key.starts_with(named.table))
+    throw bad_input(key + " " + place, "a " + named.one + " has a name",
+                    fmt::format("write [{0}.NAME], such as [{0}.{1}]", named.table, named.example));
+}
+
+const Key& known_key(const std::string& name, const std::string& place) {
+  if (const Key* key = find_key(name)) return *key;
+  check_table_name({"disturbance", "disturbance", "lamp"}, name, place);
+  check_table_name({"devices", "device", "charger"}, name, place);
+  const std::string guess = nearest(name, names_like(name));
+  throw bad_input(
+      name + " " + place, "no such key",
+      is_near(name, guess) ? "did you mean " + guess + "?" : "scenarios/README.md lists all keys");
+}
+
+const Key& sweepable_key(const std::string& name, const std::string& place) {
+  const Key& key = known_key(name, place);
+  if (key.is_number() || is_sweepable_text(key)) return key;
+  throw bad_input(name + " " + place, "text cannot be swept", "write one scenario for each text");
+}
+
+[[noreturn]] void refuse_kind(const Entry& entry, const char* wanted, const char* remedy) {
+  throw bad_input(entry.key + " " + entry.place,
+                  fmt::format("{} where {} is expected", kind_of(entry.value), wanted), remedy);
+}
+
+bool is_empty_table(const Entry& entry) {
+  const auto* other = std::get_if<OtherValue>(&entry.value);
+  return other && other->what == "a table";
+}
+
+std::string guessed_table(const std::string& name, const std::vector<std::string>& tables) {
+  const std::string guess = nearest(name, tables);
+  return is_near(name, guess) ? "did you mean [" + guess + "]?"
+                              : "scenarios/README.md lists all tables";
+}
+
+/// A table without keys says nothing, but must still be one that could.
+void check_empty_table(const Entry& entry) {
+  const auto tables = table_names();
+  if (is_table_name(disturbance_of(entry.key + ".kind")))
+    throw bad_input("[" + entry.key + "] " + entry.place, "the disturbance has no kind",
+                    "add its kind or remove the table");
+  if (named_key("devices", entry.key + ".x"))
+    throw bad_input("[" + entry.key + "] " + entry.place, "the device has no place",
+                    "add x_m or remove the table");
+  if (std::ranges::find(tables, entry.key) == tables.end())
+    throw bad_input("[" + entry.key + "] " + entry.place, "no such table",
+                    guessed_table(entry.key, tables));
+}
+
+double number_of(const Key& key, const Entry& entry) {
+  const auto* flag = std::get_if<bool>(&entry.value);
+  if (flag && key.facts.type == KeyType::flag) return *flag ? 1 : 0;
+  if (const auto* value = std::get_if<double>(&entry.value)) return *value;
+  if (key.facts.type == KeyType::flag)
+    refuse_kind(entry, "true or false", "write true or false without quotes");
+  refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
+}
+
+/// A message a line: so none may have a line break of its own.
+std::string messages_of(const Entry& entry) {
+  std::vector<std::string> messages;
+  if (const auto* one = std::get_if<std::string>(&entry.value))
+    messages = {*one};
+  else if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value))
+    messages = *list;
+  else
+    refuse_kind(entry, "a text or a list of texts", "write [\"A\", \"B\"]");
+  for (const std::string& message : messages)
+    if (message.find('\n') != std::string::npos)
+      throw bad_input(entry.key + " " + entry.place, "a line break in a message",
+                      "write [\"A\", \"B\"] for several messages");
+  return fmt::format("{}", fmt::join(messages, "\n"));
+}
+
+/// Lists become texts too.
+std::string text_of(const Key& key, const Entry& entry) {
+  if (key.facts.type == KeyType::messages) return messages_of(entry);
+  if (const auto* value = std::get_if<std::string>(&entry.value)) return *value;
+  if (key.facts.type == KeyType::number_list) {
+    if (const auto* value = std::get_if<double>(&entry.value)) return fmt::format("{}", *value);
+    if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
+      return fmt::format("{}", fmt::join(*list, ","));
+    refuse_kind(entry, "a list of numbers", "write [1, 2, 5]");
+  }
+  refuse_kind(entry, "text", "write the text in quotes");
+}
+
+void take_setting(ParsedScenario& draft, const Entry& entry) {
+  const Key& key = known_key(entry.key, entry.place);
+  if (key.is_number()) {
+    draft.set_number(key, number_of(key, entry), entry.place);
+  } else {
+    const auto value = text_of(key, entry);
+    if (value == all_texts && is_sweepable_text(key))
+      throw bad_input(key.name() + " = \"*\" " + entry.place, "all are a sweep",
+                      "write it in [sweep]");
+    draft.set_text(key, value, entry.place);
+  }
+}
+
+std::vector<std::string> swept_texts(const Entry& entry) {
+  if (const auto* text = std::get_if<std::string>(&entry.value)) return parse_texts(*text);
+  if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) return *list;
+  const auto* numbers = std::get_if<std::vector<double>>(&entry.value);
+  if (numbers && numbers->empty()) return {};
+  refuse_kind(entry, "a list of texts", "write [\"A\", \"B\"] or \"*\" for all");
+}
+
+void take_sweep(ParsedScenario& draft, const Entry& entry) {
+  const std::string name = entry.key.substr(sweep_prefix.size());
+  const Key& key = sweepable_key(name, entry.place);
+  if (!key.is_number())
+    return draft.set_axis(make_text_axis(key, swept_texts(entry), entry.place), entry.place);
+  std::vector<double> values;
+  if (const auto* number = std::get_if<double>(&entry.value))
+    values = {*number};
+  else if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
+    values = *list;
+  else if (const auto* text = std::get_if<std::string>(&entry.value))
+    values = parse_values(*text, fmt::format("{} = \"{}\" {}", name, *text, entry.place));
+  else
+    refuse_kind(entry, "a range or list", "write \"1:1:20\" or [1, 2, 5]");
+  draft.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
+}
+
+/// "true", "false", or both as a sweep.
+void override_flag(ParsedScenario& draft, const Key& key, const std::string& value,
+                   const std::string& place) {
+  std::vector<double> values;
+  for (const std::string_view item : split(value, ',')) {
+    const std::string_view word = trimmed(item);
+    const bool yes = word == "true" || word == "1", no = word == "false" || word == "0";
+    if (!yes && !no)
+      throw bad_input(fmt::format("{} = {} {}", key.name(), value, place), "not true or false",
+                      "use true or false");
+    values.push_back(yes ? 1 : 0);
+  }
+  if (values.size() > 1) return draft.set_axis(make_axis(key, values, place), place);
+  draft.set_number(key, values.front(), place);
+  draft.drop_axis(key);
+}
+
+void override_number(ParsedScenario& draft, const Key& key, const std::string& value,
+                     const std::string& place) {
+  if (key.facts.type == KeyType::flag) return override_flag(draft, key, value, place);
+  const auto values = parse_values(value, fmt::format("{} = {} {}", key.name(), value, place));
+  if (is_range_or_list(value)) return draft.set_axis(make_axis(key, values, place), place);
+  draft.set_number(key, values.front(), place);
+  draft.drop_axis(key);
+}
+
+void override_text(ParsedScenario& draft, const Key& key, const std::string& value,
+                   const std::string& place) {
+  if (is_sweepable_text(key) && is_text_list(value))
+    return draft.set_axis(make_text_axis(key, parse_texts(value), place), place);
+  draft.set_text(key, value, place);
+  draft.drop_axis(key);
+}
+
+void take_override(ParsedScenario& draft, const std::string& override, const std::string& place) {
+  const std::size_t equals = override.find('=');
+  if (equals == std::string::npos)
+    throw bad_input("\"" + override + "\" " + place, "no = in it",
+                    "write key=value, such as receiver.range_m=3");
+  if (equals == 0)
+    throw bad_input("\"" + override + "\" " + place,
+                    "no key before the =", "write key=value, such as receiver.range_m=3");
+  const Key& key = known_key(override.substr(0, equals), place);
+  const std::string value = override.substr(equals + 1);
+  if (key.is_number()) return override_number(draft, key, value, place);
+  override_text(draft, key, value, place);
+}
+
+void take_file_override(ParsedScenario& draft, const Entry& entry) {
+  const auto* text = std::get_if<std::string>(&entry.value);
+  if (!text) refuse_kind(entry, "text", "write set = \"key=value\"");
+  take_override(draft, *text, entry.place);
+}
+
+void take_part(ParsedScenario& draft, const Entry& entry) {
+  const std::string file = entry.key.substr(part_prefix.size());
+  if (!is_part_file(file))
+    throw bad_input(file + " " + entry.place, "no name of a part's file",
+                    "write \"modules/NAME.toml\", \"leds/NAME.toml\", \"floors/NAME.toml\" or "
+                    "\"photodiodes/NAME.toml\" in quotes");
+  if (std::ranges::find(draft.parts, file, &CarriedPart::file) != draft.parts.end())
+    throw bad_input(file + " " + entry.place, "carried twice", "remove one of the two");
+  const auto* text = std::get_if<std::string>(&entry.value);
+  if (!text) refuse_kind(entry, "text", "write the part's file between ''' and '''");
+  draft.parts.push_back({file, *text});
+}
+
+void take_entry(ParsedScenario& draft, const Entry& entry) {
+  if (entry.key == override_key) return;
+  if (entry.key.starts_with(part_prefix)) return take_part(draft, entry);
+  if (is_empty_table(entry)) return check_empty_table(entry);
+  if (entry.key.starts_with(sweep_prefix)) return take_sweep(draft, entry);
+  take_setting(draft, entry);
+}
+
+}  // namespace
+
+ParsedScenario draft_of(const std::vector<Entry>& entries,
+                        const std::vector<std::string>& overrides) {
+  ParsedScenario draft;
+  for (const Entry& entry : entries) take_entry(draft, entry);
+  for (const Entry& entry : entries)
+    if (entry.key == override_key) take_file_override(draft, entry);
+  for (const std::string& override : overrides) take_override(draft, override, "in --set");
+  return draft;
+}
+
+}  // namespace sim

@@ -1,0 +1,36 @@
+#pragma once
+// ParsedScenario: what a scenario's file and the command line say, checked key by key, before any
+// part is looked up: which parts those are depends on the last word of both.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/parts/parts.hpp"
+#include "sim/scenario/axis.hpp"
+#include "sim/scenario/entries.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace sim {
+
+struct ParsedScenario {
+  std::map<const Key*, double> numbers;
+  std::map<const Key*, std::string> texts;
+  std::vector<Axis> sweep;         // in the order of the file, then of --set
+  std::vector<CarriedPart> parts;  // of the file's [[part]] tables
+  SourceLocations places;
+
+  /// Throws bad_input out of the key's bounds.
+  void set_number(const Key& key, double value, const std::string& place);
+  void set_text(const Key& key, const std::string& value, const std::string& place);
+  /// The last axis of a key counts.
+  void set_axis(Axis axis, const std::string& place);
+  void drop_axis(const Key& key);
+};
+
+/// Entries of the file in their order, then the file's own overrides, then those of --set.
+/// Throws bad_input, naming place and remedy, of the first that cannot be.
+ParsedScenario draft_of(const std::vector<Entry>& entries,
+                        const std::vector<std::string>& overrides);
+
+}  // namespace sim

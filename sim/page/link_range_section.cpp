@@ -1,0 +1,80 @@
+#include "sim/page/link_range_section.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "sim/link/validity.hpp"
+#include "sim/page/numbers_section.hpp"
+#include "sim/result/crossing_text.hpp"
+#include "sim/result/place_text.hpp"
+#include "sim/scenario/flags.hpp"
+#include "sim/section/swept_curves.hpp"
+
+namespace sim {
+namespace {
+
+std::vector<std::string> reach_head(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<std::string> head;
+  if (ranking.best_first) head.emplace_back("place");
+  for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
+  head.push_back(fmt::format("{} at which frame loss passes {:g} %",
+                             result.axes[ranking.abscissa].key, 100 * ranking.flr));
+  return head;
+}
+
+std::string crossing_of(const ExperimentResult& result, const Ranking& ranking,
+                        const RowCrossing& row) {
+  return crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+}
+
+/// In a sentence.
+std::string reach_words(const ExperimentResult& result, const Ranking& ranking,
+                        const RowCrossing& row) {
+  std::string words = crossing_of(result, ranking, row);
+  if (row.outside == 0) return words;
+  return fmt::format("{}, {}: {}", words, outside_words,
+                     raised_names(validity_limits(), row.outside));
+}
+
+/// In a table, with its mark.
+std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
+                       const RowCrossing& row) {
+  std::string words = crossing_of(result, ranking, row);
+  if (row.outside == 0) return words;
+  return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
+}
+
+std::string link_of(const ExperimentResult& result, const Ranking& ranking,
+                    const RowCrossing& row) {
+  std::vector<Axis> axes;
+  for (const std::size_t axis : ranking.others) axes.push_back(result.axes[axis]);
+  return place_text(axes, row.others);
+}
+
+}  // namespace
+
+std::vector<LinkRange> link_ranges_of(const ExperimentResult& result, const Ranking& ranking) {
+  std::vector<LinkRange> reaches;
+  for (const RowCrossing& row : ranking.rows)
+    reaches.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
+                       reach_words(result, ranking, row), row.merit,
+                       row.crossing.kind != Crossing::Kind::unfinished});
+  return reaches;
+}
+
+PageSection link_range_section(const ExperimentResult& result, const Ranking& ranking) {
+  PageTable table{.head = reach_head(result, ranking), .rows = {}, .is_answer = true};
+  for (const RowCrossing& row : ranking.rows) {
+    std::vector<std::string> cells;
+    if (ranking.best_first) cells.push_back(row.place == 0 ? "-" : std::to_string(row.place));
+    for (std::size_t i = 0; i < ranking.others.size(); ++i)
+      cells.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
+    cells.push_back(reach_text(result, ranking, row));
+    table.rows.push_back(std::move(cells));
+  }
+  return {.heading = link_range_heading(result.axes[ranking.abscissa].key),
+          .table = std::move(table)};
+}
+
+}  // namespace sim

@@ -1,0 +1,158 @@
+#include "sim/page/summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "sim/columns/estimate_text.hpp"
+#include "sim/counting/statistics.hpp"
+#include "sim/page/link_range_section.hpp"
+#include "sim/report/closing_lines.hpp"
+#include "sim/result/place_text.hpp"
+#include "sim/result/point_loss.hpp"
+#include "sim/result/ranking.hpp"
+#include "sim/text/unit_text.hpp"
+
+namespace sim {
+namespace {
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// Lines that end as sentences do.
+std::string ended(std::string lines) {
+  for (auto at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 2))
+    if (at > 0 && lines[at - 1] != '.') lines.insert(at, ".");
+  return lines;
+}
+
+/// Of several points together the ratio means nothing.
+std::string size_of(const ExperimentResult& result) {
+  Tally all;
+  for (const PointResult& point : result.points) all += point.tally;
+  const auto points = std::ranges::count_if(result.points, measured);
+  std::string more;
+  if (is_weighted(result))
+    more = ", as drawn by importance sampling";
+  else if (points == 1)
+    more = ": frame loss ratio " +
+           estimate_text(
+               frame_loss_of(*std::ranges::find_if(result.points, measured), result.ci_level));
+  return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
+                     points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
+                     more);
+}
+
+/// "TSSP4056 (between 12 and 14 m)": those that reach farthest, where all are compared with each
+/// other.
+std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking,
+                                 const std::vector<LinkRange>& reaches) {
+  std::vector<std::string> names;
+  const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
+  if (!ranking.best_first || !std::ranges::all_of(ranking.others, is_text)) return names;
+  for (std::size_t place = 0; place < ranking.rows.size(); ++place) {
+    const RowCrossing& row = ranking.rows[place];
+    if (row.place != 1) continue;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < ranking.others.size(); ++i)
+      texts.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
+    names.push_back(fmt::format("{} ({})", fmt::join(texts, " with "), reaches[place].words));
+  }
+  return names;
+}
+
+/// Where there are many rows they have a section of their own.
+std::string reach_of(const ExperimentResult& result) {
+  const Ranking ranking = rank(result);
+  if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
+  const std::vector<LinkRange> reaches = link_ranges_of(result, ranking);
+  std::vector<std::string> best = best_of(result, ranking, reaches);
+  if (best.size() == ranking.rows.size()) best.clear();
+  return link_range_line(reaches, best);
+}
+
+/// "1.5 [0.3, 4.3] %"
+std::string loss_in_percent(const Estimate& loss) {
+  return estimate_text({100 * loss.value, 100 * loss.low, 100 * loss.high}) + " %";
+}
+
+/// Theory is known of matched receivers alone, which have no band-pass.
+std::string noise_note(const OperatingPoint& at) {
+  if (!std::isfinite(at.snr_db)) return "";
+  return fmt::format(
+      "; noise is {:.0f} dB {} the signal {}", std::abs(at.snr_db),
+      at.snr_db < 0 ? "above" : "below",
+      std::isfinite(at.ber_theory) ? "in the bandwidth of a bit" : "behind the band-pass");
+}
+
+std::string where_it_fails(const ExperimentResult& result) {
+  const PointResult* point = failing_point(result);
+  if (point == nullptr) return "";
+  const std::string place = place_text(result.axes, point->coordinates);
+  return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
+                              rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
+                              place.empty() ? "" : "at " + place + ", ",
+                              loss_in_percent(frame_loss_of(*point, result.ci_level)),
+                              noise_note(point->operating)));
+}
+
+/// ", 3 without noise".
+std::string counts_with(const std::vector<Ablation>& limits) {
+  std::string text;
+  for (const Ablation& o : limits) text += fmt::format(", {} {}", o.tally.n_frames_lost, o.change);
+  return text;
+}
+
+/// How much farther the link would go.
+std::string halves_with(const Ablations& ablations, const std::vector<Ablation>& limits) {
+  if (!ablations.along) return "";
+  const auto text = [&](const Ablation& o) {
+    return with_unit(half_loss_text(*o.half), ablations.along->unit);
+  };
+  std::string words = fmt::format("Half of the frames are lost at about {} = {} as it is",
+                                  ablations.along->key, text(ablations.ablations.front()));
+  for (const Ablation& o : limits)
+    if (o.half) words += fmt::format(", {} {}", text(o), o.change);
+  return words + ".\n";
+}
+
+std::string what_limits(const Ablations& ablations) {
+  if (ablations.ablations.size() < 2) return "";
+  const Tally& whole = ablations.ablations.front().tally;
+  const std::vector<Ablation> limits = limits_of(ablations);
+  if (!limits.empty())
+    return fmt::format("What limits it there: of {} frames sent again {} are lost{}.\n",
+                       whole.n_frames, whole.n_frames_lost, counts_with(limits)) +
+           halves_with(ablations, limits);
+  std::vector<std::string> all;
+  for (const Ablation& o : ablations.ablations)
+    if (!o.change.empty()) all.push_back(o.change);
+  return fmt::format(
+      "What limits it there: nothing alone. Run again {}, it does not clearly lose less: it is "
+      "several together, or light too weak for what the receiver needs.\n",
+      fmt::join(all, ", or "));
+}
+
+/// Curves would end without a word.
+std::string without_estimate(const ExperimentResult& result) {
+  const auto unknown = std::ranges::count_if(result.points, [&](const PointResult& point) {
+    return measured(point) && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
+  });
+  if (unknown == 0) return "";
+  return fmt::format("{} of {} points have no estimate and are missing in the curves.\n", unknown,
+                     std::ranges::count_if(result.points, measured));
+}
+
+}  // namespace
+
+std::string summary_of(const ExperimentResult& result, const Ablations& ablations) {
+  return ended(sentence(missing_lines(result))) + size_of(result) + without_estimate(result) +
+         reach_of(result) + where_it_fails(result) + what_limits(ablations);
+}
+
+}  // namespace sim

@@ -1,0 +1,49 @@
+#include "sim/section/experiment_section.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "sim/columns/outside_column.hpp"
+#include "sim/section/dataset_cells.hpp"
+#include "sim/section/picture_sections.hpp"
+#include "sim/section/point_marks.hpp"
+
+namespace sim {
+namespace {
+
+/// The marks that `run` puts behind a point's row.
+DatasetColumn outside_points(const Dataset& data) {
+  return {outside_name, "outside", [masks = DatasetCells(data, outside_name)](std::size_t cell) {
+            return outside_mark(masks.count(cell));
+          }};
+}
+
+std::string marked_points(const Dataset& data) {
+  const DatasetCells masks(data, outside_name);
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < masks.size(); ++i) marked += masks.count(i) != 0;
+  if (marked == 0) return "";
+  return marked_line(masks.size(), {fmt::format("{} {}", marked, outside_words)});
+}
+
+}  // namespace
+
+void add_chart(ReportSection& part, std::optional<Chart> chart) {
+  if (chart && !chart->curves.empty()) part.charts.push_back(std::move(*chart));
+}
+
+void add_charts(ReportSection& part, const Dataset& data, const std::vector<DrawnVariable>& drawn) {
+  for (const DrawnVariable& variable : drawn) add_chart(part, swept_chart(data, variable));
+}
+
+void add_closing(ReportSection& part, const Dataset& data, std::vector<DatasetColumn> columns) {
+  part.summary += marked_points(data);
+  const std::string notes = outside_notes(data);
+  if (!notes.empty()) columns.push_back(outside_points(data));
+  part.sections.push_back(
+      {.heading = "All numbers", .text = notes, .table = dataset_table(data, std::move(columns))});
+  part.scenario = scenario_section(data.command, data.scenario_toml);
+}
+
+}  // namespace sim
