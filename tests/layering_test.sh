@@ -26,7 +26,7 @@ toml[+][+]/.*        sim/scenario/entries[.]cpp
 CLI/.*               sim/command/(command_line|commands_added|read_usage|.*_options)[.].pp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
-cereal/.*            sim/engine/run_counting[.]hpp
+cereal/.*            sim/engine/checkpoint_bytes[.]hpp
 xxhash[.]h           sim/.*[.]cpp
 pugixml[.]hpp        sim/.*[.]cpp
 (zip|sndfile)[.]h    sim/(capture|trace|check)/.*[.]cpp

@@ -17,12 +17,6 @@ std::vector<Label> device_labels(const Point& point) {
   return names;
 }
 
-std::vector<Label> heard_labels(const Point& point) {
-  std::vector<Label> numbers;
-  for (std::size_t i = 0; i < point.heard.size(); ++i) numbers.emplace_back(static_cast<double>(i));
-  return numbers;
-}
-
 // ---- all devices of a point together ----
 
 void add_sums(Columns<Point>& columns) {
@@ -87,8 +81,8 @@ void add_device_counts(Columns<Point>& columns) {
         [](const T& t) { return t.latency.n_runs_heard; });
   for (std::size_t f = 0; f < loss_causes; ++f)
     count({"n_" + std::string(loss_cause_names[f].name), "1",
-           "messages whose fate was: " + std::string(loss_cause_names[f].words)},
-          [f](const T& t) { return t.fate[f]; });
+           "messages by what became of them: " + std::string(loss_cause_names[f].words)},
+          [f](const T& t) { return t.by_cause[f]; });
 }
 
 void add_device_reals(Columns<Point>& columns) {
@@ -149,7 +143,8 @@ void add_heard(Columns<Point>& columns) {
 Columns<ArenaPoint> arena_variables() {
   Columns<Point> columns;
   columns.dimension({"device", "", "devices"}, device_labels);
-  columns.list({"heard", "1", "frames delivered, by point, run and time"}, heard_labels);
+  columns.list({"heard", "1", "frames delivered, by point, run and time"},
+               [](const Point& p) { return p.heard.size(); });
   add_sums(columns);
   add_latency_and_load(columns);
   add_device_counts(columns);

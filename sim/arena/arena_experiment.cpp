@@ -48,6 +48,12 @@ void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs
   point.outside = arena.outside;
 }
 
+bool fits_arena(const Arena& arena, const ArenaRuns& runs) {
+  const std::size_t senders = arena.senders.size();
+  return runs.tally.senders.size() == senders &&
+         std::ranges::all_of(runs.heard, [&](const HeardFrame& h) { return h.sender < senders; });
+}
+
 Estimate frame_loss(const SenderTally& tally) {
   constexpr double level = 0.95;
   return clustered_ratio(tally.losses, level);
@@ -80,6 +86,7 @@ constinit const Measurement<Arena, ArenaRuns, ArenaPoint> arena_measurement{
     .most_at_once = [](const Arena& arena, std::uint32_t,
                        int threads) { return arena_runs_at_once(arena, threads); },
     .run = run_arena,
-    .describe = describe_arena};
+    .describe = describe_arena,
+    .fits = fits_arena};
 
 }  // namespace sim

@@ -33,6 +33,9 @@ std::uint32_t arena_runs_at_once(const Arena& arena, int threads);
 
 void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs);
 
+/// Whether each sender has its tally, and each frame heard its sender.
+bool fits_arena(const Arena& arena, const ArenaRuns& runs);
+
 /// Lost of sent, with the interval of runs as clusters.
 Estimate frame_loss(const SenderTally& tally);
 

@@ -120,7 +120,7 @@ std::string details(const LoadedScenario& scenario, const ArenaPoint& point) {
 std::vector<LossStage> loss_stages(const SenderTally& tally) {
   std::vector<LossStage> stages;
   for (std::size_t i = 1; i < loss_causes; ++i)
-    stages.push_back({loss_cause_names[i].words, tally.fate[i]});
+    stages.push_back({loss_cause_names[i].words, tally.by_cause[i]});
   return stages;
 }
 

@@ -17,7 +17,7 @@ struct LossStage {
   std::string_view words;
   std::uint64_t lost;
 };
-/// Of all fates but delivery.
+/// Of all causes.
 std::vector<LossStage> loss_stages(const SenderTally& tally);
 /// How many messages are left behind each cause of loss. `end`: what those are that are left.
 std::string waterfall(std::uint64_t messages, const std::vector<LossStage>& stages,

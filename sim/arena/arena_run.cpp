@@ -134,12 +134,12 @@ std::uint64_t microseconds(Seconds t) {
 }
 
 void count_airtime(const RunObservation& w, std::size_t sender, const SentFrame& frame,
-                   LossCause fate, SenderTally& tally) {
-  const bool delivered = fate == LossCause::delivered;
+                   LossCause cause, SenderTally& tally) {
+  const bool delivered = cause == LossCause::delivered;
   const std::uint64_t airtime = microseconds(frame.end - frame.start);
   tally.airtime_us += airtime;
   if (delivered) tally.airtime_delivered_us += airtime;
-  if (fate == LossCause::out_of_reach) return;
+  if (cause == LossCause::out_of_reach) return;
   tally.airtime_in_reach_us += airtime;
   ++tally.n_in_reach;
   const bool overlapped = w.air.overlapped(sender, frame);
@@ -153,11 +153,11 @@ SenderTally count_sender(const RunObservation& w, std::size_t sender,
   SenderTally tally;
   for (const SentFrame& frame : frames) {
     if (frame.start < Seconds(0) || frame.start >= w.arena.duration) continue;
-    const LossCause fate = loss_cause_of(w, sender, frame);
-    ++tally.fate[static_cast<std::size_t>(fate)];
-    if (fate == LossCause::silent) continue;
-    count_airtime(w, sender, frame, fate, tally);
-    if (fate != LossCause::delivered) continue;
+    const LossCause cause = loss_cause_of(w, sender, frame);
+    ++tally.by_cause[static_cast<std::size_t>(cause)];
+    if (cause == LossCause::silent) continue;
+    count_airtime(w, sender, frame, cause, tally);
+    if (cause != LossCause::delivered) continue;
     if (tally.latency.n_runs_heard == 0) tally.latency.add(frame.end);
     const Pose2D place = w.arena.way.at(frame.end);
     into.heard.push_back({run, static_cast<std::uint32_t>(sender), frame.start.value,

@@ -1,5 +1,6 @@
 #pragma once
-// Runs of an arena: all devices send, the receiver goes its way, and each message has its fate.
+// Runs of an arena: all devices send, the receiver goes its way, and each message is
+// delivered or lost for one cause.
 // The walk is that of sim/trial/trial.hpp with many senders: their light adds up in the chain.
 #include <atomic>
 #include <cstdint>

@@ -42,9 +42,9 @@ std::string percent(double share) {
 std::string causes_of(const Dataset& data) {
   std::vector<std::pair<double, std::string>> causes;
   double lost = 0;
-  for (const LossCauseName& fate : loss_cause_names) {
-    if (fate.name == "delivered" || fate.name == "silent") continue;
-    causes.emplace_back(DatasetCells(data, fmt::format("n_{}", fate.name)).sum(), fate.words);
+  for (const LossCauseName& cause : loss_cause_names) {
+    if (cause.name == "delivered" || cause.name == "silent") continue;
+    causes.emplace_back(DatasetCells(data, fmt::format("n_{}", cause.name)).sum(), cause.words);
     lost += causes.back().first;
   }
   std::erase_if(causes, [](const auto& cause) { return cause.first == 0; });
@@ -90,10 +90,10 @@ std::string first_heard(const Dataset& data) {
 }
 
 /// Rows of the devices where there is one point, else of the points.
-ShareBars shares_of(const Dataset& data, const std::vector<CountedKind>& fates) {
+ShareBars shares_of(const Dataset& data, const std::vector<CountedKind>& losses) {
   const char *title = "What became of the messages", *of = "messages by what became of them";
-  return data.axes.empty() ? element_shares(data, title, of, fates)
-                           : point_shares(data, title, of, fates);
+  return data.axes.empty() ? element_shares(data, title, of, losses)
+                           : point_shares(data, title, of, losses);
 }
 
 /// Of a sweep its curves come first.
@@ -135,11 +135,11 @@ std::vector<DatasetColumn> point_table_columns() {
 
 }  // namespace
 
-std::vector<CountedKind> arena_fates() {
-  std::vector<CountedKind> fates;
-  for (const LossCauseName& fate : loss_cause_names)
-    fates.push_back({fmt::format("n_{}", fate.name), std::string(fate.words)});
-  return fates;
+std::vector<CountedKind> arena_losses() {
+  std::vector<CountedKind> losses;
+  for (const LossCauseName& cause : loss_cause_names)
+    losses.push_back({fmt::format("n_{}", cause.name), std::string(cause.words)});
+  return losses;
 }
 
 void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
@@ -171,7 +171,7 @@ ReportSection section_of_messages(const std::string& name, StoredDataset stored,
                   first_heard(data) + missing_points(stored);
   add_arena_charts(part, data);
   add_maps(part, stored);
-  part.sections.push_back(shares_section("fates", shares_of(data, tables.fates)));
+  part.sections.push_back(shares_section("fates", shares_of(data, tables.losses)));
   part.sections.push_back({.heading = "All devices", .table = dataset_table(data, tables.devices)});
   add_closing(part, data, tables.points);
   return part;
@@ -179,7 +179,7 @@ ReportSection section_of_messages(const std::string& name, StoredDataset stored,
 
 ReportSection arena_section(const std::string& name, const StoredDataset& stored) {
   ReportSection part = section_of_messages(
-      name, stored, {arena_fates(), device_table_columns(), point_table_columns()});
+      name, stored, {arena_losses(), device_table_columns(), point_table_columns()});
   if (!stored.data.axes.empty())
     part.summary += extremes(stored.data, "total_throughput", "Throughput");
   return part;

@@ -11,11 +11,11 @@
 namespace sim {
 
 /// What becomes of messages.
-std::vector<CountedKind> arena_fates();
+std::vector<CountedKind> arena_losses();
 
 /// What is said of messages in a report's pictures and tables. Columns may be of arena_sums.hpp.
 struct MessageTables {
-  std::vector<CountedKind> fates;  // delivery first
+  std::vector<CountedKind> losses;  // delivery first
   std::vector<DatasetColumn> devices, points;
 };
 

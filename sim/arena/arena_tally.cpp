@@ -31,11 +31,11 @@ Latency& Latency::operator+=(const Latency& other) {
 }
 
 std::uint64_t SenderTally::messages() const {
-  return std::accumulate(fate.begin(), fate.end(), std::uint64_t{0});
+  return std::accumulate(by_cause.begin(), by_cause.end(), std::uint64_t{0});
 }
 
 SenderTally& SenderTally::operator+=(const SenderTally& other) {
-  for (std::size_t i = 0; i < loss_causes; ++i) fate[i] += other.fate[i];
+  for (std::size_t i = 0; i < loss_causes; ++i) by_cause[i] += other.by_cause[i];
   n_in_reach += other.n_in_reach;
   n_overlapped += other.n_overlapped;
   n_captured += other.n_captured;

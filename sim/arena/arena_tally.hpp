@@ -30,7 +30,7 @@ struct Latency {
 
 /// Messages of one device that start within a run.
 struct SenderTally {
-  std::array<std::uint64_t, loss_causes> fate{};
+  std::array<std::uint64_t, loss_causes> by_cause{};
   std::uint64_t n_in_reach = 0;    // sent, less those out of reach
   std::uint64_t n_overlapped = 0;  // of those, with light of another device in reach
   std::uint64_t n_captured = 0;    // of those, delivered all the same
@@ -38,7 +38,7 @@ struct SenderTally {
   Latency latency;
   ClusterSums losses;  // lost of sent; its runs
 
-  std::uint64_t operator[](LossCause f) const { return fate[static_cast<std::size_t>(f)]; }
+  std::uint64_t operator[](LossCause f) const { return by_cause[static_cast<std::size_t>(f)]; }
   /// Those that the device had to send.
   std::uint64_t messages() const;
   std::uint64_t sent() const { return messages() - (*this)[LossCause::silent]; }
@@ -47,7 +47,7 @@ struct SenderTally {
   SenderTally& operator+=(const SenderTally& other);
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(fate, n_in_reach, n_overlapped, n_captured, airtime_us, airtime_in_reach_us,
+    archive(by_cause, n_in_reach, n_overlapped, n_captured, airtime_us, airtime_in_reach_us,
             airtime_delivered_us, latency, losses);
   }
 };

@@ -1,13 +1,13 @@
 #pragma once
-// What becomes of a device's message on its way into a decoder: of each exactly one fate, so that
-// they add up.
+// What becomes of a device's message on its way into a decoder. It is delivered, or lost for
+// exactly one cause, so the counts add up.
 #include <array>
 #include <cstddef>
 #include <string_view>
 
 namespace sim {
 
-/// In the order in which they are asked for: the first that fits is the one.
+/// In the order in which they are asked for: the first that fits counts.
 enum class LossCause {
   delivered,     // intact
   silent,        // never sent: the device was busy with something else

@@ -57,7 +57,7 @@ Json point_json(const PointCheck& c) {
           {"baseline", counts_json(c.baseline)},
           {"candidate", counts_json(c.candidate)},
           {"p_lost", std::min(1.0, c.p_lost)},
-          {"p_undetected", std::min(1.0, c.p_deceived)},
+          {"p_undetected", std::min(1.0, c.p_undetected)},
           {"power", number_or_null(c.power)},
           {"frames_needed", c.frames_needed == 0 ? Json(nullptr) : Json(c.frames_needed)},
           {"lost_by_candidate_alone", c.only_candidate_lost},
@@ -72,7 +72,7 @@ std::string check_json(const CheckReport& report) {
   Json points = Json::array();
   for (const PointCheck& check : report.checks) points.push_back(point_json(check));
   const SequentialTestRule& rule = report.setup.rule;
-  const Json json{{"verdict", name(summary_of(report.checks))},
+  const Json json{{"verdict", name(verdict_of(report.checks))},
                   {"candidate", report.setup.candidate.name()},
                   {"baseline", report.baseline.decoder},
                   {"baseline_file", report.baseline_file.string()},

@@ -45,7 +45,7 @@ std::vector<std::string> row_of(const PointCheck& c) {
           percent(c.candidate.lost, c.candidate.frames),
           count_or_dash(c, c.losses.candidate_only),
           count_or_dash(c, c.losses.baseline_only),
-          fmt::format("{:.2g}", std::min({1.0, c.p_lost, c.p_deceived})),
+          fmt::format("{:.2g}", std::min({1.0, c.p_lost, c.p_undetected})),
           name(c.verdict)};
 }
 
@@ -146,7 +146,7 @@ std::string power_lines(const CheckReport& report) {
 
 std::string last_line(const CheckReport& report) {
   const std::size_t points = report.checks.size();
-  switch (summary_of(report.checks)) {
+  switch (verdict_of(report.checks)) {
     case Verdict::broken:
       return fmt::format("failed: the decoder did not do its work at {} of {} points\n",
                          report.count(Verdict::broken), points);

@@ -1,5 +1,5 @@
 #pragma once
-// A contest of decoders on the same light: what each loses, and which of two loses less.
+// A comparison of decoders on the same light: what each loses, and which of two loses less.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace sim {
 
-/// Two decoders at a point, by their places in the contest; `losses` has the first as candidate and
-/// the second as baseline.
+/// Two decoders at a point, by their places in the comparison; `losses` has the first as candidate
+/// and the second as baseline.
 struct PairComparison {
   std::size_t first, second;
   PairedLosses losses{};
@@ -26,15 +26,15 @@ struct DecoderComparisonPoint {
   JudgedPoint point;
   std::vector<FrameCounts> counts;                  // one a decoder
   std::vector<std::optional<DecoderFault>> faults;  // the same
-  std::vector<PairComparison> duels;                // of every two that did not fail
+  std::vector<PairComparison> pairs;                // of every two that did not fail
 };
 
 /// All decoders on the first `frames` frames of a point. Worth nothing after an interrupt.
-DecoderComparisonPoint contest(const JudgedPoint& point,
-                               const std::vector<const Decoder*>& decoders, std::uint32_t frames,
-                               const Workers& workers);
+DecoderComparisonPoint compare_decoders(const JudgedPoint& point,
+                                        const std::vector<const Decoder*>& decoders,
+                                        std::uint32_t frames, const Workers& workers);
 
-/// Decides duels by Holm's correction over those of all points.
+/// Decides pairs by Holm's correction over those of all points.
 void decide(std::vector<DecoderComparisonPoint>& points, double alpha);
 
 struct DecoderComparisonReport {

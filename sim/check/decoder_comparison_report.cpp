@@ -21,9 +21,9 @@ struct Score {
 Score score_of(const DecoderComparisonReport& report, std::size_t first, std::size_t second) {
   Score score;
   for (const DecoderComparisonPoint& point : report.points)
-    for (const PairComparison& duel : point.duels) {
-      if (duel.first != first || duel.second != second) continue;
-      ++(!duel.decided ? score.open : duel.first_wins() ? score.first : score.second);
+    for (const PairComparison& pair : point.pairs) {
+      if (pair.first != first || pair.second != second) continue;
+      ++(!pair.decided ? score.open : pair.first_wins() ? score.first : score.second);
     }
   return score;
 }
@@ -32,8 +32,8 @@ Score score_of(const DecoderComparisonReport& report, std::size_t first, std::si
 std::string unbeaten(const DecoderComparisonReport& report, const DecoderComparisonPoint& point) {
   std::vector<std::string> names;
   for (std::size_t d = 0; d < report.decoders.size(); ++d) {
-    const bool beaten = std::ranges::any_of(point.duels, [&](const PairComparison& duel) {
-      return duel.decided && (duel.first_wins() ? duel.second : duel.first) == d;
+    const bool beaten = std::ranges::any_of(point.pairs, [&](const PairComparison& pair) {
+      return pair.decided && (pair.first_wins() ? pair.second : pair.first) == d;
     });
     if (!beaten && !point.faults[d]) names.push_back(report.decoders[d]->name());
   }
@@ -48,7 +48,7 @@ std::string lost_text(const DecoderComparisonPoint& point, std::size_t decoder) 
   return fmt::format("{:.2f} %{}", 100 * ratio(counts.lost, counts.frames), wrong);
 }
 
-std::vector<TextColumn> contest_columns(const DecoderComparisonReport& report) {
+std::vector<TextColumn> comparison_columns(const DecoderComparisonReport& report) {
   std::size_t width = 5;
   for (const DecoderComparisonPoint& point : report.points)
     width = std::max(width, point.point.name.size());
@@ -72,9 +72,9 @@ std::string faults_text(const DecoderComparisonReport& report) {
   return text;
 }
 
-Json contest_point_json(const DecoderComparisonReport& report,
-                        const DecoderComparisonPoint& point) {
-  Json decoders = Json::array(), duels = Json::array();
+Json comparison_point_json(const DecoderComparisonReport& report,
+                           const DecoderComparisonPoint& point) {
+  Json decoders = Json::array(), pairs = Json::array();
   for (std::size_t d = 0; d < report.decoders.size(); ++d) {
     const FrameCounts& counts = point.counts[d];
     const auto& fault = point.faults[d];
@@ -84,21 +84,21 @@ Json contest_point_json(const DecoderComparisonReport& report,
                         {"n_frames_undetected", counts.undetected_error},
                         {"fault", fault ? Json(fault->what) : Json(nullptr)}});
   }
-  for (const PairComparison& duel : point.duels)
-    duels.push_back({{"first", report.decoders[duel.first]->name()},
-                     {"second", report.decoders[duel.second]->name()},
-                     {"lost_by_both", duel.losses.both},
-                     {"lost_by_first_alone", duel.losses.candidate_only},
-                     {"lost_by_second_alone", duel.losses.baseline_only},
-                     {"p_value", duel.p_value},
-                     {"different", duel.decided}});
-  return {{"name", point.point.name}, {"decoders", decoders}, {"duels", duels}};
+  for (const PairComparison& pair : point.pairs)
+    pairs.push_back({{"first", report.decoders[pair.first]->name()},
+                     {"second", report.decoders[pair.second]->name()},
+                     {"lost_by_both", pair.losses.both},
+                     {"lost_by_first_alone", pair.losses.candidate_only},
+                     {"lost_by_second_alone", pair.losses.baseline_only},
+                     {"p_value", pair.p_value},
+                     {"different", pair.decided}});
+  return {{"name", point.point.name}, {"decoders", decoders}, {"duels", pairs}};
 }
 
 }  // namespace
 
 std::string decoder_comparison_text(const DecoderComparisonReport& report) {
-  const std::vector<TextColumn> columns = contest_columns(report);
+  const std::vector<TextColumn> columns = comparison_columns(report);
   std::string text = table_head(columns);
   for (const DecoderComparisonPoint& point : report.points) {
     std::vector<std::string> row{point.point.name};
@@ -115,7 +115,7 @@ std::string decoder_comparison_text(const DecoderComparisonReport& report) {
                           score.first, score.second, score.open);
     }
   return text + fmt::format(
-                    "were two alike, they would be told apart in one contest of {:.0f} at "
+                    "were two alike, they would be told apart in one comparison of {:.0f} at "
                     "most\n",
                     1 / report.alpha);
 }
@@ -123,7 +123,7 @@ std::string decoder_comparison_text(const DecoderComparisonReport& report) {
 std::string decoder_comparison_json(const DecoderComparisonReport& report) {
   Json points = Json::array();
   for (const DecoderComparisonPoint& point : report.points)
-    points.push_back(contest_point_json(report, point));
+    points.push_back(comparison_point_json(report, point));
   const Json json{{"alpha", report.alpha}, {"points", std::move(points)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

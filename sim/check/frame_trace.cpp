@@ -89,7 +89,7 @@ std::string reading_of(const OneFrame& frame, const std::vector<protocol::UartBy
 std::string verdict_on_frame(const FrameOutcome& outcome) {
   if (outcome.unknown) return "failed";
   if (outcome.undetected_error)
-    return outcome.delivered ? "delivered, and another message" : "undetected_error";
+    return outcome.delivered ? "delivered, and another message" : "undetected error";
   return outcome.delivered ? "delivered" : "lost";
 }
 

@@ -128,7 +128,7 @@ void check_pairs(const CheckSetup& setup, FramePairs& pairs, PointCheck& check) 
     undetected_errors.look(check.undetected_errors);
   }
   check.p_lost = losses.p_value();
-  check.p_deceived = undetected_errors.p_value();
+  check.p_undetected = undetected_errors.p_value();
   check.no_worse = losses.has_passed();
 }
 
@@ -149,8 +149,8 @@ void check_unpaired(const CheckSetup& setup, const BaselinePoint& baseline, Fram
   const LostOf c{check.candidate.lost, check.candidate.frames};
   const LostOf b{check.baseline.lost, check.baseline.frames};
   check.p_lost = fisher_p_value(c, b);
-  check.p_deceived = fisher_p_value({check.candidate.undetected_error, c.frames},
-                                    {check.baseline.undetected_error, b.frames});
+  check.p_undetected = fisher_p_value({check.candidate.undetected_error, c.frames},
+                                      {check.baseline.undetected_error, b.frames});
   check.no_worse =
       fisher_no_worse_p_value(c, b, setup.rule.worse_than) <= (1 - setup.rule.power) / 3 ||
       is_negligible(c.lost, c.frames, setup.rule);
@@ -169,7 +169,7 @@ bool is_same(const PointCheck& check) {
          check.undetected_errors.discordant() == 0;
 }
 
-Verdict summary_of(const PointCheck& check, bool worse, bool golden) {
+Verdict verdict_of(const PointCheck& check, bool worse, bool golden) {
   if (check.fault) return Verdict::broken;
   if (golden) return is_same(check) ? Verdict::passed : Verdict::worse;
   if (worse) return Verdict::worse;
@@ -195,14 +195,14 @@ void judge(std::vector<PointCheck>& checks, const CheckSetup& setup) {
   std::vector<double> p_values;
   for (const PointCheck& check : checks) {
     p_values.push_back(check.p_lost);
-    p_values.push_back(check.p_deceived);
+    p_values.push_back(check.p_undetected);
   }
   const std::vector<bool> worse = rejected_by_holm(p_values, setup.rule.alpha);
   for (std::size_t i = 0; i < checks.size(); ++i)
-    checks[i].verdict = summary_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
+    checks[i].verdict = verdict_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
 }
 
-Verdict summary_of(const std::vector<PointCheck>& checks) {
+Verdict verdict_of(const std::vector<PointCheck>& checks) {
   const auto any = [&](Verdict verdict) {
     return std::ranges::find(checks, verdict, &PointCheck::verdict) != checks.end();
   };

@@ -27,7 +27,7 @@ struct PointCheck {
   Pairing pairing = Pairing::stored;
   FrameCounts baseline{}, candidate{};         // of the frames that were judged
   PairedLosses losses{}, undetected_errors{};  // not of unpaired ones
-  double p_lost = 1, p_deceived = 1;           // of a candidate that is no worse
+  double p_lost = 1, p_undetected = 1;         // of a candidate that is no worse
   bool no_worse = false;                       // shown by the rule's margin
   std::optional<DecoderFault> fault{};
   std::vector<std::uint32_t> only_candidate_lost{}, only_baseline_lost{},
@@ -50,10 +50,10 @@ struct CheckSetup {
 PointCheck check_point(const CheckSetup& setup, const JudgedPoint& point,
                        const BaselinePoint& baseline, const Workers& workers);
 
-/// Gives each point its verdict, by Holm's correction over losses and undetected_errors of all.
+/// Gives each point its verdict, by Holm's correction over losses and undetected errors of all.
 void judge(std::vector<PointCheck>& checks, const CheckSetup& setup);
 
 /// Of all points together: the worst.
-Verdict summary_of(const std::vector<PointCheck>& checks);
+Verdict verdict_of(const std::vector<PointCheck>& checks);
 
 }  // namespace sim

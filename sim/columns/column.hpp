@@ -1,6 +1,8 @@
 #pragma once
 // The columns of a result. A column is declared once: its name, unit and meaning, its heading, and
 // how it is read of a point. The terminal's table, HDF5, JSON and the page are made of it.
+#include <algorithm>
+#include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +39,7 @@ struct ColumnFacts {
   std::vector<std::string> over{};  // its dimensions besides the axes, by their names
   TextColumn heading{{}, 0};        // of width 0: the column is not in the terminal's table
   std::optional<DrawnColumn> drawing{};
+  bool is_text = false;
   /// In the table of points: a column for each element of its one dimension, so headed.
   std::function<TextColumn(const Label&, std::size_t element)> spread{};
   bool is_known_before = false;  // the first run; otherwise a count is 0 then, and a real NaN
@@ -108,18 +111,20 @@ struct Column : ColumnFacts {
   }
 };
 
-/// A dimension besides the axes. The elements of the result are those of all points, each once, in
-/// the order in which they are met. A list has all elements of all points one behind the other, so
-/// a column on it is not on the axes.
+/// A dimension besides the axes: one with labels, or a list. The elements of the result are those
+/// of all points: of a dimension with labels each label once, in the order in which they are met;
+/// of a list all elements one behind the other, so a column on a list is not on the axes.
 template <class Point>
 struct ColumnDimension {
   VariableFacts facts;
-  std::function<std::vector<Label>(const Point&)> labels;
-  bool is_list = false;
+  std::function<std::vector<Label>(const Point&)> labels;  // null: a list
+  std::function<std::size_t(const Point&)> length{};       // of a list
+
+  bool is_list() const { return !labels; }
 };
 
-/// The columns of an experiment in the order of its files and of its table. The first one counts
-/// the runs (or trials).
+/// The columns of an experiment in the order of its files and of its table. The first one is a
+/// count without dimensions, called n_runs or n_trials: how many a point has.
 template <class Point>
 class Columns {
  public:
@@ -140,11 +145,14 @@ class Columns {
     return add(std::move(facts),
                typename Column<Point>::Ratio{reader<Estimate>(std::move(read)), text});
   }
-  /// A text column of the table only; or, where `texts` has a name, one that is stored.
+  /// Texts; where they are stored, `texts` is the dimension that has them.
   template <class Read>
   Column<Point>& words(VariableFacts facts, Read read, VariableFacts texts = {}) {
-    return add(std::move(facts), typename Column<Point>::Words{reader<std::string>(std::move(read)),
-                                                               std::move(texts)});
+    Column<Point>& column =
+        add(std::move(facts),
+            typename Column<Point>::Words{reader<std::string>(std::move(read)), std::move(texts)});
+    column.is_text = true;
+    return column;
   }
   template <class Read>
   Column<Point>& flags(VariableFacts facts, Read read, std::vector<std::string> names,
@@ -158,29 +166,32 @@ class Columns {
   void dimension(VariableFacts facts, Labels labels) {
     dimensions_.push_back({std::move(facts), std::move(labels)});
   }
-  template <class Labels>
-  void list(VariableFacts facts, Labels labels) {
-    dimensions_.push_back({std::move(facts), std::move(labels), true});
+  template <class Length>
+  void list(VariableFacts facts, Length length) {
+    dimensions_.push_back({std::move(facts), nullptr, std::move(length)});
   }
 
   /// Adds the stored columns of Base, from which Point is derived, without their headings.
   template <class Base>
   void add_stored(const Columns<Base>& columns) {
     for (const ColumnDimension<Base>& dimension : columns.dimensions())
-      dimensions_.push_back({dimension.facts, dimension.labels, dimension.is_list});
+      dimensions_.push_back({dimension.facts, dimension.labels, dimension.length});
     for (const Column<Base>& column : columns.all()) {
       if (!column.is_stored()) continue;
       columns_.push_back({static_cast<const ColumnFacts&>(column), derived(column)});
       columns_.back().heading.width = 0;
+      columns_.back().spread = nullptr;
     }
   }
 
   const std::vector<Column<Point>>& all() const { return columns_; }
   const std::vector<ColumnDimension<Point>>& dimensions() const { return dimensions_; }
-  const ColumnDimension<Point>* dimension_of(const std::string& name) const {
-    for (const ColumnDimension<Point>& dimension : dimensions_)
-      if (dimension.facts.name == name) return &dimension;
-    return nullptr;
+  /// The one of that name, which is among them.
+  const ColumnDimension<Point>& dimension_of(const std::string& name) const {
+    const auto found =
+        std::ranges::find(dimensions_, name, [](const auto& d) { return d.facts.name; });
+    assert(found != dimensions_.end());
+    return *found;
   }
 
  private:

@@ -1,12 +1,12 @@
 #pragma once
 // The columns of a result as variables of a Dataset, for HDF5, JSON and the page.
 #include <algorithm>
-#include <cmath>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,100 +23,116 @@ class ColumnsDataset {
   ColumnsDataset(Dataset& data, const Columns<Point>& columns, const std::vector<Point>& points)
       : data_(data), columns_(columns), points_(points) {
     for (const ColumnDimension<Point>& dimension : columns.dimensions())
-      indices_.push_back(index_of(dimension));
+      elements_.push_back(elements_of(dimension));
   }
 
   void add_all() {
-    for (std::size_t i = 0; i < indices_.size(); ++i)
-      if (!indices_[i].empty())
-        data_.dimensions.push_back(indices_[i].dimension(columns_.dimensions()[i].facts));
-    const std::string* list = nullptr;
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      add_dimension(columns_.dimensions()[i].facts, elements_[i]);
+    std::string list;
     for (const Column<Point>& column : columns_.all()) {
-      if (!column.is_stored() || !has_elements(column)) continue;
-      if (is_on_list(column) && (list == nullptr || *list != column.over.front())) {
-        list = &column.over.front();
-        add_points_of(column);
+      if (!column.is_stored() || cells_a_point(column) == 0) continue;
+      if (is_on_list(column) && list != column.over.front()) {
+        list = column.over.front();
+        add_owners(column);
       }
-      add(column);
+      std::visit([&](const auto& kind) { add(column, kind); }, column.kind);
     }
   }
 
  private:
-  using Labels = std::vector<std::vector<Label>>;  // of a point, of each of a column's dimensions
+  /// Of a dimension.
+  struct Elements {
+    bool is_list = false;
+    std::size_t size = 0;                          // of all points
+    LabelIndex index{};                            // but of a list
+    std::vector<std::vector<std::size_t>> places;  // of each point's elements in it; but of a list
+    std::vector<std::size_t> lengths;              // of each point
+  };
 
-  LabelIndex index_of(const ColumnDimension<Point>& dimension) const {
-    LabelIndex index;
-    std::size_t n = 0;
-    for (const Point& point : points_)
+  Elements elements_of(const ColumnDimension<Point>& dimension) const {
+    Elements elements{.is_list = dimension.is_list(), .places = {}, .lengths = {}};
+    for (const Point& point : points_) {
+      if (elements.is_list) {
+        elements.lengths.push_back(dimension.length(point));
+        elements.size += elements.lengths.back();
+        continue;
+      }
+      std::vector<std::size_t>& places = elements.places.emplace_back();
       for (const Label& label : dimension.labels(point))
-        index.add(dimension.is_list ? Label(static_cast<double>(n++)) : label);
-    return index;
+        places.push_back(elements.index.add(label));
+      elements.lengths.push_back(places.size());
+      elements.size = elements.index.size();
+    }
+    return elements;
   }
 
-  std::size_t place_of(const std::string& name) const {
-    const auto& dimensions = columns_.dimensions();
-    const auto found =
-        std::ranges::find(dimensions, name, [](const auto& d) { return d.facts.name; });
-    return static_cast<std::size_t>(found - dimensions.begin());
+  void add_dimension(const VariableFacts& facts, const Elements& elements) {
+    if (elements.size == 0) return;
+    if (!elements.is_list) return data_.dimensions.push_back(elements.index.dimension(facts));
+    std::vector<double> numbers(elements.size);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i);
+    data_.dimensions.push_back({facts, std::move(numbers)});
   }
 
-  bool has_elements(const Column<Point>& column) const {
-    return std::ranges::none_of(
-        column.over, [&](const std::string& name) { return indices_[place_of(name)].empty(); });
+  const Elements& elements_named(const std::string& name) const {
+    const std::optional<std::size_t> place = place_of(name);
+    assert(place);
+    return elements_[*place];
+  }
+
+  std::optional<std::size_t> place_of(const std::string& name) const {
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      if (columns_.dimensions()[i].facts.name == name) return i;
+    return std::nullopt;
   }
 
   bool is_on_list(const Column<Point>& column) const {
-    return !column.over.empty() && columns_.dimensions()[place_of(column.over.front())].is_list;
+    return !column.over.empty() && elements_named(column.over.front()).is_list;
   }
 
-  Labels labels_of(const Column<Point>& column, const Point& point) const {
-    Labels labels;
-    for (const std::string& name : column.over)
-      labels.push_back(columns_.dimensions()[place_of(name)].labels(point));
-    return labels;
-  }
-
-  /// The cells of all points; those of elements that a point does not have stay `nothing`.
-  template <class T, class Read>
-  std::vector<T> cells(const Column<Point>& column, T nothing, const Read& read) const {
-    std::vector<T> values;
-    for (const Point& point : points_) {
-      const Labels labels = labels_of(column, point);
-      if (is_on_list(column)) {
-        for (std::size_t i = 0; i < labels.front().size(); ++i)
-          values.push_back(static_cast<T>(read(point, i)));
-        continue;
-      }
-      const std::size_t begin = values.size();
-      values.resize(begin + cells_a_point(column), nothing);
-      if (!point.reached() && !column.is_known_before) continue;
-      for (std::size_t i = 0; i < elements(labels); ++i)
-        values[begin + cell_of(column, labels, i)] = static_cast<T>(read(point, i));
-    }
-    return values;
-  }
-
+  /// Of a list all cells.
   std::size_t cells_a_point(const Column<Point>& column) const {
     std::size_t n = 1;
-    for (const std::string& name : column.over) n *= indices_[place_of(name)].size();
+    for (const std::string& name : column.over) n *= elements_named(name).size;
     return n;
   }
 
-  static std::size_t elements(const Labels& labels) {
+  /// Calls `take(cell, value)` for each element of each point; cells of elements that a point does
+  /// not have, and of points without a run, are left out.
+  template <class Read, class Take>
+  void read_cells(const Column<Point>& column, const Read& read, const Take& take) const {
+    const bool on_list = is_on_list(column);
+    const std::size_t each = cells_a_point(column);
+    std::size_t begin = 0;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      const std::size_t n = elements_at(column, p);
+      if (points_[p].reached() || column.is_known_before)
+        for (std::size_t i = 0; i < n; ++i)
+          take(begin + (on_list ? i : cell_of(column, p, i)), read(points_[p], i));
+      begin += on_list ? n : each;
+    }
+  }
+
+  std::size_t all_cells(const Column<Point>& column) const {
+    return cells_a_point(column) * (is_on_list(column) ? 1 : points_.size());
+  }
+
+  std::size_t elements_at(const Column<Point>& column, std::size_t point) const {
     std::size_t n = 1;
-    for (const auto& each : labels) n *= each.size();
+    for (const std::string& name : column.over) n *= elements_named(name).lengths[point];
     return n;
   }
 
   /// Where a point's element is among those of all points.
-  std::size_t cell_of(const Column<Point>& column, const Labels& labels,
-                      std::size_t element) const {
+  std::size_t cell_of(const Column<Point>& column, std::size_t point, std::size_t element) const {
     std::size_t cell = 0, stride = 1;
-    for (std::size_t d = labels.size(); d-- > 0;) {
-      const LabelIndex& index = indices_[place_of(column.over[d])];
-      cell += stride * index[labels[d][element % labels[d].size()]];
-      element /= labels[d].size();
-      stride *= index.size();
+    for (std::size_t d = column.over.size(); d-- > 0;) {
+      const Elements& elements = elements_named(column.over[d]);
+      const std::vector<std::size_t>& places = elements.places[point];
+      cell += stride * places[element % places.size()];
+      element /= places.size();
+      stride *= elements.size;
     }
     return cell;
   }
@@ -128,52 +144,68 @@ class ColumnsDataset {
         {std::move(facts), !is_on_list(column), column.over, std::move(values), std::move(flags)});
   }
 
-  /// Whose the elements of a list are, before the first column on it.
-  void add_points_of(const Column<Point>& on_list) {
+  /// Adds the variable that says which point each element of a list belongs to. It stands before
+  /// the list's first column.
+  void add_owners(const Column<Point>& on_list) {
     std::vector<std::int64_t> numbers;
     for (std::size_t p = 0; p < points_.size(); ++p)
-      numbers.resize(numbers.size() + labels_of(on_list, points_[p]).front().size(),
-                     static_cast<std::int64_t>(p));
+      numbers.resize(numbers.size() + elements_at(on_list, p), static_cast<std::int64_t>(p));
     add_variable(on_list, {on_list.over.front() + "_point", "1", "point of the sweep"},
                  std::move(numbers));
   }
 
-  void add(const Column<Point>& column) {
-    std::visit([&](const auto& kind) { add(column, kind); }, column.kind);
+  template <class Read>
+  std::vector<std::int64_t> whole_numbers(const Column<Point>& column, const Read& read) const {
+    std::vector<std::int64_t> values(all_cells(column));
+    read_cells(column, read, [&](std::size_t cell, auto value) {
+      values[cell] = static_cast<std::int64_t>(value);
+    });
+    return values;
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Count& count) {
-    add_variable(column, column.facts, cells<std::int64_t>(column, 0, count.read));
+    add_variable(column, column.facts, whole_numbers(column, count.read));
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Flags& flags) {
-    add_variable(column, column.facts, cells<std::int64_t>(column, 0, flags.read), flags.names);
+    add_variable(column, column.facts, whole_numbers(column, flags.read), flags.names);
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Real& real) {
-    add_variable(column, column.facts, cells<double>(column, unknown, real.read));
+    std::vector<double> values(all_cells(column), unknown);
+    read_cells(column, real.read, [&](std::size_t cell, double value) { values[cell] = value; });
+    add_variable(column, column.facts, std::move(values));
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Ratio& ratio) {
-    const auto add_part = [&](const char* suffix, std::string long_name, double Estimate::*part) {
-      add_variable(column, {column.facts.name + suffix, column.facts.unit, std::move(long_name)},
-                   cells<double>(column, unknown, [&](const Point& point, std::size_t i) {
-                     return ratio.read(point, i).*part;
-                   }));
-    };
-    add_part("", column.facts.long_name, &Estimate::value);
-    add_part("_ci_low", "lower end of its 95 % interval", &Estimate::low);
-    add_part("_ci_high", "upper end of its 95 % interval", &Estimate::high);
+    std::vector<double> values(all_cells(column), unknown), lows = values, highs = values;
+    read_cells(column, ratio.read, [&](std::size_t cell, const Estimate& estimate) {
+      values[cell] = estimate.value;
+      lows[cell] = estimate.low;
+      highs[cell] = estimate.high;
+    });
+    const VariableFacts& facts = column.facts;
+    add_variable(column, facts, std::move(values));
+    add_variable(column, {facts.name + "_ci_low", facts.unit, "lower end of its 95 % interval"},
+                 std::move(lows));
+    add_variable(column, {facts.name + "_ci_high", facts.unit, "upper end of its 95 % interval"},
+                 std::move(highs));
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Words& words) {
-    const std::size_t known = place_of(words.texts.name);
-    LabelIndex texts = known < indices_.size() ? indices_[known] : LabelIndex();
+    if (const std::optional<std::size_t> known = place_of(words.texts.name)) {
+      const LabelIndex& index = elements_[*known].index;
+      return add_variable(column, column.facts,
+                          whole_numbers(column, [&](const Point& point, std::size_t i) {
+                            return index[words.read(point, i)];
+                          }));
+    }
+    LabelIndex index;
     add_variable(column, column.facts,
-                 cells<std::int64_t>(column, 0, [&](const Point& point, std::size_t i) {
-                   return texts.add(words.read(point, i));
+                 whole_numbers(column, [&](const Point& point, std::size_t i) {
+                   return index.add(words.read(point, i));
                  }));
-    if (known == indices_.size()) data_.dimensions.push_back(texts.dimension(words.texts));
+    data_.dimensions.push_back(index.dimension(words.texts));
   }
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -181,13 +213,14 @@ class ColumnsDataset {
   Dataset& data_;
   const Columns<Point>& columns_;
   const std::vector<Point>& points_;
-  std::vector<LabelIndex> indices_;  // of the columns' dimensions
+  std::vector<Elements> elements_;  // of the columns' dimensions
 };
 
 /// All points of a scenario. The first column counts the runs.
 template <class Point>
 Dataset dataset_of(const LoadedScenario& scenario, const std::string& command,
                    const Columns<Point>& columns, const std::vector<Point>& points) {
+  assert(columns.all().front().over.empty());
   Dataset data = dataset_of(scenario, command);
   ColumnsDataset<Point>(data, columns, points).add_all();
   for (const std::int64_t runs : std::get<std::vector<std::int64_t>>(data.variables.front().values))

@@ -45,7 +45,7 @@ class PointTable {
         const std::size_t first = c;
         while (c + 1 < all.size() && all[c + 1].spread && all[c + 1].over == all[first].over) ++c;
         spread({all.begin() + first, all.begin() + c + 1},
-               columns.dimension_of(all[first].over.front())->labels(any));
+               columns.dimension_of(all[first].over.front()).labels(any));
       } else if (all[c].has_heading() && all[c].over.empty()) {
         add(all[c], 0, all[c].heading);
       }
@@ -86,7 +86,7 @@ template <class Point>
 std::string element_table(const Columns<Point>& columns, const std::string& dimension,
                           const Point& point) {
   std::vector<TextColumn> headings;
-  std::vector<std::vector<std::string>> rows(columns.dimension_of(dimension)->labels(point).size());
+  std::vector<std::vector<std::string>> rows(columns.dimension_of(dimension).labels(point).size());
   for (const Column<Point>& column : columns.all()) {
     if (!column.has_heading() || column.over != std::vector<std::string>{dimension}) continue;
     headings.push_back(column.heading);

@@ -15,7 +15,7 @@ class LabelIndex {
  public:
   /// The number of a label, which is a new one where it was not met before.
   std::size_t add(const Label& label);
-  /// That of one that was met.
+  /// The number of a label that was added before. Throws std::out_of_range for any other.
   std::size_t operator[](const Label& label) const { return places_.at(label); }
 
   std::size_t size() const { return labels_.size(); }

@@ -178,7 +178,7 @@ ExitCode check_command(const CheckRequest& request) {
         *request.junit, [&](const fs::path& place) { write_file(place, check_junit(report)); },
         answer);
   request.json ? print_json(answer()) : print(answer());
-  return exit_code(summary_of(checks));
+  return exit_code(verdict_of(checks));
 }
 
 }  // namespace sim

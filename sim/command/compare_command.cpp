@@ -46,35 +46,36 @@ ExitCode print_and_end(const std::string& text, bool failed) {
 /// Which decoder loses least.
 ExitCode compare_losses(const CompareRequest& request, const std::vector<JudgedPoint>& points,
                         const Decoders& decoders, const Workers& workers) {
-  std::vector<DecoderComparisonPoint> contests;
+  std::vector<DecoderComparisonPoint> comparisons;
   for (const JudgedPoint& point : points) {
-    contests.push_back(contest(point, decoders, static_cast<std::uint32_t>(point.frames), workers));
+    comparisons.push_back(
+        compare_decoders(point, decoders, static_cast<std::uint32_t>(point.frames), workers));
     if (workers.interrupted()) return end_interrupted();
-    show_progress(request.quiet, "compare", contests.size(), points.size());
+    show_progress(request.quiet, "compare", comparisons.size(), points.size());
   }
-  decide(contests, request.alpha);
-  const DecoderComparisonReport report{contests, decoders, request.alpha};
+  decide(comparisons, request.alpha);
+  const DecoderComparisonReport report{comparisons, decoders, request.alpha};
   return print_and_end(
       request.json ? decoder_comparison_json(report) : decoder_comparison_text(report),
-      any_failed(contests));
+      any_failed(comparisons));
 }
 
 /// Which decoder accepts what was not sent.
 ExitCode compare_accepts(const CompareRequest& request,
                          const std::vector<LoadedScenario>& scenarios, const Decoders& decoders,
                          const Workers& workers) {
-  std::vector<ListeningComparisonPoint> contests;
+  std::vector<ListeningComparisonPoint> comparisons;
   std::size_t all = 0;
   for (const LoadedScenario& scenario : scenarios) all += count_points(scenario.sweep);
   for (const LoadedScenario& scenario : scenarios)
     for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
-      contests.push_back(listening_comparison(scenario, i, decoders, workers));
+      comparisons.push_back(listening_comparison(scenario, i, decoders, workers));
       if (workers.interrupted()) return end_interrupted();
-      show_progress(request.quiet, "compare", contests.size(), all);
+      show_progress(request.quiet, "compare", comparisons.size(), all);
     }
-  return print_and_end(request.json ? listening_comparison_json(contests, decoders)
-                                    : listening_comparison_text(contests, decoders),
-                       any_failed(contests));
+  return print_and_end(request.json ? listening_comparison_json(comparisons, decoders)
+                                    : listening_comparison_text(comparisons, decoders),
+                       any_failed(comparisons));
 }
 
 /// Whether all of them listen. Throws where only some do.

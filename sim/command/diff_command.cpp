@@ -10,6 +10,7 @@
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/result/stored_result.hpp"
+#include "sim/text/escaped_text.hpp"
 #include "sim/text/input_file.hpp"
 #include "sim/text/rounded_text.hpp"
 #include "sim/text/standard_output.hpp"
@@ -99,9 +100,9 @@ std::string verdict(const DatasetComparison& c, double alpha) {
 }
 
 std::string test_text(const CellTest& test) {
-  return fmt::format("{}p = {:.2g}: {} {} against {}\n",
-                     test.place.empty() ? "" : test.place + ", ", test.p_value, test.name,
-                     estimate_text(test.one), estimate_text(test.other));
+  const std::string place = test.place.empty() ? "" : test.place + ", ";
+  return fmt::format("{}p = {:.2g}: {} {} against {}\n", escaped_name(place), test.p_value,
+                     escaped_name(test.name), estimate_text(test.one), estimate_text(test.other));
 }
 
 ExitCode diff_experiments(const DiffRequest& request) {
@@ -116,6 +117,9 @@ ExitCode diff_experiments(const DiffRequest& request) {
   std::string text = verdict(c, request.alpha);
   for (const CellTest& test : c.tests)
     if (test.different) text += test_text(test);
+  if (!c.equal && c.unknown > 0)
+    text += fmt::format("not compared: {} that only one of the two has\n",
+                        c.unknown == 1 ? "a ratio" : fmt::format("{} ratios", c.unknown));
   print(text + scenario_note(one.origin, other.origin));
   return code_of(c.equal || (!c.tests.empty() && c.different() == 0));
 }

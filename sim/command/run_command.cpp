@@ -105,7 +105,9 @@ struct Run {
 };
 
 /// Whether this process prints and writes.
-bool speaks(const ProcessGroup* team) { return team == nullptr || team->rank() == 0; }
+bool speaks(const ProcessGroup* processes) {
+  return processes == nullptr || processes->rank() == 0;
+}
 
 std::string profile_of(const ExperimentResult& result) {
   Profile profile;
@@ -157,14 +159,14 @@ void refuse_link_options(const RunRequest& request, const fs::path& scenario) {
 }
 
 void run_other(const RunRequest& request, const Run& run, const ExperimentEngine& engine,
-               ProcessGroup* team) {
+               ProcessGroup* processes) {
   engine.run(
       {.scenario = run.scenario,
        .output = run.output,
        .command = request.command,
        .program = request.program,
        .workers = {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()},
-       .team = team,
+       .processes = processes,
        .json = request.json,
        .quiet = request.quiet,
        .plot = request.plot,
@@ -191,8 +193,8 @@ void set_start(const RunRequest& request, Run& run) {
 }
 
 /// Everything that can be refused before the first trial.
-std::vector<Run> prepare(const RunRequest& request, ProcessGroup* team) {
-  if (team != nullptr && (request.plan || request.time_budget_s > 0))
+std::vector<Run> prepare(const RunRequest& request, ProcessGroup* processes) {
+  if (processes != nullptr && (request.plan || request.time_budget_s > 0))
     throw bad_input("--plan and --time-budget", "they time one process, not a job of several",
                     "run them without mpirun");
   refuse_same_output(request);
@@ -202,7 +204,7 @@ std::vector<Run> prepare(const RunRequest& request, ProcessGroup* team) {
     refuse_options(request, runs.back());
   }
   if (request.plan) return runs;
-  if (speaks(team)) {
+  if (speaks(processes)) {
     make_output_folder(request);
     for (const Run& run : runs) check_writable(run.output);
   }
@@ -217,7 +219,7 @@ std::string farewell(const RunRequest& request) {
       request.time_budget_s > 0 ? "what was chosen in place of --time-budget, and " : "");
 }
 
-/// What the runs start from, for the members of a team to compare.
+/// What the runs start from, for the members of a process group to compare.
 std::string start_of(const std::vector<Run>& runs) {
   std::string text;
   for (const Run& run : runs) {
@@ -257,31 +259,31 @@ LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenari
 }
 
 ExitCode run_command(const RunRequest& request) {
-  const std::unique_ptr<ProcessGroup> team = join_process_group();
+  const std::unique_ptr<ProcessGroup> processes = join_process_group();
   std::vector<Run> runs;
-  const bool ready = collective(team.get(), [&] { runs = prepare(request, team.get()); });
+  const bool ready = collective(processes.get(), [&] { runs = prepare(request, processes.get()); });
   if (!ready) return ExitCode::done;
   const ExperimentOptions options{.threads = threads_for(request.threads),
                                   .profiled = request.profile,
-                                  .team = team.get(),
+                                  .processes = processes.get(),
                                   .interrupt = &heed_stop_signals()};
   if (request.plan) {
     for (const Run& run : runs)
       if (!print_plan(request, run.scenario, *options.interrupt)) return ExitCode::interrupted;
     return ExitCode::done;
   }
-  if (!agree(team.get(), start_of(runs))) return ExitCode::done;
+  if (!agree(processes.get(), start_of(runs))) return ExitCode::done;
   for (const Run& run : runs) {
     if (is_interrupted(options)) break;
     if (const ExperimentEngine* engine = engine_of(run.scenario))
-      run_other(request, run, *engine, team.get());
-    else if (speaks(team.get()))
+      run_other(request, run, *engine, processes.get());
+    else if (speaks(processes.get()))
       run_scenario(request, run, options);
     else
       run_experiment(run.scenario, run.result, options);
   }
   if (!is_interrupted(options)) return ExitCode::done;
-  if (speaks(team.get())) say(farewell(request));
+  if (speaks(processes.get())) say(farewell(request));
   return ExitCode::interrupted;
 }
 

@@ -39,7 +39,7 @@ void add_run(CLI::App& app, RunRequest& request) {
          "is SCENARIO-KofN.h5 if not given")
       ->type_name("K/N")
       ->check(a_shard);
-  run.add_flag("--plot", request.plot, "draw the ratios over the swept number, as characters");
+  run.add_flag("--plot", request.plot, "draw results over the swept number, as characters");
   run.add_flag("--profile", request.profile,
                "say on stderr where the time went, stage by stage; looking costs some of it")
       ->excludes("--resume");

@@ -183,7 +183,7 @@ class PoolThreads {
 
 PointResult run_point(const Link& link, const StopRule& stop, const EngineOptions& options,
                       const PointResult& before) {
-  if (options.team != nullptr) return run_point_together(link, stop, options, before);
+  if (options.processes != nullptr) return run_point_together(link, stop, options, before);
   const Stopwatch watch;
   const auto elapsed_s = [&] { return before.elapsed_s + watch.seconds(); };
   Pool pool(link, stop, options, before);

@@ -14,9 +14,9 @@ class ProcessGroup;
 
 struct EngineOptions {
   int threads = 1;
-  std::uint64_t first_trial = 0;  // of the point's trials; starts a whole group of eight
-  bool profiled = false;          // with PointResult::profile
-  ProcessGroup* team = nullptr;   // processes to share the trials with
+  std::uint64_t first_trial = 0;      // of the point's trials; starts a whole group of eight
+  bool profiled = false;              // with PointResult::profile
+  ProcessGroup* processes = nullptr;  // processes to share the trials with
   const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
   /// From the calling thread, a few times a second: what an interrupt would leave now.
   std::function<void(const PointResult&)> on_progress{};

@@ -39,7 +39,7 @@ void run_one(const Scenario& scenario, ExperimentResult& result, std::size_t i,
   EngineOptions engine{.threads = options.threads,
                        .first_trial = trials_of(shard, rule.max_frames).first,
                        .profiled = options.profiled,
-                       .team = options.team,
+                       .processes = options.processes,
                        .interrupt = options.interrupt};
   if (options.on_progress) {
     engine.on_progress = [&](const PointResult& so_far) {
@@ -81,7 +81,7 @@ void check_shard_of_runs(const Scenario& point, const Shard& shard) {
 
 bool is_interrupted(const ExperimentOptions& options) {
   const bool mine = options.interrupt != nullptr && *options.interrupt;
-  return options.team != nullptr ? options.team->any(mine) : mine;
+  return options.processes != nullptr ? options.processes->any(mine) : mine;
 }
 
 bool has_theory(const LoadedScenario& scenario) {

@@ -23,14 +23,14 @@ struct Progress {
 struct ExperimentOptions {
   int threads = 1;
   bool profiled = false;
-  ProcessGroup* team = nullptr;  // each of whose members runs the same experiment
+  ProcessGroup* processes = nullptr;  // each of whose members runs the same experiment
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
   /// After each finished point; the result holds all points so far.
   std::function<void(const ExperimentResult&, std::size_t point)> on_point{};
 };
 
-/// Whether any member of the team was told to stop.
+/// Whether any member of the process group was told to stop.
 bool is_interrupted(const ExperimentOptions& options);
 
 /// Whether a receiver of the sweep is one that theory knows.

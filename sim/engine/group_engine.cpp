@@ -113,24 +113,24 @@ std::uint64_t share_behind(const Wave& done, std::uint64_t members, double secon
 
 PointResult run_point_together(const Link& link, const StopRule& stop, const EngineOptions& options,
                                const PointResult& before) {
-  ProcessGroup& team = *options.team;
+  ProcessGroup& processes = *options.processes;
   const Stopwatch watch;
   const auto point = [&](const GroupResult& counted, StopReason reason) {
     return as_point(counted, reason, link, before.elapsed_s + watch.seconds());
   };
-  const auto members = static_cast<std::uint64_t>(team.size());
-  const auto rank = static_cast<std::uint64_t>(team.rank());
+  const auto members = static_cast<std::uint64_t>(processes.size());
+  const auto rank = static_cast<std::uint64_t>(processes.rank());
   GroupResult sum{before.tally, before.simulated_s, before.n_samples, before.profile};
   Wave wave{(options.first_trial + sum.tally.n_frames) / group_size,
-            least_share * static_cast<std::uint64_t>(team.largest(options.threads)),
+            least_share * static_cast<std::uint64_t>(processes.largest(options.threads)),
             options.first_trial + stop.max_frames};
   for (;;) {
     const Stopwatch wave_watch;
     const auto mine = WaveRun(link, wave, rank, options).run();
-    const double seconds = team.largest(wave_watch.seconds());
-    if (team.any(options.interrupt != nullptr && *options.interrupt))
+    const double seconds = processes.largest(wave_watch.seconds());
+    if (processes.any(options.interrupt != nullptr && *options.interrupt))
       return point(sum, StopReason::interrupted);
-    const auto reason = add_in_order(team.exchange(mine), stop, sum);
+    const auto reason = add_in_order(processes.exchange(mine), stop, sum);
     if (reason) return point(sum, *reason);
     if (options.on_progress) options.on_progress(point(sum, StopReason::interrupted));
     const std::uint64_t share = share_behind(wave, members, seconds);

@@ -24,6 +24,8 @@ struct Measurement {
   Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop);
   /// Puts what some runs gave, at least one, into a point.
   void (*describe)(Point&, const Setup&, const Tally&);
+  /// Whether a tally can be of this point: a file may be damaged. Null: any can.
+  bool (*fits)(const Setup&, const Tally&) = nullptr;
 };
 
 /// What some first runs of a point took.

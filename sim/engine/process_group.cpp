@@ -9,8 +9,8 @@
 
 namespace sim {
 
-bool collective(ProcessGroup* team, const std::function<void()>& step) {
-  if (team == nullptr) {
+bool collective(ProcessGroup* processes, const std::function<void()>& step) {
+  if (processes == nullptr) {
     step();
     return true;
   }
@@ -20,12 +20,13 @@ bool collective(ProcessGroup* team, const std::function<void()>& step) {
   } catch (...) {
     failure = std::current_exception();
   }
-  const int first = -static_cast<int>(team->largest(failure ? -team->rank() : -team->size()));
-  if (first == team->size()) return true;
+  const int first =
+      -static_cast<int>(processes->largest(failure ? -processes->rank() : -processes->size()));
+  if (first == processes->size()) return true;
   // The job's starter ends the other members as soon as the first has ended badly.
-  if (first != team->rank()) leave_stop_signals();
-  team->end_in_order();
-  if (first == team->rank()) std::rethrow_exception(failure);
+  if (first != processes->rank()) leave_stop_signals();
+  processes->end_in_order();
+  if (first == processes->rank()) std::rethrow_exception(failure);
   return false;
 }
 
@@ -37,11 +38,11 @@ std::uint64_t next_share(std::uint64_t share, double seconds, std::uint64_t leas
   return share;
 }
 
-bool agree(ProcessGroup* team, const std::string& text) {
-  if (team == nullptr) return true;
+bool agree(ProcessGroup* processes, const std::string& text) {
+  if (processes == nullptr) return true;
   const auto hash = static_cast<double>(std::hash<std::string>{}(text) >> 16U);
-  const bool same = team->largest(hash) == -team->largest(-hash);
-  collective(team, [&] {
+  const bool same = processes->largest(hash) == -processes->largest(-hash);
+  collective(processes, [&] {
     if (!same)
       throw Failure(ExitCode::environment,
                     "the processes of the job read different files (no folder in common?) put the "

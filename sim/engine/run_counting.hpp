@@ -2,21 +2,17 @@
 // Counts the runs of all points of an experiment's sweep, in the order of their numbers, so that
 // counts are the same for any number of threads, interrupts and shards.
 #include <algorithm>
-#include <cereal/archives/portable_binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/vector.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/counting/shard.hpp"
+#include "sim/engine/checkpoint_bytes.hpp"
 #include "sim/engine/measurement.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/failure.hpp"
@@ -28,32 +24,14 @@
 
 namespace sim {
 
-/// What cereal makes of a value, and back.
-template <class T>
-std::string bytes_of(const T& value) {
-  std::ostringstream bytes;
-  cereal::PortableBinaryOutputArchive archive(bytes);
-  archive(value);
-  return bytes.str();
-}
-
-template <class T>
-T from_bytes(const std::string& text) {
-  std::istringstream bytes(text);
-  cereal::PortableBinaryInputArchive archive(bytes);
-  T value;
-  archive(value);
-  return value;
-}
-
 /// Who counts runs.
 struct RunCounters {
   Workers workers{};
-  ProcessGroup* team = nullptr;  // each of whose members counts the same
+  ProcessGroup* processes = nullptr;  // each of whose members counts the same
 
   /// Whether any member was told to stop.
   bool interrupted() const {
-    return team != nullptr ? team->any(workers.interrupted()) : workers.interrupted();
+    return processes != nullptr ? processes->any(workers.interrupted()) : workers.interrupted();
   }
 };
 
@@ -132,7 +110,7 @@ class RunCounting {
 
   /// Counts the runs of a shard that a point does not have yet, and describes it. After an
   /// interrupt it has fewer, or none. `meanwhile` is called in this thread, some ten times a
-  /// second; in a team, behind each exchange.
+  /// second; in a process group, behind each exchange.
   void count(std::size_t i, const Shard& shard, const RunCounters& by,
              const Meanwhile& meanwhile = {}) {
     const Wanted wanted = runs_in(shard, i);
@@ -140,15 +118,15 @@ class RunCounting {
     set_up(i, by.workers);
     if (by.interrupted()) return;
     CountedRuns<Tally>& part = part_of(shard);
-    if (by.team == nullptr)
+    if (by.processes == nullptr)
       run(part, wanted, by.workers, meanwhile);
     else
-      run_in_team(part, wanted, by, meanwhile);
+      run_collectively(part, wanted, by, meanwhile);
     if (part.n == 0) counted_[i].erase(std::ranges::find(counted_[i], 0U, &CountedRuns<Tally>::n));
     bring_up_to_date();
   }
 
-  /// Times a lot of runs of one thread; they are not counted.
+  /// Times a batch of runs of one thread; they are not counted.
   RunPilot pilot(std::size_t i, const Shard& shard, const Workers& workers) {
     Stopwatch watch;
     set_up(i, workers);
@@ -156,10 +134,11 @@ class RunCounting {
     const Wanted wanted = runs_in(shard, i);
     pilot.runs = wanted.all;
     const auto threads = static_cast<std::uint32_t>(workers.threads);
-    const std::uint32_t lot = std::clamp(divided_up(wanted.all, threads), 1U,
-                                         kind_.most_at_once(*setup_, wanted.all, workers.threads));
-    kind_.run(*setup_, wanted.first, static_cast<int>(lot), workers.interrupt);
-    const std::uint32_t rounds = divided_up(divided_up(wanted.all, lot), threads);
+    const std::uint32_t batch =
+        std::clamp(divided_up(wanted.all, threads), 1U,
+                   kind_.most_at_once(*setup_, wanted.all, workers.threads));
+    kind_.run(*setup_, wanted.first, static_cast<int>(batch), workers.interrupt);
+    const std::uint32_t rounds = divided_up(divided_up(wanted.all, batch), threads);
     pilot.run_s = watch.lap() * rounds / std::max(wanted.all, 1U);
     return pilot;
   }
@@ -187,6 +166,10 @@ class RunCounting {
       if (counted.size() == counted_.size() && fit(counted)) return counted;
     } catch (const std::exception&) {  // whatever cereal, or what it builds, throws
     }
+    refuse_damage();
+  }
+
+  [[noreturn]] static void refuse_damage() {
     throw bad_input("the result", "the counts that it keeps cannot be read: it is damaged",
                     "choose another file");
   }
@@ -215,6 +198,9 @@ class RunCounting {
     setup_.reset();
     setup_.emplace(kind_.prepare(point_scenario(scenario_, point_coordinates(scenario_.sweep, i)),
                                  scenario_.places, workers));
+    if (kind_.fits == nullptr || workers.interrupted()) return;
+    for (const CountedRuns<Tally>& part : counted_[i])
+      if (!kind_.fits(*setup_, part.tally)) refuse_damage();
   }
 
   CountedRuns<Tally>& part_of(const Shard& shard) {
@@ -252,8 +238,8 @@ class RunCounting {
         [&](std::uint32_t first, int n) {
           return kind_.run(*setup_, first, n, workers.interrupt);
         });
-    const auto add = [&](Tally&& lot, std::uint32_t n) {
-      part.tally += std::move(lot);
+    const auto add = [&](Tally&& batch, std::uint32_t n) {
+      part.tally += std::move(batch);
       part.n += n;
     };
     sharing.in_order(add, [&] {
@@ -262,19 +248,19 @@ class RunCounting {
   }
 
   /// Each member does a share of the next runs, then all add all shares, in the order of the runs.
-  void run_in_team(CountedRuns<Tally>& part, const Wanted& wanted, const RunCounters& by,
-                   const Meanwhile& meanwhile) {
+  void run_collectively(CountedRuns<Tally>& part, const Wanted& wanted, const RunCounters& by,
+                        const Meanwhile& meanwhile) {
     const std::uint64_t least = least_share(wanted, by);
     std::uint64_t share = least;
     while (part.n < wanted.all) {
       const Stopwatch watch;
       CountedRuns<Tally> mine;
       share = std::min<std::uint64_t>(
-          share, divided_up(wanted.all - part.n, static_cast<std::uint32_t>(by.team->size())));
-      run(mine, share_of_member(wanted, part.n, share, *by.team), by.workers, {});
-      const double seconds = by.team->largest(watch.seconds());
+          share, divided_up(wanted.all - part.n, static_cast<std::uint32_t>(by.processes->size())));
+      run(mine, share_of_member(wanted, part.n, share, *by.processes), by.workers, {});
+      const double seconds = by.processes->largest(watch.seconds());
       if (by.interrupted()) return;
-      for (const std::string& bytes : by.team->exchange(bytes_of(mine))) {
+      for (const std::string& bytes : by.processes->exchange(bytes_of(mine))) {
         auto theirs = from_bytes<CountedRuns<Tally>>(bytes);
         part.tally += std::move(theirs.tally);
         part.n += theirs.n;
@@ -286,19 +272,19 @@ class RunCounting {
 
   /// Of a wave in which each member does a share of the runs behind the first `done`.
   static Wanted share_of_member(const Wanted& wanted, std::uint32_t done, std::uint64_t share,
-                                const ProcessGroup& team) {
+                                const ProcessGroup& processes) {
     const auto at = [&](int rank) {
       const std::uint64_t behind = done + static_cast<std::uint64_t>(rank) * share;
       return static_cast<std::uint32_t>(std::min<std::uint64_t>(behind, wanted.all));
     };
-    return {wanted.first + at(team.rank()), at(team.rank() + 1) - at(team.rank())};
+    return {wanted.first + at(processes.rank()), at(processes.rank() + 1) - at(processes.rank())};
   }
 
   /// Runs for all threads of the member that has most. The members' processors may differ.
   std::uint64_t least_share(const Wanted& wanted, const RunCounters& by) const {
     const int threads = by.workers.threads;
     const double at_once = kind_.most_at_once(*setup_, wanted.all, threads);
-    return static_cast<std::uint64_t>(by.team->largest(at_once * threads));
+    return static_cast<std::uint64_t>(by.processes->largest(at_once * threads));
   }
 
   const Kind& kind_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -134,10 +133,11 @@ void add_variable_ages(Columns<Point>& columns) {
                   {.prefix = "variable_",
                    .mean_is = "mean age at the other node",
                    .over = {"sender", "variable"}},
-                  [](const Point& p, std::size_t i) {
+                  [](const Point& p, std::size_t i) -> const AgeCounts& {
+                    static const AgeCounts none;
                     const std::size_t all = most_variables(p), variable = i % all;
                     const auto& ages = p.tally.direction[i / all].variable_ages;
-                    return variable < ages.size() ? ages[variable] : AgeCounts();
+                    return variable < ages.size() ? ages[variable] : none;
                   });
 }
 
@@ -175,8 +175,9 @@ Columns<Point> made_columns() {
   columns.words({}, [](const Point&, std::size_t i) { return i == 0 ? "A to B" : "B to A"; })
       .on({"sender"})
       .headed({{"", "", "direction"}, -9});
-  add_direction(columns, {"sender"},
-                [](const Point& p, std::size_t i) { return p.tally.direction[i]; });
+  add_direction(columns, {"sender"}, [](const Point& p, std::size_t i) -> const DirectionTally& {
+    return p.tally.direction[i];
+  });
   add_refusals(columns);
   add_variable_ages(columns);
   return columns;

@@ -68,6 +68,11 @@ constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
     .most_at_once = [](const Guard& guard, std::uint32_t,
                        int threads) { return arena_runs_at_once(guard.arena, threads); },
     .run = run_guard,
-    .describe = describe_guard};
+    .describe = describe_guard,
+    .fits =
+        [](const Guard& guard, const GuardRuns& runs) {
+          return fits_arena(guard.arena, runs.arena) &&
+                 runs.tally.relays.size() == guard.arena.senders.size();
+        }};
 
 }  // namespace sim

@@ -15,9 +15,9 @@ namespace {
 using Point = GuardPoint;
 
 /// Messages on their way, of one device or of all: in the table only.
-template <class SentOf, class MirrorOf>
+template <class SentOf, class RelayedOf>
 void add_way_of_messages(Columns<Point>& columns, const std::vector<std::string>& over,
-                         SentOf sent_of, MirrorOf relay_of) {
+                         SentOf sent_of, RelayedOf relayed_of) {
   columns.count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i).messages(); })
       .on(over)
       .headed({{"", "", "messages"}, 9});
@@ -25,7 +25,7 @@ void add_way_of_messages(Columns<Point>& columns, const std::vector<std::string>
       .count({}, [=](const Point& p, std::size_t i) { return sent_of(p, i)[LossCause::delivered]; })
       .on(over)
       .headed({{"heard by", "the", "guard"}, 9});
-  columns.count({}, [=](const Point& p, std::size_t i) { return relay_of(p, i).n_known; })
+  columns.count({}, [=](const Point& p, std::size_t i) { return relayed_of(p, i).n_known; })
       .on(over)
       .headed({{"known", "to the", "base"}, 9});
 }
@@ -66,13 +66,14 @@ void add_devices(Columns<Point>& columns) {
         &RelayTally::n_replaced);
   count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &RelayTally::n_lost);
   count({"n_known", "1", "messages that the base station got to know"}, &RelayTally::n_known);
-  add_age_columns(columns,
-                  {.prefix = "",
-                   .mean_is = "mean age of what the base station knows",
-                   .where = "at base",
-                   .over = {"device"},
-                   .drawn = DrawnColumn{"Age of what the base station knows", "mean age [s]"}},
-                  [](const Point& p, std::size_t i) { return relay_of(p, i).age; });
+  add_age_columns(
+      columns,
+      {.prefix = "",
+       .mean_is = "mean age of what the base station knows",
+       .where = "at base",
+       .over = {"device"},
+       .drawn = DrawnColumn{"Age of what the base station knows", "mean age [s]"}},
+      [](const Point& p, std::size_t i) -> const AgeCounts& { return relay_of(p, i).age; });
 }
 
 void add_line(Columns<Point>& columns) {

@@ -22,12 +22,12 @@ namespace sim {
 namespace {
 
 /// Those of an arena; what was delivered goes on to the base station.
-std::vector<CountedKind> guard_fates() {
-  std::vector<CountedKind> fates = arena_fates();
-  fates.front() = {"n_known", "known to the base station"};
-  fates.push_back({"n_replaced", "replaced by a newer one"});
-  fates.push_back({"n_sharedlink_lost", "lost by SharedLink"});
-  return fates;
+std::vector<CountedKind> guard_losses() {
+  std::vector<CountedKind> losses = arena_losses();
+  losses.front() = {"n_known", "known to the base station"};
+  losses.push_back({"n_replaced", "replaced by a newer one"});
+  losses.push_back({"n_sharedlink_lost", "lost by SharedLink"});
+  return losses;
 }
 
 /// Of all devices and points: of those that were sent, as in what is said before.
@@ -184,7 +184,7 @@ std::vector<DatasetColumn> point_table_columns(const Dataset& data) {
 ReportSection guard_section(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
   ReportSection part = section_of_messages(
-      name, stored, {guard_fates(), device_table_columns(stored), point_table_columns(data)});
+      name, stored, {guard_losses(), device_table_columns(stored), point_table_columns(data)});
   part.summary += known_of(data) + ages_of(data) + oldest_of(data) + least_known_of(data);
   add_chart(part, swept_chart(data, drawn_column(guard_columns(), "age_mean_s")));
   return part;

@@ -54,10 +54,10 @@ struct Load {
   std::vector<std::optional<std::size_t>> messages;
 };
 
-class MirrorRun {
+class RelayRun {
  public:
-  MirrorRun(const RelayDesign& design, std::span<const HeardFrame> heard,
-            const dsp::RandomAddress& draws, const std::atomic<bool>* stop)
+  RelayRun(const RelayDesign& design, std::span<const HeardFrame> heard,
+           const dsp::RandomAddress& draws, const std::atomic<bool>* stop)
       : design_(design),
         heard_(heard),
         robot_(robot_node(design)),
@@ -216,7 +216,7 @@ class MirrorRun {
 
 GuardTally relay(const RelayDesign& design, std::span<const HeardFrame> heard,
                  const dsp::RandomAddress& draws, const std::atomic<bool>* stop) {
-  return MirrorRun(design, heard, draws, stop).run();
+  return RelayRun(design, heard, draws, stop).run();
 }
 
 }  // namespace sim

@@ -1,5 +1,5 @@
 #pragma once
-// Mirror: how what a robot has heard of devices gets to its base station. The robot keeps a table
+// How a robot tells its base station what it has heard of devices. The robot keeps a table
 // of what each device said last, which is its outbound SharedLink list; the base station asks by Q
 // for what it lacks.
 #include <atomic>

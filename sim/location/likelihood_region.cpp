@@ -11,7 +11,7 @@ namespace {
 
 constexpr int outline_points = 72;
 
-/// SourceLocations around one in its deviations: steps of equal length are about equally likely.
+/// Places around one in its deviations: steps of equal length are about equally likely.
 class Deviations {
  public:
   Deviations(const Position& origin, const PositionCovariance& c)

@@ -1,5 +1,7 @@
 #include "sim/location/location_experiment.hpp"
 
+#include <algorithm>
+
 #include "sim/location/location_settings.hpp"
 
 namespace sim {
@@ -15,6 +17,12 @@ constinit const Measurement<LocationBench, LocationTally, LocationPointRun> loca
     .most_at_once = trials_at_once<LocationBench>,
     .run = run_location,
     .describe = [](LocationPointRun& point, const LocationBench& bench,
-                   const LocationTally& tally) { point.result = bench.summed(tally); }};
+                   const LocationTally& tally) { point.result = bench.summed(tally); },
+    .fits =
+        [](const LocationBench&, const LocationTally& tally) {
+          return std::ranges::all_of(tally.trials, [](const LocationTrial& trial) {
+            return static_cast<std::size_t>(trial.outcome) < LocationTrials::outcomes;
+          });
+        }};
 
 }  // namespace sim

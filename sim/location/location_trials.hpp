@@ -16,7 +16,7 @@ namespace sim {
 struct LocationTrialsSettings {
   LocateSettings locate;
   Position truth;
-  /// SourceLocations, headings and deviations; what they measure is drawn.
+  /// Places, headings and deviations; what they measure is drawn.
   std::vector<Reading> readings;
   std::uint32_t trials = 1000;
   std::uint64_t seed = 1;

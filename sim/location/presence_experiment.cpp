@@ -1,5 +1,7 @@
 #include "sim/location/presence_experiment.hpp"
 
+#include <algorithm>
+
 #include "sim/location/presence_settings.hpp"
 
 namespace sim {
@@ -15,6 +17,15 @@ constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> pres
     .most_at_once = trials_at_once<PresenceBench>,
     .run = run_presence,
     .describe = [](PresencePointRun& point, const PresenceBench& bench,
-                   const PresenceTally& tally) { point.result = bench.result(tally); }};
+                   const PresenceTally& tally) { point.result = bench.result(tally); },
+    .fits =
+        [](const PresenceBench& bench, const PresenceTally& tally) {
+          const std::size_t thresholds = bench.no_trials().detections.size();
+          const auto are_of = [&](const std::vector<std::uint64_t>& counts) {
+            return counts.size() == thresholds &&
+                   std::ranges::all_of(counts, [&](std::uint64_t n) { return n <= tally.trials; });
+          };
+          return are_of(tally.detections) && are_of(tally.false_alarms);
+        }};
 
 }  // namespace sim

@@ -20,7 +20,7 @@ constexpr double chart_left = 80, chart_right = 700, chart_top = 50, chart_botto
 constexpr double arrow_length = 24, whisker = 4;
 constexpr double chart_legend_top = chart_bottom + 66, chart_legend_step = 16;
 
-/// SourceLocations of values along an axis.
+/// Places of values along an axis.
 class Positions {
  public:
   /// `in_decades`: a logarithmic axis covers the decades of its values, and their intervals.

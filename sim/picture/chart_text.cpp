@@ -166,7 +166,8 @@ std::string chart_as_text(const Chart& chart) {
 }
 
 std::string charts_as_text(const std::vector<Chart>& charts) {
-  if (charts.empty()) return "no number is swept: nothing to plot\n";
+  if (charts.empty())
+    return "nothing to plot: no number is swept, or nothing is known at its points\n";
   std::string text;
   for (const Chart& chart : charts) text += "\n" + chart_as_text(chart);
   return text + "\n";

@@ -175,7 +175,7 @@ void draw_receiver(SvgDrawing& drawing, const PlanMark& mark, const Ground& grou
   draw_label(drawing, mark, ground);
 }
 
-/// SourceLocations that look the same are drawn once.
+/// Places that look the same are drawn once.
 void draw_dots(SvgDrawing& drawing, const FloorPlan& plan, const Ground& ground) {
   for (std::size_t kind = 0; kind < plan.dots.size(); ++kind) {
     const double from_middle =

@@ -21,14 +21,15 @@ struct ExperimentRun {
   std::string command;  // as the user typed it
   ProgramInfo program;
   Workers workers{};
-  ProcessGroup* team = nullptr;  // each of whose members runs the same; the first speaks for all
+  ProcessGroup* processes =
+      nullptr;  // each of whose members runs the same; the first speaks for all
   bool json = false, quiet = false, plot = false;
   /// What was counted before, by files of the same scenario; the runs that the result has.
   std::vector<std::string> checkpoints{};
   std::vector<Shard> shards{{}};
   bool counts_nothing = false;  // what was counted before is all: shards are merged
 
-  bool speaks() const { return team == nullptr || team->rank() == 0; }
+  bool speaks() const { return processes == nullptr || processes->rank() == 0; }
 };
 
 /// What the commands ask of an experiment, whatever its points are.

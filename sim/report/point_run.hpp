@@ -30,7 +30,7 @@ class PointRun {
   }
 
   bool operator()() {
-    const RunCounters by{run_.workers, run_.team};
+    const RunCounters by{run_.workers, run_.processes};
     counting_.describe_all(run_.workers);
     if (by.interrupted()) return leave_as_it_was();
     rows_.print(table_.head());

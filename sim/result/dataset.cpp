@@ -141,6 +141,11 @@ std::vector<double> numbers_of(const Dataset::Variable& variable) {
       variable.values);
 }
 
+std::vector<double> numbers_named(const Dataset& data, const std::string& name) {
+  const Dataset::Variable* variable = find_variable(data, name);
+  return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+}
+
 const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name) {
   const auto found =
       std::ranges::find(data.dimensions, name, [](const auto& d) { return d.facts.name; });

@@ -62,6 +62,9 @@ const Dataset::Variable* find_variable(const Dataset& data, const std::string& n
 /// Its cells, row-major.
 std::vector<double> numbers_of(const Dataset::Variable& variable);
 
+/// Those of the variable of that name; empty where there is none.
+std::vector<double> numbers_named(const Dataset& data, const std::string& name);
+
 /// The dimension of that name. Throws bad_input where there is none: a file may be damaged.
 const Dataset::Dimension& dimension_named(const Dataset& data, const std::string& name);
 

@@ -1,9 +1,10 @@
 #include "sim/result/dataset_comparison.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "sim/counting/holm.hpp"
@@ -12,53 +13,84 @@
 namespace sim {
 namespace {
 
-/// A variable with its interval.
-struct Ratios {
-  std::vector<double> values, lows, highs;
+/// A variable with its interval, of all points.
+class Ratios {
+ public:
+  /// A cell: a point, and the elements of the variable's dimensions in words.
+  using Place = std::pair<std::size_t, std::string>;
 
-  bool has(std::size_t i) const {
-    return i < values.size() && i < lows.size() && i < highs.size() && std::isfinite(values[i]) &&
-           std::isfinite(lows[i]) && std::isfinite(highs[i]);
+  Ratios(const Dataset& data, const Dataset::Variable& variable)
+      : values_(numbers_of(variable)),
+        lows_(numbers_named(data, variable.facts.name + "_ci_low")),
+        highs_(numbers_named(data, variable.facts.name + "_ci_high")) {
+    const std::vector<std::string> elements = element_texts(data, variable);
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      places_.emplace_back(i / elements.size(), elements[i % elements.size()]);
   }
-  Estimate operator[](std::size_t i) const { return {values[i], lows[i], highs[i]}; }
+
+  const std::vector<Place>& places() const { return places_; }
+  /// Nothing where it is not known.
+  std::optional<Estimate> operator[](std::size_t i) const {
+    if (i >= lows_.size() || i >= highs_.size()) return std::nullopt;
+    const Estimate cell{values_[i], lows_[i], highs_[i]};
+    const bool known =
+        std::isfinite(cell.value) && std::isfinite(cell.low) && std::isfinite(cell.high);
+    return known ? std::optional(cell) : std::nullopt;
+  }
+
+ private:
+  std::vector<double> values_, lows_, highs_;
+  std::vector<Place> places_;
 };
 
-std::vector<double> cells_of(const Dataset& data, const std::string& name) {
+/// Runs or trials of each point.
+std::vector<double> runs_of(const Dataset& data) {
+  const std::vector<double> runs = numbers_named(data, "n_runs");
+  return runs.empty() ? numbers_named(data, "n_trials") : runs;
+}
+
+/// Of each point.
+std::vector<double> degrees_of_freedom(const Dataset& a, const Dataset& b) {
+  std::vector<double> degrees = runs_of(a);
+  const std::vector<double> others = runs_of(b);
+  for (std::size_t i = 0; i < degrees.size(); ++i)
+    degrees[i] = std::max(std::min(degrees[i], i < others.size() ? others[i] : 0) - 1, 1.0);
+  return degrees;
+}
+
+const Dataset::Variable* ratio_named(const Dataset& data, const std::string& name) {
   const Dataset::Variable* variable = find_variable(data, name);
-  return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
-}
-
-Ratios ratios_of(const Dataset& data, const std::string& name) {
-  return {cells_of(data, name), cells_of(data, name + "_ci_low"),
-          cells_of(data, name + "_ci_high")};
-}
-
-/// "receiver.range_m = 2 m, sender A": where each cell of a variable is.
-std::vector<std::string> places_of(const Dataset& data, const Dataset::Variable& variable) {
-  const std::vector<std::string> elements = element_texts(data, variable);
-  const std::size_t cells = numbers_of(variable).size();
-  std::vector<std::string> places;
-  for (std::size_t i = 0; i < cells; ++i)
-    places.push_back(joined(place_text(data, i / elements.size()), elements[i % elements.size()]));
-  return places;
+  const bool is_ratio =
+      variable != nullptr && variable->on_axes && find_variable(data, name + "_ci_low") != nullptr;
+  return is_ratio ? variable : nullptr;
 }
 
 /// Cells are compared by their places, as the results may have other elements (devices).
 void add_tests(DatasetComparison& comparison, const Dataset& a, const Dataset& b,
-               const Dataset::Variable& variable) {
-  const std::string& name = variable.facts.name;
-  const Dataset::Variable* same = find_variable(b, name);
-  if (same == nullptr || !variable.on_axes || !same->on_axes) return;
-  const Ratios one = ratios_of(a, name), other = ratios_of(b, name);
-  std::map<std::string, std::size_t> others;
-  for (const std::string& place : places_of(b, *same)) others.emplace(place, others.size());
-  const std::vector<std::string> places = places_of(a, variable);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto found = others.find(places[i]);
-    if (found == others.end() || !one.has(i) || !other.has(found->second)) continue;
-    const Estimate x = one[i], y = other[found->second];
-    comparison.tests.push_back({name, places[i], x, y, p_value_of_estimates(x, y)});
+               const std::string& name, const std::vector<double>& degrees) {
+  const Dataset::Variable *of_a = ratio_named(a, name), *of_b = ratio_named(b, name);
+  if (of_a == nullptr || of_b == nullptr) return;
+  const Ratios one(a, *of_a), other(b, *of_b);
+  std::map<Ratios::Place, std::size_t> others;
+  std::size_t known = 0;  // in the other
+  for (std::size_t i = 0; i < other.places().size(); ++i) {
+    others.emplace(other.places()[i], i);
+    known += other[i] ? 1 : 0;
   }
+  for (std::size_t i = 0; i < one.places().size(); ++i) {
+    const auto& [point, elements] = one.places()[i];
+    const auto found = others.find(one.places()[i]);
+    const std::optional<Estimate> x = one[i],
+                                  y = found == others.end() ? std::nullopt : other[found->second];
+    known -= y ? 1 : 0;
+    if (x && y)
+      comparison.tests.push_back(
+          {name, joined(place_text(a, point), elements), *x, *y,
+           p_value_of_estimates(*x, *y, point < degrees.size() ? degrees[point] : 1)});
+    else
+      comparison.unknown += x || y ? 1 : 0;
+  }
+  comparison.unknown += known;
 }
 
 }  // namespace
@@ -67,22 +99,22 @@ std::size_t DatasetComparison::different() const {
   return static_cast<std::size_t>(std::ranges::count(tests, true, &CellTest::different));
 }
 
-double p_value_of_estimates(Estimate a, Estimate b) {
+double p_value_of_estimates(Estimate a, Estimate b, double degrees_of_freedom) {
   if (a.value > b.value) std::swap(a, b);
-  const double apart = b.value - a.value;
-  if (apart == 0) return 1;
-  const boost::math::normal normal;
+  const boost::math::students_t law(degrees_of_freedom);
   constexpr double level = 0.95;
   const double deviation =
-      std::hypot(b.value - b.low, a.high - a.value) / quantile(normal, (1 + level) / 2);
-  return deviation == 0 ? 0 : 2 * cdf(complement(normal, apart / deviation));
+      std::hypot(b.value - b.low, a.high - a.value) / quantile(law, (1 + level) / 2);
+  const double deviations = (b.value - a.value) / deviation;
+  if (std::isnan(deviations)) return 1;  // equal, or too large to tell
+  return std::isinf(deviations) ? 0 : 2 * cdf(complement(law, deviations));
 }
 
 DatasetComparison compare(const Dataset& a, const Dataset& b, double alpha) {
   DatasetComparison comparison{.equal = dataset_digest(a) == dataset_digest(b)};
+  const std::vector<double> degrees = degrees_of_freedom(a, b);
   for (const Dataset::Variable& variable : a.variables)
-    if (find_variable(a, variable.facts.name + "_ci_low") != nullptr)
-      add_tests(comparison, a, b, variable);
+    add_tests(comparison, a, b, variable.facts.name, degrees);
   std::vector<double> p_values;
   for (const CellTest& test : comparison.tests) p_values.push_back(test.p_value);
   const std::vector<bool> rejected = rejected_by_holm(p_values, alpha);

@@ -1,5 +1,5 @@
 #pragma once
-// SourceLocations of a sweep in words.
+// Places of a sweep in words.
 #include <cstddef>
 #include <string>
 #include <vector>

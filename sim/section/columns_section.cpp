@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
+#include "sim/result/place_text.hpp"
 #include "sim/section/dataset_words.hpp"
 #include "sim/section/experiment_section.hpp"
 #include "sim/text/unit_text.hpp"
@@ -15,8 +17,7 @@ namespace {
 std::string head_of(const ColumnFacts& column) {
   std::string head;
   for (const std::string& line : column.heading.names)
-    if (!line.empty() && line != "[interval]" && !line.starts_with("["))
-      head += (head.empty() ? "" : " ") + line;
+    if (!line.empty() && !line.starts_with("[")) head += (head.empty() ? "" : " ") + line;
   if (head.empty()) head = plain_words(column.facts.name);
   const std::string unit = bracketed_unit(column.facts.unit);
   return unit.empty() ? head : head + " " + unit;
@@ -27,22 +28,45 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// The table columns that are on just these dimensions.
-std::vector<DatasetColumn> table_columns(const std::vector<ColumnFacts>& columns,
+/// The columns of numbers that are on just these dimensions. Marks come from add_closing, and of
+/// texts a file has only the numbers.
+std::vector<DatasetColumn> table_columns(const Dataset& data,
+                                         const std::vector<ColumnFacts>& columns,
                                          const std::vector<std::string>& dimensions) {
   std::vector<DatasetColumn> found;
-  for (const ColumnFacts& column : columns)
-    if (column.is_stored() && column.over == dimensions)
+  for (const ColumnFacts& column : columns) {
+    const Dataset::Variable* variable = find_variable(data, column.facts.name);
+    if (variable != nullptr && variable->on_axes && variable->flags.empty() && !column.is_text &&
+        column.over == dimensions)
       found.push_back({column.facts.name, head_of(column)});
+  }
   return found;
+}
+
+/// The dimensions of the columns, each combination once.
+std::vector<std::vector<std::string>> combinations(const std::vector<ColumnFacts>& columns) {
+  std::vector<std::vector<std::string>> all;
+  for (const ColumnFacts& column : columns)
+    if (column.is_stored() && !column.over.empty() &&
+        std::ranges::find(all, column.over) == all.end())
+      all.push_back(column.over);
+  return all;
+}
+
+/// "Faces of the dice"
+std::string heading_of(const Dataset& data, const std::vector<std::string>& dimensions) {
+  std::string heading;
+  for (const std::string& name : dimensions)
+    heading = joined(heading, dimension_named(data, name).facts.long_name);
+  return capitalised(heading);
 }
 
 void add_drawn(ReportSection& part, const Dataset& data, const ColumnFacts& column) {
   if (!column.is_stored() || !column.drawing) return;
-  const std::string unit = bracketed_unit(column.facts.unit);
+  const std::string unit = unit_text(column.facts.unit);
   if (column.over.empty())
-    part.summary += extremes(data, column.facts.name, column.drawing->title,
-                             unit.empty() ? "" : " " + column.facts.unit);
+    part.summary +=
+        extremes(data, column.facts.name, column.drawing->title, unit.empty() ? "" : " " + unit);
   add_chart(part, swept_chart(data, {column.facts.name, *column.drawing}));
 }
 
@@ -54,11 +78,11 @@ ReportSection columns_section(const std::string& name, const StoredDataset& stor
   ReportSection part{name, data.title, fmt::format("The result is of {}.\n", runs_text(data))};
   for (const ColumnFacts& column : columns) add_drawn(part, data, column);
   part.summary += missing_points(stored);
-  for (const Dataset::Dimension& dimension : data.dimensions)
-    if (const auto table = table_columns(columns, {dimension.facts.name}); !table.empty())
+  for (const std::vector<std::string>& dimensions : combinations(columns))
+    if (const auto table = table_columns(data, columns, dimensions); !table.empty())
       part.sections.push_back(
-          {.heading = capitalised(dimension.facts.long_name), .table = dataset_table(data, table)});
-  add_closing(part, data, table_columns(columns, {}));
+          {.heading = heading_of(data, dimensions), .table = dataset_table(data, table)});
+  add_closing(part, data, table_columns(data, columns, {}));
   return part;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What a result brings to a report by its columns alone: how much was run, where each drawn column
-// is least and greatest, its curves, and a table for the points and for each dimension.
+// is least and greatest, its curves, and a table for the points and for each combination of
+// dimensions that columns have.
 #include <string>
 #include <vector>
 

@@ -10,8 +10,7 @@ namespace sim {
 namespace {
 
 std::vector<double> cells_of(const Dataset& data, const std::string& name) {
-  const Dataset::Variable* variable = find_variable(data, name);
-  std::vector<double> cells = variable == nullptr ? std::vector<double>() : numbers_of(*variable);
+  std::vector<double> cells = numbers_named(data, name);
   for (double& cell : cells)
     if (std::isinf(cell)) cell = std::nan("");
   return cells;

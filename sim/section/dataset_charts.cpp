@@ -17,10 +17,10 @@ struct DrawnCells {
   std::vector<double> values, lows, highs, theory;
 
   DrawnCells(const Dataset& data, const DrawnVariable& drawn)
-      : values(cells(data, drawn.name)),
-        lows(cells(data, drawn.name + "_ci_low")),
-        highs(cells(data, drawn.name + "_ci_high")),
-        theory(cells(data, drawn.how.theory)) {}
+      : values(numbers_named(data, drawn.name)),
+        lows(numbers_named(data, drawn.name + "_ci_low")),
+        highs(numbers_named(data, drawn.name + "_ci_high")),
+        theory(numbers_named(data, drawn.how.theory)) {}
 
   bool has_interval(std::size_t i) const {
     return i < lows.size() && i < highs.size() && std::isfinite(lows[i]) && std::isfinite(highs[i]);
@@ -44,12 +44,6 @@ struct DrawnCells {
     if (i < theory.size() && std::isfinite(theory[i]))
       theory_of(chart, measured, joined(name, "theory"))
           .points.push_back({x, theory[i], theory[i], theory[i]});
-  }
-
- private:
-  static std::vector<double> cells(const Dataset& data, const std::string& name) {
-    const Dataset::Variable* variable = find_variable(data, name);
-    return variable == nullptr ? std::vector<double>() : numbers_of(*variable);
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// What results of experiments that are no links bring to a report, as far as it is the same of all.
+// What results of experiments that are no links bring to a report, the parts that all of them
+// share.
 #include <optional>
 #include <string>
 #include <vector>

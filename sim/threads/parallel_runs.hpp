@@ -1,5 +1,5 @@
 #pragma once
-// Runs of one point, shared out to threads by the lot.
+// Runs of one point, shared out to threads in batches.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -40,37 +40,38 @@ class ParallelRuns {
   using Work = std::function<Result(std::uint32_t first, int n)>;
   using Take = std::function<void(Result&&, std::uint32_t n)>;
 
-  /// A lot is as many runs as may be done at once, and not so many that threads have none.
+  /// A batch is as many runs as may be done at once, and not so many that threads have none.
   ParallelRuns(const SharedRuns& shared, Work work)
       : shared_(shared),
-        lot_(std::clamp((shared.runs + static_cast<std::uint32_t>(shared.workers.threads) - 1) /
-                            static_cast<std::uint32_t>(shared.workers.threads),
-                        1U, shared.most_at_once)),
+        batch_size_(
+            std::clamp((shared.runs + static_cast<std::uint32_t>(shared.workers.threads) - 1) /
+                           static_cast<std::uint32_t>(shared.workers.threads),
+                       1U, shared.most_at_once)),
         work_(std::move(work)),
-        lots_((shared.runs + lot_ - 1) / lot_) {}
+        batches_((shared.runs + batch_size_ - 1) / batch_size_) {}
 
-  /// Gives the lots to `take` in the order of their runs, each as soon as those before it are
+  /// Gives the batches to `take` in the order of their runs, each as soon as those before it are
   /// there; after a stop up to the first that was not finished. Calls `meanwhile` after that, ten
   /// times a second at least. Both run in the calling thread. Throws what they or a thread threw.
   void in_order(
       const Take& take, const std::function<void()>& meanwhile = [] {}) {
     working_ = shared_.workers.threads;
     const auto threads = start_threads(
-        shared_.workers.threads, [&] { run_lots(); }, [&] { give_up(nullptr); });
+        shared_.workers.threads, [&] { run_batches(); }, [&] { give_up(nullptr); });
     const EndOfBatches end(*this);
     bool over = false;
     while (!over) {
       over = wait_a_moment();
-      while (std::optional<Batch> lot = take_next()) take(std::move(lot->result), lot->runs);
+      while (std::optional<Batch> batch = take_next()) take(std::move(batch->result), batch->runs);
       meanwhile();
     }
     if (error_) std::rethrow_exception(error_);
   }
 
-  /// The lots, as in_order gives them.
+  /// The batches, as in_order gives them.
   std::vector<Result> operator()() {
     std::vector<Result> finished;
-    in_order([&](Result&& lot, std::uint32_t) { finished.push_back(std::move(lot)); });
+    in_order([&](Result&& batch, std::uint32_t) { finished.push_back(std::move(batch)); });
     return finished;
   }
 
@@ -80,23 +81,24 @@ class ParallelRuns {
     std::uint32_t runs;
   };
 
-  /// No thread begins another lot, whatever way their owner leaves.
+  /// No thread begins another batch, whatever way their owner leaves.
   struct EndOfBatches {
-    explicit EndOfBatches(ParallelRuns& lots) : all(lots) {}
+    explicit EndOfBatches(ParallelRuns& batches) : all(batches) {}
     EndOfBatches(const EndOfBatches&) = delete;
     EndOfBatches& operator=(const EndOfBatches&) = delete;
     ~EndOfBatches() { all.give_up(nullptr); }
     ParallelRuns& all;
   };
 
-  std::uint32_t runs_of(std::uint32_t lot) const {
-    return std::min(lot_, shared_.runs - lot * lot_);
+  std::uint32_t runs_of(std::uint32_t batch) const {
+    return std::min(batch_size_, shared_.runs - batch * batch_size_);
   }
 
-  void run_lots() {
-    while (const auto lot = next()) {
+  void run_batches() {
+    while (const auto batch = next()) {
       try {
-        finish(*lot, work_(shared_.first + *lot * lot_, static_cast<int>(runs_of(*lot))));
+        finish(*batch,
+               work_(shared_.first + *batch * batch_size_, static_cast<int>(runs_of(*batch))));
       } catch (...) {
         give_up(std::current_exception());
       }
@@ -108,20 +110,20 @@ class ParallelRuns {
 
   std::optional<std::uint32_t> next() {
     const std::scoped_lock lock(mutex_);
-    if (next_ >= lots_.size() || shared_.workers.interrupted()) return std::nullopt;
+    if (next_ >= batches_.size() || shared_.workers.interrupted()) return std::nullopt;
     return next_++;
   }
 
-  void finish(std::uint32_t lot, Result result) {
+  void finish(std::uint32_t batch, Result result) {
     if (shared_.workers.interrupted()) return;
     const std::scoped_lock lock(mutex_);
-    lots_[lot] = std::move(result);
-    if (lot == taken_) changed_.notify_one();
+    batches_[batch] = std::move(result);
+    if (batch == taken_) changed_.notify_one();
   }
 
-  bool is_next_finished() const { return taken_ < lots_.size() && lots_[taken_].has_value(); }
+  bool is_next_finished() const { return taken_ < batches_.size() && batches_[taken_].has_value(); }
 
-  /// Until a lot can be taken, or all threads are done (true).
+  /// Until a batch can be taken, or all threads are done (true).
   bool wait_a_moment() {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, std::chrono::milliseconds(100),
@@ -132,25 +134,25 @@ class ParallelRuns {
   std::optional<Batch> take_next() {
     const std::scoped_lock lock(mutex_);
     if (!is_next_finished()) return std::nullopt;
-    Batch lot{*std::exchange(lots_[taken_], std::nullopt), runs_of(taken_)};
+    Batch batch{*std::exchange(batches_[taken_], std::nullopt), runs_of(taken_)};
     ++taken_;
-    return lot;
+    return batch;
   }
 
   void give_up(const std::exception_ptr& error) {
     const std::scoped_lock lock(mutex_);
     if (!error_) error_ = error;
-    next_ = static_cast<std::uint32_t>(lots_.size());
+    next_ = static_cast<std::uint32_t>(batches_.size());
   }
 
   SharedRuns shared_;
-  std::uint32_t lot_;
+  std::uint32_t batch_size_;
   Work work_;
-  std::vector<std::optional<Result>> lots_;
+  std::vector<std::optional<Result>> batches_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint32_t next_ = 0;   // lot to be begun next
-  std::uint32_t taken_ = 0;  // lots that were given away
+  std::uint32_t next_ = 0;   // batch to be begun next
+  std::uint32_t taken_ = 0;  // batches that were given away
   int working_ = 0;          // threads
   std::exception_ptr error_;
 };

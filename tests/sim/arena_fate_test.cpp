@@ -1,4 +1,4 @@
-// Each fate of a message has a scene in which it is the one, and each scene a reason.
+// Each cause of loss has a scene in which it is the one, and each scene a reason.
 #include "arena_scenes.hpp"
 #include "gtest/gtest.h"
 
@@ -8,8 +8,8 @@ namespace {
 const std::string two_minutes = "[arena]\nduration_s = 8\nruns = 16\n";
 const std::string without_pause = "interval_min_ms = 0\ninterval_max_ms = 0\n";
 
-double share(const SenderTally& tally, LossCause fate) {
-  return static_cast<double>(tally[fate]) / static_cast<double>(tally.messages());
+double share(const SenderTally& tally, LossCause cause) {
+  return static_cast<double>(tally[cause]) / static_cast<double>(tally.messages());
 }
 
 /// Of the first device.

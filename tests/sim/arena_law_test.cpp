@@ -1,4 +1,4 @@
-// What holds in any arena: fates add up, and results hang neither on threads nor on neighbours.
+// What holds in any arena: losses add up, and results hang neither on threads nor on neighbours.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -59,9 +59,9 @@ TEST(ArenaLaws, FatesAddUp) {
   EXPECT_EQ(point.tally.n_runs, 6u);
   EXPECT_EQ(delivered, point.heard.size());
   EXPECT_EQ(together(point)[LossCause::delivered], delivered);
-  for (const LossCause fate : {LossCause::delivered, LossCause::silent, LossCause::out_of_reach,
-                               LossCause::agc, LossCause::collision})
-    EXPECT_GT(together(point)[fate], 0u) << static_cast<int>(fate);
+  for (const LossCause cause : {LossCause::delivered, LossCause::silent, LossCause::out_of_reach,
+                                LossCause::agc, LossCause::collision})
+    EXPECT_GT(together(point)[cause], 0u) << static_cast<int>(cause);
 }
 
 TEST(ArenaLaws, WhatIsHeardIsInOrderAndOnTheWay) {
@@ -263,7 +263,7 @@ TEST(ArenaInterrupt, KeepsTheRunsThatWereFinished) {
   if (left.tally.n_runs == 0) return;
   const ArenaPoint same = arena_point(scene, {"arena.runs=" + std::to_string(left.tally.n_runs)});
   ASSERT_EQ(left.heard.size(), same.heard.size());
-  EXPECT_EQ(left.tally.senders.front().fate, same.tally.senders.front().fate);
+  EXPECT_EQ(left.tally.senders.front().by_cause, same.tally.senders.front().by_cause);
   EXPECT_EQ(left.heard.back().run, same.heard.back().run);
 }
 

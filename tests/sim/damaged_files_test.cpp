@@ -211,7 +211,7 @@ const auto name_of_kind = [](const auto& test) { return std::string(test.param);
 INSTANTIATE_TEST_SUITE_P(Link, DamagedFiles, testing::Values("link"), name_of_kind);
 INSTANTIATE_TEST_SUITE_P(Baseline, DamagedFiles, testing::Values("baseline"), name_of_kind);
 INSTANTIATE_TEST_SUITE_P(Capture, DamagedFiles, testing::Values("capture"), name_of_kind);
-INSTANTIATE_TEST_SUITE_P(Airtime, DamagedFiles, testing::Values("arena", "guard"), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(Air, DamagedFiles, testing::Values("arena", "guard"), name_of_kind);
 INSTANTIATE_TEST_SUITE_P(Place, DamagedFiles, testing::Values("presence", "location"),
                          name_of_kind);
 INSTANTIATE_TEST_SUITE_P(Talk, DamagedFiles, testing::Values("sharedlink", "listening"),

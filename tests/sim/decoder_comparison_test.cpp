@@ -40,20 +40,20 @@ class Careless : public Decoder {
   std::unique_ptr<Decoder> decoder_ = make_built_in_decoder("atmega");
 };
 
-TEST(Contest, SaysWhoLosesLess) {
+TEST(DecoderComparison, SaysWhoLosesLess) {
   const auto atmega = make_built_in_decoder("atmega");
   const Careless careless(4);
   std::vector<DecoderComparisonPoint> points{
-      contest(weak_point("0"), {&careless, atmega.get(), atmega.get()}, 640, two_threads)};
+      compare_decoders(weak_point("0"), {&careless, atmega.get(), atmega.get()}, 640, two_threads)};
   decide(points, 1e-3);
-  const auto& duels = points[0].duels;
-  ASSERT_EQ(duels.size(), 3U);
-  for (const PairComparison& duel : duels) {
-    const bool of_equals = duel.first == 1;
-    EXPECT_EQ(duel.decided, !of_equals) << duel.first << duel.second;
+  const auto& pairs = points[0].pairs;
+  ASSERT_EQ(pairs.size(), 3U);
+  for (const PairComparison& pair : pairs) {
+    const bool of_equals = pair.first == 1;
+    EXPECT_EQ(pair.decided, !of_equals) << pair.first << pair.second;
     if (!of_equals) {
-      EXPECT_FALSE(duel.first_wins());
-      EXPECT_EQ(duel.losses.baseline_only, 0U);
+      EXPECT_FALSE(pair.first_wins());
+      EXPECT_EQ(pair.losses.baseline_only, 0U);
     }
   }
   EXPECT_EQ(points[0].counts[1].frames, 640U);
@@ -62,30 +62,30 @@ TEST(Contest, SaysWhoLosesLess) {
 }
 
 // Ten of fifteen coins, or five: 2 (3003 + 1365 + 455 + 105 + 15 + 1) / 2^15.
-TEST(Contest, IsTwoSided) {
+TEST(DecoderComparison, IsTwoSided) {
   const ScriptedDecoder ten(losing(0, 10)), five(losing(10, 15));
   for (const bool swapped : {false, true}) {
-    const auto duels = contest(weak_point("0"),
-                               swapped ? std::vector<const Decoder*>{&five, &ten}
-                                       : std::vector<const Decoder*>{&ten, &five},
-                               64, two_threads)
-                           .duels;
-    ASSERT_EQ(duels.size(), 1U);
-    EXPECT_NEAR(duels[0].p_value, 2 * 4944.0 / 32768, 1e-12);
-    EXPECT_EQ(duels[0].first_wins(), swapped);
+    const auto pairs = compare_decoders(weak_point("0"),
+                                        swapped ? std::vector<const Decoder*>{&five, &ten}
+                                                : std::vector<const Decoder*>{&ten, &five},
+                                        64, two_threads)
+                           .pairs;
+    ASSERT_EQ(pairs.size(), 1U);
+    EXPECT_NEAR(pairs[0].p_value, 2 * 4944.0 / 32768, 1e-12);
+    EXPECT_EQ(pairs[0].first_wins(), swapped);
   }
 }
 
-TEST(Contest, LeavesOpenWhatFewFramesDoNotTell) {
+TEST(DecoderComparison, LeavesOpenWhatFewFramesDoNotTell) {
   const auto atmega = make_built_in_decoder("atmega");
   const Careless careless(10);
   std::vector<DecoderComparisonPoint> points{
-      contest(weak_point("0"), {&careless, atmega.get()}, 64, two_threads)};
+      compare_decoders(weak_point("0"), {&careless, atmega.get()}, 64, two_threads)};
   decide(points, 1e-3);
-  EXPECT_FALSE(points[0].duels[0].decided);
+  EXPECT_FALSE(points[0].pairs[0].decided);
 }
 
-TEST(Contest, DoesNotLetTheSilentTakePart) {
+TEST(DecoderComparison, DoesNotLetTheSilentTakePart) {
   const auto atmega = make_built_in_decoder("atmega");
   class Silent : public Decoder {
    public:
@@ -96,9 +96,9 @@ TEST(Contest, DoesNotLetTheSilentTakePart) {
     std::string name_ = "silent";
   } silent;
   std::vector<DecoderComparisonPoint> points{
-      contest(weak_point("0"), {&silent, atmega.get()}, 64, two_threads)};
+      compare_decoders(weak_point("0"), {&silent, atmega.get()}, 64, two_threads)};
   EXPECT_TRUE(points[0].faults[0].has_value());
-  EXPECT_TRUE(points[0].duels.empty());
+  EXPECT_TRUE(points[0].pairs.empty());
   EXPECT_EQ(points[0].counts[0].frames, 0U);
   const std::vector<const Decoder*> decoders{&silent, atmega.get()};
   EXPECT_NE(decoder_comparison_text({points, decoders, 1e-3}).find("silent failed at x: "),

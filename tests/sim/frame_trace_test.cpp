@@ -75,7 +75,7 @@ TEST(FrameTrace, SaysWhatADecoderAcceptedThatSaysNoCharacters) {
     return story.substr(story.find("scripted:"));
   };
   EXPECT_EQ(end_of(3),
-            "scripted: undetected_error\n    accepted \"A C\"\n    accepted \"D\\x01\"\n");
+            "scripted: undetected error\n    accepted \"A C\"\n    accepted \"D\\x01\"\n");
   EXPECT_EQ(end_of(4), "scripted: delivered\n    accepted \"A B\"\n");
 }
 

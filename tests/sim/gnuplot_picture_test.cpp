@@ -246,7 +246,7 @@ TEST_F(GnuplotPicture, SaysThatItIsOursAndIsWhole) {
   EXPECT_EQ(read.err, "");
 }
 
-TEST(OwnPicture, IsNotWhatAnotherProgramMade) {
+TEST(ImageProvenance, IsNotWhatAnotherProgramMade) {
   EXPECT_FALSE(marked_as_own("", PaperFormat::png));
   EXPECT_FALSE(marked_as_own("\x89PNG\r\n\x1a\n cut", PaperFormat::png));
   EXPECT_FALSE(marked_as_own("%PDF-1.5\n cut", PaperFormat::pdf));

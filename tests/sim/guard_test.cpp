@@ -86,14 +86,14 @@ TEST(Guard, ItsArenaIsThatOfAnArena) {
   // the same scenario.
   const auto arenas = counted_points(arena_measurement, loaded(room), {});
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(guards[0].tally.senders[i].fate, arenas[0].tally.senders[i].fate);
+    EXPECT_EQ(guards[0].tally.senders[i].by_cause, arenas[0].tally.senders[i].by_cause);
 }
 
 TEST(Guard, WhateverTheLineDoesTheGuardHearsTheSame) {
   const auto points =
       counted_points(guard_measurement, loaded(room, {"guard.byte_error_ratio=0,0.1"}), {});
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(points[0].tally.senders[i].fate, points[1].tally.senders[i].fate);
+    EXPECT_EQ(points[0].tally.senders[i].by_cause, points[1].tally.senders[i].by_cause);
 }
 
 TEST(Guard, AWorseLineLosesMoreAndOnlyThere) {

@@ -17,9 +17,9 @@ Numbers numbers(std::uint32_t first, int n) {
   return of_lot;
 }
 
-Numbers joined(const std::vector<Numbers>& lots) {
+Numbers joined(const std::vector<Numbers>& batches) {
   Numbers all;
-  for (const Numbers& lot : lots) all.insert(all.end(), lot.begin(), lot.end());
+  for (const Numbers& batch : batches) all.insert(all.end(), batch.begin(), batch.end());
   return all;
 }
 
@@ -69,10 +69,10 @@ TEST(ParallelRuns, GivesLotsInOrderToTheCallingThreadWhileOthersGoOn) {
   const auto caller = std::this_thread::get_id();
   Numbers all;
   std::uint32_t runs = 0;
-  sharing.in_order([&](Numbers&& lot, std::uint32_t n) {
+  sharing.in_order([&](Numbers&& batch, std::uint32_t n) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
-    EXPECT_EQ(lot.size(), n);
-    all.insert(all.end(), lot.begin(), lot.end());
+    EXPECT_EQ(batch.size(), n);
+    all.insert(all.end(), batch.begin(), batch.end());
     runs += n;
     first_taken = true;
   });

@@ -2,6 +2,8 @@
 #include "sim/engine/run_counting.hpp"
 #include "sim/columns/columns_dataset.hpp"
 
+#include <random>
+
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/arena/arena_columns.hpp"
@@ -39,6 +41,29 @@ std::string counted_shard(const Measurement<Setup, Tally, Point>& kind,
   return counting.checkpoint();
 }
 
+/// Bytes of a checkpoint are changed at random: it is refused, or what it then says is described.
+template <class Setup, class Tally, class Point>
+void expect_damage_to_be_met(const Measurement<Setup, Tally, Point>& kind,
+                             const LoadedScenario& scenario, const Columns<Point>& columns) {
+  const std::string whole = counted_shard(kind, scenario, {}, 2);
+  std::mt19937_64 random(1);
+  int refused = 0;
+  for (int i = 0; i < 10; ++i) {
+    std::string damaged = whole;
+    for (int bytes = 0; bytes < 3; ++bytes)
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    RunCounting<Setup, Tally, Point> counting(kind, scenario);
+    try {
+      counting.add(damaged);
+      counting.describe_all({});
+      dataset_json(dataset_of(scenario, "", columns, counting.points()));
+    } catch (const std::exception&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
 template <class Setup, class Tally, class Point>
 void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
                             const LoadedScenario& scenario, const Columns<Point>& columns) {
@@ -49,6 +74,7 @@ void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
   EXPECT_NE(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
   sum.describe_all({});
   EXPECT_EQ(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
+  expect_damage_to_be_met(kind, scenario, columns);
 }
 
 TEST(RunCounting, PartsOfAnArenaAddUp) {
@@ -191,6 +217,32 @@ TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
     counting.bring_up_to_date();
     EXPECT_EQ(counting.points()[0].runs, first_numbers(done));
   });
+}
+
+TEST(CheckpointBytes, AListThatIsLongerThanTheBytesIsRefused) {
+  const std::string bytes = bytes_of(std::vector<std::uint64_t>{1, 2, 3});
+  EXPECT_EQ(from_bytes<std::vector<std::uint64_t>>(bytes), (std::vector<std::uint64_t>{1, 2, 3}));
+  std::string endless = bytes;
+  endless[7] = 0x7f;  // of its length
+  EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(endless), cereal::Exception);
+  EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(bytes.substr(0, bytes.size() - 1)),
+               cereal::Exception);
+  EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(""), cereal::Exception);
+  std::string big_endian = bytes;
+  big_endian[0] = 0;
+  EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(big_endian), cereal::Exception);
+}
+
+TEST(CheckpointBytes, ATallyOfOtherDevicesIsRefused) {
+  const LoadedScenario scenario = small_scenario("arena", "arena.runs=3");
+  RunCounting<Arena, ArenaRuns, ArenaPoint> counting(arena_measurement, scenario);
+  CountedRuns<ArenaRuns> without_senders;
+  without_senders.n = 1;
+  without_senders.tally.tally.n_runs = 1;
+  std::vector<std::vector<CountedRuns<ArenaRuns>>> forged(counting.points().size());
+  forged[0] = {without_senders};
+  counting.add(bytes_of(forged));
+  EXPECT_THROW(counting.describe_all({}), Failure);
 }
 
 }  // namespace

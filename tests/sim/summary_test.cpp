@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
+TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
   const std::string words = summary_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
                                                  point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
                                        {});
@@ -30,21 +30,21 @@ TEST(Verdict, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
       << words;
 }
 
-TEST(Verdict, OfNoLossNamesNone) {
+TEST(Summary, OfNoLossNamesNone) {
   const std::string words = summary_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
   EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
             std::string::npos);
   EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
 }
 
-TEST(Verdict, OfOnePointGivesTheLossItsInterval) {
+TEST(Summary, OfOnePointGivesTheLossItsInterval) {
   const std::string words = summary_of(sweep_of({point_of(1, 48, 0)}), {});
   EXPECT_EQ(
       words.find("48 frames were simulated; 0 of them were lost: frame loss ratio < 7.4e-2.\n"), 0U)
       << words;
 }
 
-TEST(Verdict, SaysHowManyPointsHaveNoEstimate) {
+TEST(Summary, SaysHowManyPointsHaveNoEstimate) {
   ExperimentResult result = sweep_of({point_of(1, 48, 20), point_of(2, 48, 4), point_of(3, 48, 1)});
   for (PointResult& point : result.points) {  // one of a few runs makes all of the estimate
     point.tally.weighted.n_groups = 6;
@@ -57,7 +57,7 @@ TEST(Verdict, SaysHowManyPointsHaveNoEstimate) {
   EXPECT_EQ(summary_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
 }
 
-TEST(Verdict, SaysOnWhichSideOfTheSignalNoiseIs) {
+TEST(Summary, SaysOnWhichSideOfTheSignalNoiseIs) {
   ExperimentResult result = sweep_of({point_of(1, 1000, 1000)});
   result.points[0].operating.snr_db = -32;
   EXPECT_NE(summary_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
@@ -83,7 +83,7 @@ ExperimentResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& los
 
 constexpr std::array<std::uint64_t, 3> near{0, 1000, 1000}, far{0, 0, 1000}, dead{1000, 1000, 1000};
 
-TEST(Verdict, SaysHowFarEachOfAFewLinksReaches) {
+TEST(Summary, SaysHowFarEachOfAFewLinksReaches) {
   const std::string words = summary_of(modules_of({near, far, dead}), {});
   EXPECT_NE(words.find("\nFrame loss passes 1 % along receiver.range_m at: receiver.module = B: "
                        "between 2 and 3 m; receiver.module = A: between 1 and 2 m; "
@@ -111,7 +111,7 @@ void expect_says(const ExperimentResult& result, const std::string& line) {
   EXPECT_NE(words.find("\n" + line), std::string::npos) << words;
 }
 
-TEST(Verdict, NamesTheLinksThatComeFirst) {
+TEST(Summary, NamesTheLinksThatComeFirst) {
   expect_says(modules_of({near, far, near, near, dead}),
               "Of 5 links B (between 2 and 3 m) comes first. How far each reaches is listed "
               "below.\nOne point is looked at closer: at receiver.module = ");
@@ -121,14 +121,14 @@ TEST(Verdict, NamesTheLinksThatComeFirst) {
               "5 links. How far each reaches is listed below.\n");
 }
 
-TEST(Verdict, OfManyValuesOfANumberSaysTheFirstAndTheLast) {
+TEST(Summary, OfManyValuesOfANumberSaysTheFirstAndTheLast) {
   expect_says(currents_of({far, far, near, near, dead}),
               "First of 5 links: led.current_ma = 0 mA (between 2 and 3 m), led.current_ma = 1 mA "
               "(between 2 and 3 m); last: led.current_ma = 4 mA (short of the sweep: more than 1 % "
               "lost in all of 1 .. 3 m). How far each reaches is listed below.\n");
 }
 
-TEST(Verdict, ComparesLinksThatAreCountedFarEnoughAlone) {
+TEST(Summary, ComparesLinksThatAreCountedFarEnoughAlone) {
   expect_says(counted_before(11, modules_of({near, far, near, far, dead})),
               "Of 3 links that are counted far enough (of 5) B (between 2 and 3 m) comes first. ");
   expect_says(counted_before(18, currents_of({far, far, far, far, far, near, near})),
@@ -136,7 +136,7 @@ TEST(Verdict, ComparesLinksThatAreCountedFarEnoughAlone) {
               "last: led.current_ma = 5 mA (between 1 and 2 m). ");
 }
 
-TEST(Verdict, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
+TEST(Summary, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
   ExperimentResult result = modules_of({far, near, near, near, near});
   result.points[0].outside = 1;
   expect_says(result, "Of 5 links A (between 2 and 3 m, outside of what a model is valid for: " +
@@ -144,7 +144,7 @@ TEST(Verdict, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
 }
 
 // The first loses 60 % at 2 m, which is nearer to half than what the second ever loses.
-TEST(Verdict, LooksCloserAtTheLinkThatComesFirst) {
+TEST(Summary, LooksCloserAtTheLinkThatComesFirst) {
   const ExperimentResult result = modules_of({{0, 600, 1000}, {0, 0, 900}});
   EXPECT_EQ(failing_point(result)->coordinates, (std::vector<double>{1, 3}));
   const ExperimentResult alone = modules_of({{0, 600, 1000}});
@@ -161,7 +161,7 @@ std::vector<std::string> limit_names(const Ablations& ablations) {
   return names;
 }
 
-TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
+TEST(Summary, SaysHowMuchFartherTheLinkWouldGo) {
   const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
   Ablations ablations{"",
                       {ablation("", 90), ablation("without noise", 89),
@@ -191,7 +191,7 @@ TEST(Verdict, SaysHowMuchFartherTheLinkWouldGo) {
   EXPECT_EQ(section->table->rows[2].back(), "-");
 }
 
-TEST(Verdict, NamesWhatTheLossIsClearlyLessWithout) {
+TEST(Summary, NamesWhatTheLossIsClearlyLessWithout) {
   const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
   const Ablations some{"",
                        {ablation("", 90), ablation("without noise", 85),

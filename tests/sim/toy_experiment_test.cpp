@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cereal/types/vector.hpp>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -18,6 +17,7 @@
 #include "sim/command/command_line.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/failure.hpp"
+#include "sim/loading/load_scenario.hpp"
 #include "sim/report/point_run.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/key_making.hpp"
@@ -181,6 +181,13 @@ class ToyExperiment : public testing::Test {
     return testing::internal::GetCapturedStdout();
   }
 
+  /// The same of one that succeeds.
+  static std::string done(std::vector<std::string> words) {
+    const std::string text = said(std::move(words));
+    EXPECT_EQ(code_, 0) << text;
+    return text;
+  }
+
   static inline int code_ = 0;
   const KnownExperiment known_{dice};
 
@@ -189,8 +196,7 @@ class ToyExperiment : public testing::Test {
 };
 
 TEST_F(ToyExperiment, HasATableOfItsColumns) {
-  const std::string table = said({"run", "d.toml", "-q"});
-  ASSERT_EQ(code_, 0) << table;
+  const std::string table = done({"run", "d.toml", "-q"});
   EXPECT_TRUE(
       table.starts_with("      dice\n"
                         "     sides            share of ones                 mean\n"
@@ -200,7 +206,7 @@ TEST_F(ToyExperiment, HasATableOfItsColumns) {
 }
 
 TEST_F(ToyExperiment, IsInJsonAndInHdf5) {
-  const auto json = nlohmann::json::parse(said({"run", "d.toml", "-q", "--json"}));
+  const auto json = nlohmann::json::parse(done({"run", "d.toml", "-q", "--json"}));
   const auto& variables = json["variables"];
   EXPECT_EQ(variables["n_runs"]["values"], (std::vector<int>{300, 300, 300}));
   EXPECT_NEAR(variables["mean_eyes"]["values"][1].get<double>(), 3.5, 0.5);
@@ -215,9 +221,8 @@ TEST_F(ToyExperiment, IsInJsonAndInHdf5) {
 }
 
 TEST_F(ToyExperiment, HasAPage) {
-  said({"run", "d.toml", "-q"});
-  said({"report", "d.h5", "-o", "d.html"});
-  ASSERT_EQ(code_, 0);
+  done({"run", "d.toml", "-q"});
+  done({"report", "d.h5", "-o", "d.html"});
   const std::string page = text_of("d.html");
   for (const char* words : {"The result is of 900 runs at 3 points.", "Share of ones is least at ",
                             "<desc>share of ones over dice.sides</desc>",
@@ -226,21 +231,37 @@ TEST_F(ToyExperiment, HasAPage) {
 }
 
 TEST_F(ToyExperiment, IsPlottedPlannedAndCompared) {
-  EXPECT_NE(said({"run", "d.toml", "-q", "--plot"}).find("share of ones, logarithmic"),
+  EXPECT_NE(done({"run", "d.toml", "-q", "--plot"}).find("share of ones, logarithmic"),
             std::string::npos);
-  EXPECT_NE(said({"run", "d.toml", "--plan"}).find("dice"), std::string::npos);
-  said({"run", "d.toml", "-q", "-o", "one.h5", "-t", "1"});
-  EXPECT_EQ(said({"diff", "d.h5", "one.h5"}), "equal: the same counts at every point\n");
-  said({"run", "d.toml", "-q", "-o", "other.h5", "-S", "5"});
-  EXPECT_TRUE(said({"diff", "d.h5", "other.h5"}).starts_with("compatible: no ratio of 3 "));
+  EXPECT_NE(done({"run", "d.toml", "--plan"}).find("sides"), std::string::npos);
+  done({"run", "d.toml", "-q", "-o", "one.h5", "-t", "1"});
+  EXPECT_EQ(done({"diff", "d.h5", "one.h5"}), "equal: the same counts at every point\n");
+  done({"run", "d.toml", "-q", "-o", "other.h5", "-S", "5"});
+  EXPECT_TRUE(done({"diff", "d.h5", "other.h5"}).starts_with("compatible: no ratio of 3 "));
 }
 
-TEST_F(ToyExperiment, IsGoneOnWithAndSharedOut) {
-  const std::string digest = last_word(said({"run", "d.toml", "-q"}));
+TEST_F(ToyExperiment, IsSharedOut) {
+  const std::string digest = last_word(done({"run", "d.toml", "-q"}));
   for (const char* shard : {"1/3", "2/3", "3/3"})
-    said({"run", "d.toml", "-q", "--shard", shard, "-o", std::string(1, shard[0]) + ".h5"});
-  EXPECT_EQ(last_word(said({"merge", "3.h5", "1.h5", "2.h5", "-o", "sum.h5"})), digest);
-  EXPECT_EQ(last_word(said({"run", "d.toml", "-q", "--resume"})), digest);
+    done({"run", "d.toml", "-q", "--shard", shard, "-o", std::string(1, shard[0]) + ".h5"});
+  EXPECT_EQ(last_word(done({"merge", "3.h5", "1.h5", "2.h5", "-o", "sum.h5"})), digest);
+}
+
+TEST_F(ToyExperiment, IsGoneOnWith) {
+  const LoadedScenario scenario = load_scenario("d.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
+  RunCounting<Dice, Throws, DicePoint> begun(dice_measurement, scenario),
+      whole(dice_measurement, scenario);
+  begun.count(0, {}, {});
+  RunCounting<Dice, Throws, DicePoint> resumed(dice_measurement, scenario);
+  resumed.add(begun.checkpoint());
+  EXPECT_EQ(resumed.n_begun(), 1U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    resumed.count(i, {}, {});
+    whole.count(i, {}, {});
+  }
+  resumed.describe_all({});
+  EXPECT_EQ(dataset_digest(dataset_of(scenario, "", dice_columns(), resumed.points())),
+            dataset_digest(dataset_of(scenario, "", dice_columns(), whole.points())));
 }
 
 TEST_F(ToyExperiment, RefusesWhatItDoesNotKnow) {
