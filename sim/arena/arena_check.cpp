@@ -1,5 +1,4 @@
 #include "sim/arena/arena_check.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "sim/arena/trajectory.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/spelling.hpp"

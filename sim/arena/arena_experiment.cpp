@@ -50,7 +50,9 @@ void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs
 
 bool fits_arena(const Arena& arena, const ArenaRuns& runs) {
   const std::size_t senders = arena.senders.size();
-  return runs.tally.senders.size() == senders &&
+  const auto is_sound = [](const SenderTally& tally) { return tally.losses.is_sound(); };
+  return runs.tally.senders.size() == senders && runs.tally.losses.is_sound() &&
+         std::ranges::all_of(runs.tally.senders, is_sound) &&
          std::ranges::all_of(runs.heard, [&](const HeardFrame& h) { return h.sender < senders; });
 }
 

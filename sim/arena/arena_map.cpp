@@ -13,9 +13,9 @@
 #include "sim/arena/trajectory.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/picture/floor_plan.hpp"
+#include "sim/result/place_text.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/section/dataset_cells.hpp"
-#include "sim/section/dataset_words.hpp"
 
 namespace sim {
 namespace {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "protocol/cosys.hpp"
 #include "protocol/soft_decoder.hpp"
 #include "protocol/uart_receivers.hpp"
@@ -65,6 +67,12 @@ std::string last_line_of(const std::string& words) {
   for (const std::string_view one : split(words, '\n'))
     if (!trimmed(one).empty()) line = escaped(trimmed(one));
   return line.empty() ? "it said nothing" : line;
+}
+
+std::string fault_line(const std::string& decoder, const std::string& place,
+                       const DecoderFault& fault) {
+  return fmt::format("{} failed at {}: {} ({})\n", decoder, place, fault.what,
+                     last_line_of(fault.words));
 }
 
 std::vector<std::string> built_in_decoders() {

@@ -22,6 +22,10 @@ struct DecoderFault {
 /// The last line of what a decoder said, for a line of ours: "sh: 1: mine: not found".
 std::string last_line_of(const std::string& words);
 
+/// A line: "mine failed at receiver.range_m = 2 m: it ended with exit code 1 (last line)".
+std::string fault_line(const std::string& decoder, const std::string& place,
+                       const DecoderFault& fault);
+
 struct Decoded {
   std::vector<std::string> accepted;  // device messages whose checksum was right, in order
   std::optional<DecoderFault> fault;

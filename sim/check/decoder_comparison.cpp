@@ -1,9 +1,8 @@
 #include "sim/check/decoder_comparison.hpp"
-#include "sim/counting/holm.hpp"
 
 #include <algorithm>
 
-#include "sim/check/sequential_test.hpp"
+#include "sim/counting/holm.hpp"
 
 namespace sim {
 namespace {

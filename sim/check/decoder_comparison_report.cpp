@@ -60,15 +60,12 @@ std::vector<TextColumn> comparison_columns(const DecoderComparisonReport& report
   return columns;
 }
 
-std::string faults_text(const DecoderComparisonReport& report) {
+std::string all_faults(const DecoderComparisonReport& report) {
   std::string text;
   for (const DecoderComparisonPoint& point : report.points)
-    for (std::size_t d = 0; d < report.decoders.size(); ++d) {
-      const auto& fault = point.faults[d];
-      if (!fault) continue;
-      text += fmt::format("{} failed at {}: {} ({})\n", report.decoders[d]->name(),
-                          point.point.name, fault->what, last_line_of(fault->words));
-    }
+    for (std::size_t d = 0; d < report.decoders.size(); ++d)
+      if (const auto& fault = point.faults[d])
+        text += fault_line(report.decoders[d]->name(), point.point.name, *fault);
   return text;
 }
 
@@ -106,7 +103,7 @@ std::string decoder_comparison_text(const DecoderComparisonReport& report) {
     row.push_back(unbeaten(report, point));
     text += table_line(columns, row);
   }
-  text += faults_text(report);
+  text += all_faults(report);
   for (std::size_t second = 1; second < report.decoders.size(); ++second)
     for (std::size_t first = 0; first < second; ++first) {
       const Score score = score_of(report, first, second);

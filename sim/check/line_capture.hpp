@@ -1,6 +1,6 @@
 #pragma once
-// A marked line as a capture for somebody's decoder: the formats that a command may ask for, by the
-// word in braces which stands for the file: "sigrok-cli -i {sr} ...".
+// A delimited stream as a capture for somebody's decoder: the formats that a command may ask for,
+// by the word in braces which stands for the file: "sigrok-cli -i {sr} ...".
 #include <span>
 #include <string>
 

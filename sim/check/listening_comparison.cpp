@@ -15,7 +15,7 @@ namespace {
 
 constexpr double comparison_ci_level = 0.95;
 
-using OfDecoders = std::vector<Accepts>;
+using AcceptsOfDecoders = std::vector<Accepts>;
 
 DecoderFault lost_markers() {
   return {.kind = DecoderFault::Kind::garbage,
@@ -38,11 +38,12 @@ Accepts accepts_of(const Listening& listening, const Decoder& decoder,
   return accepts;
 }
 
-OfDecoders accepts_of_all(const Listening& listening, dsp::Hertz baud, const Decoders& decoders,
-                          std::uint32_t first, int n, const std::atomic<bool>* stop) {
+AcceptsOfDecoders accepts_of_all(const Listening& listening, dsp::Hertz baud,
+                                 const Decoders& decoders, std::uint32_t first, int n,
+                                 const std::atomic<bool>* stop) {
   const JudgedLink judged{listening.link, baud};
   const HeardTrials heard = hear_runs(listening, first, n, stop);
-  OfDecoders all(decoders.size());
+  AcceptsOfDecoders all(decoders.size());
   for (std::size_t i = 0; i < heard.pins.size() && !is_stopped(stop); ++i) {
     const DelimitedStream line = mark(judged, first + static_cast<std::uint32_t>(i), heard.pins[i]);
     for (std::size_t d = 0; d < decoders.size(); ++d)
@@ -74,7 +75,7 @@ ListeningComparisonPoint listening_comparison(const LoadedScenario& scenario, st
   const Scenario at = point_scenario(scenario, coordinates);
   refuse_marker(scenario, at.device.message);
   const Listening listening = make_listening(at);
-  ParallelRuns<OfDecoders> sharing(
+  ParallelRuns<AcceptsOfDecoders> sharing(
       {.runs = static_cast<std::uint32_t>(at.settings.of<ListeningSettings>().runs),
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},
@@ -84,9 +85,9 @@ ListeningComparisonPoint listening_comparison(const LoadedScenario& scenario, st
       });
   ListeningComparisonPoint result{.name = point_name(scenario, coordinates),
                                   .hours_of_a_run = hours_of(listening, 1),
-                                  .accepts = OfDecoders(decoders.size())};
-  for (const OfDecoders& lot : sharing())
-    for (std::size_t d = 0; d < lot.size(); ++d) result.accepts[d] += lot[d];
+                                  .accepts = AcceptsOfDecoders(decoders.size())};
+  for (const AcceptsOfDecoders& batch : sharing())
+    for (std::size_t d = 0; d < batch.size(); ++d) result.accepts[d] += batch[d];
   return result;
 }
 

@@ -11,14 +11,14 @@ namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using ContestPoints = std::vector<ListeningComparisonPoint>;
+using ListeningPoints = std::vector<ListeningComparisonPoint>;
 
 double hours_of(const ListeningComparisonPoint& point, std::size_t decoder) {
   return static_cast<double>(point.accepts[decoder].n_runs) * point.hours_of_a_run;
 }
 
 /// A line a decoder, for there may be many.
-std::vector<TextColumn> columns_for(const ContestPoints& points, const Decoders& decoders) {
+std::vector<TextColumn> accepts_columns(const ListeningPoints& points, const Decoders& decoders) {
   std::size_t names = 5, decoder_names = 7;
   for (const ListeningComparisonPoint& point : points) names = std::max(names, point.name.size());
   for (const Decoder* decoder : decoders)
@@ -31,8 +31,8 @@ std::vector<TextColumn> columns_for(const ContestPoints& points, const Decoders&
           {{"wrong accepts", "[1/h]", "[interval]"}, -estimate_width}};
 }
 
-std::vector<std::string> row_of(const ListeningComparisonPoint& point, const Decoders& decoders,
-                                std::size_t d) {
+std::vector<std::string> accepts_row(const ListeningComparisonPoint& point,
+                                     const Decoders& decoders, std::size_t d) {
   const Accepts& accepts = point.accepts[d];
   if (accepts.fault) return {point.name, decoders[d]->name(), "", "", "", "failed"};
   return {point.name,
@@ -43,13 +43,12 @@ std::vector<std::string> row_of(const ListeningComparisonPoint& point, const Dec
           estimate_text(point.wrong_per_hour(d))};
 }
 
-std::string faults_text(const ContestPoints& points, const Decoders& decoders) {
+std::string faults_while_listening(const ListeningPoints& points, const Decoders& decoders) {
   std::string text;
   for (const ListeningComparisonPoint& point : points)
     for (std::size_t d = 0; d < decoders.size(); ++d)
       if (const auto& fault = point.accepts[d].fault)
-        text += fmt::format("{} failed at {}: {} ({})\n", decoders[d]->name(), point.name,
-                            fault->what, last_line_of(fault->words));
+        text += fault_line(decoders[d]->name(), point.name, *fault);
   return text;
 }
 
@@ -69,16 +68,16 @@ Json decoder_json(const ListeningComparisonPoint& point, const Decoders& decoder
 
 }  // namespace
 
-std::string listening_comparison_text(const ContestPoints& points, const Decoders& decoders) {
-  const std::vector<TextColumn> columns = columns_for(points, decoders);
+std::string listening_comparison_text(const ListeningPoints& points, const Decoders& decoders) {
+  const std::vector<TextColumn> columns = accepts_columns(points, decoders);
   std::string text = table_head(columns);
   for (const ListeningComparisonPoint& point : points)
     for (std::size_t d = 0; d < decoders.size(); ++d)
-      text += table_line(columns, row_of(point, decoders, d));
-  return text + faults_text(points, decoders);
+      text += table_line(columns, accepts_row(point, decoders, d));
+  return text + faults_while_listening(points, decoders);
 }
 
-std::string listening_comparison_json(const ContestPoints& points, const Decoders& decoders) {
+std::string listening_comparison_json(const ListeningPoints& points, const Decoders& decoders) {
   Json list = Json::array();
   for (const ListeningComparisonPoint& point : points) {
     Json of_point = Json::array();

@@ -1,10 +1,10 @@
 #include "sim/check/point_check.hpp"
-#include "sim/counting/holm.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/check/unpaired_losses.hpp"
+#include "sim/counting/holm.hpp"
 
 namespace sim {
 namespace {

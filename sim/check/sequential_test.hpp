@@ -1,7 +1,7 @@
 #pragma once
-// The gate of a decoder regression: frame by frame on the same light, is the candidate worse than
-// the baseline? It looks a few times on the way and stops when it knows, with errors that hold for
-// all looks together:
+// A sequential test of a decoder's regression: frame by frame on the same light, is the candidate
+// worse than the baseline? It looks a few times on the way and stops when it knows, with errors
+// that hold for all looks together:
 //   * a candidate that loses no more than the baseline fails with probability alpha at most: at
 //     each look McNemar's exact test with its share of alpha;
 //   * one that loses `worse_than` times as much or more, and more than is negligible, passes with

@@ -218,14 +218,14 @@ class Columns {
     using To = Column<Point>;
     return std::visit(
         [](const auto& kind) -> typename To::Kind {
-          using Kind = std::decay_t<decltype(kind)>;
-          if constexpr (std::is_same_v<Kind, typename From::Count>)
+          using Held = std::decay_t<decltype(kind)>;
+          if constexpr (std::is_same_v<Held, typename From::Count>)
             return typename To::Count{kind.read};
-          else if constexpr (std::is_same_v<Kind, typename From::Real>)
+          else if constexpr (std::is_same_v<Held, typename From::Real>)
             return typename To::Real{kind.read, kind.text};
-          else if constexpr (std::is_same_v<Kind, typename From::Ratio>)
+          else if constexpr (std::is_same_v<Held, typename From::Ratio>)
             return typename To::Ratio{kind.read, kind.text};
-          else if constexpr (std::is_same_v<Kind, typename From::Words>)
+          else if constexpr (std::is_same_v<Held, typename From::Words>)
             return typename To::Words{kind.read, kind.texts};
           else
             return typename To::Flags{kind.read, kind.names, kind.text};

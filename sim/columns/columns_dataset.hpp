@@ -1,6 +1,5 @@
 #pragma once
 // The columns of a result as variables of a Dataset, for HDF5, JSON and the page.
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>

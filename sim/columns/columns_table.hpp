@@ -1,6 +1,7 @@
 #pragma once
 // The columns of a result as a table in the terminal: a row for each point, or for each element
 // that a point has of a dimension.
+#include <cassert>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -19,11 +20,11 @@ template <class Point>
 std::string cell_text(const Column<Point>& column, const Point& point, std::size_t element = 0) {
   return std::visit(
       [&](const auto& kind) -> std::string {
-        using Kind = std::decay_t<decltype(kind)>;
+        using Held = std::decay_t<decltype(kind)>;
         const auto value = kind.read(point, element);
-        if constexpr (std::is_same_v<Kind, typename Column<Point>::Count>)
+        if constexpr (std::is_same_v<Held, typename Column<Point>::Count>)
           return std::to_string(value);
-        else if constexpr (std::is_same_v<Kind, typename Column<Point>::Words>)
+        else if constexpr (std::is_same_v<Held, typename Column<Point>::Words>)
           return value;
         else
           return kind.text(value);
@@ -38,18 +39,26 @@ class PointTable {
   /// `any`: one of the points, before its first run or after it.
   PointTable(const Columns<Point>& columns, const LoadedScenario& scenario, const Point& any)
       : axes_(scenario.sweep), headings_(axis_columns(axes_)) {
-    const std::vector<Column<Point>>& all = columns.all();
-    for (std::size_t c = 0; c < all.size(); ++c) {
-      if (all[c].is_shown != nullptr && !all[c].is_shown(scenario)) continue;
-      if (all[c].spread) {
-        const std::size_t first = c;
-        while (c + 1 < all.size() && all[c + 1].spread && all[c + 1].over == all[first].over) ++c;
-        spread({all.begin() + first, all.begin() + c + 1},
-               columns.dimension_of(all[first].over.front()).labels(any));
-      } else if (all[c].has_heading() && all[c].over.empty()) {
-        add(all[c], 0, all[c].heading);
+    std::vector<Column<Point>> spread_together;  // of one dimension, one behind the other
+    const auto spread_them = [&] {
+      if (!spread_together.empty())
+        spread(spread_together,
+               columns.dimension_of(spread_together.front().over.front()).labels(any));
+      spread_together.clear();
+    };
+    for (const Column<Point>& column : columns.all()) {
+      if (column.is_shown != nullptr && !column.is_shown(scenario)) continue;
+      if (!spread_together.empty() &&
+          (!column.spread || column.over != spread_together.front().over))
+        spread_them();
+      if (column.spread) {
+        assert(column.over.size() == 1);
+        spread_together.push_back(column);
+      } else if (column.has_heading() && column.over.empty()) {
+        add(column, 0, column.heading);
       }
     }
+    spread_them();
   }
 
   std::string head() const { return table_head(headings_); }

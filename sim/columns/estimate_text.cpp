@@ -47,7 +47,7 @@ bool hides_an_end(const Estimate& e, int digits) {
 }  // namespace
 
 std::string estimate_text(const Estimate& e) {
-  if (std::isnan(e.value)) return "-";
+  if (!std::isfinite(e.value)) return "-";
   if (e.value == 0) return "< " + bound_text(e.high);
   std::string text = with_ends(e, digits_supported(e));
   for (int digits = digits_supported(e) + 1; hides_an_end(e, digits - 1); ++digits) {

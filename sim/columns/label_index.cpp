@@ -1,5 +1,8 @@
 #include "sim/columns/label_index.hpp"
 
+#include <string>
+#include <variant>
+
 namespace sim {
 namespace {
 

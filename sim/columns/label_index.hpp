@@ -2,8 +2,6 @@
 // The elements of a dimension, each once, in the order in which they are met.
 #include <cstddef>
 #include <map>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "sim/columns/column.hpp"

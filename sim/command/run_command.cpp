@@ -20,7 +20,6 @@
 #include "sim/report/report_json.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
-#include "sim/result/dataset.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/scenario/scenario.hpp"

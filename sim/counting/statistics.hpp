@@ -42,6 +42,10 @@ struct ClusterSums {
   /// One cluster more, of which `part` <= `whole`. One without anything to count is none.
   void add(std::uint64_t part_of_one, std::uint64_t whole_of_one);
   ClusterSums& operator+=(const ClusterSums& other);
+  /// Whether clusters can add up to it: a file may be damaged.
+  bool is_sound() const {
+    return part <= whole && whole_squared >= whole && (n > 0) == (whole > 0);
+  }
   bool operator==(const ClusterSums&) const = default;
   template <class Archive>
   void serialize(Archive& archive) {

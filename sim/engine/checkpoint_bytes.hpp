@@ -35,7 +35,8 @@ class CheckpointOutput
   std::string bytes_;
 };
 
-/// Reads them. No list is longer than the bytes that are left, so a damaged one asks for no memory.
+/// Reads them. A list has no more elements than bytes are left, so a damaged one asks for at most
+/// some hundred times the file.
 /// Throws cereal::Exception.
 class CheckpointInput
     : public cereal::InputArchive<CheckpointInput, cereal::AllowEmptyClassElision> {
@@ -49,6 +50,7 @@ class CheckpointInput
 
   void load(void* to, std::size_t size) {
     if (size > left_.size()) throw cereal::Exception("the bytes end too soon");
+    if (size == 0) return;
     std::memcpy(to, left_.data(), size);
     left_.remove_prefix(size);
   }
@@ -67,7 +69,14 @@ void CEREAL_SAVE_FUNCTION_NAME(CheckpointOutput& archive, const T& number) {
 template <class T>
 requires std::is_arithmetic_v<T>
 void CEREAL_LOAD_FUNCTION_NAME(CheckpointInput& archive, T& number) {
-  archive.load(&number, sizeof number);
+  if constexpr (std::is_same_v<T, bool>) {
+    std::uint8_t byte = 0;
+    archive.load(&byte, sizeof byte);
+    if (byte > 1) throw cereal::Exception("no truth value");
+    number = byte == 1;
+  } else {
+    archive.load(&number, sizeof number);
+  }
 }
 
 template <class T>
@@ -99,8 +108,9 @@ std::string bytes_of(const T& value) {
 template <class T>
 T from_bytes(const std::string& bytes) {
   CheckpointInput archive(bytes);
-  T value;
+  T value{};
   archive(value);
+  if (archive.left() != 0) throw cereal::Exception("there are more bytes");
   return value;
 }
 

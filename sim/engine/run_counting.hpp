@@ -174,16 +174,25 @@ class RunCounting {
                     "choose another file");
   }
 
-  /// Whether no shard has more runs than are its.
+  /// Whether the shards are apart, and none has more runs than are its.
   bool fit(const Counted& counted) const {
-    for (std::size_t i = 0; i < counted.size(); ++i)
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+      std::vector<Shard> shards;
+      for (const CountedRuns<Tally>& part : counted_[i]) shards.push_back(part.shard);
       for (const CountedRuns<Tally>& part : counted[i]) {
-        const bool is_shard = part.shard.number >= 1 && part.shard.number <= part.shard.count;
-        if (!is_shard) return false;
+        if (!is_shard(part.shard)) return false;
         const TrialRange range = runs_of(part.shard, asked_[i]);
         if (part.n > range.last - range.first) return false;
+        const auto overlaps = [&](const Shard& other) { return overlap(part.shard, other); };
+        if (std::ranges::any_of(shards, overlaps)) return false;
+        shards.push_back(part.shard);
       }
+    }
     return true;
+  }
+
+  static bool is_shard(const Shard& shard) {
+    return shard.number >= 1 && shard.number <= shard.count && shard.count <= most_shards;
   }
 
   static CountedRuns<Tally>& insert(std::vector<CountedRuns<Tally>>& parts,

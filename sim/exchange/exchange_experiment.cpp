@@ -24,6 +24,11 @@ constinit const Measurement<Exchange, ExchangeTally, ExchangePoint> exchange_mea
     .most_at_once = [](const Exchange&, std::uint32_t,
                        int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
     .run = run_exchange,
-    .describe = describe_exchange};
+    .describe = describe_exchange,
+    .fits =
+        [](const Exchange&, const ExchangeTally& tally) {
+          return tally.losses.is_sound() && tally.direction[0].losses.is_sound() &&
+                 tally.direction[1].losses.is_sound();
+        }};
 
 }  // namespace sim

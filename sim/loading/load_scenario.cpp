@@ -1,5 +1,4 @@
 #include "sim/loading/load_scenario.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,6 +18,7 @@
 #include "sim/scenario/interval_file.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/scenario/text_axis.hpp"
 #include "sim/text/text_file.hpp"
@@ -31,71 +31,72 @@ std::vector<Entry> scenario_entries(const std::string& text, const std::filesyst
   return read_entries(text, path, {"override", "part"});
 }
 
-std::string asked_for(const ParsedScenario& draft, const std::string& key,
+std::string asked_for(const ParsedScenario& parsed, const std::string& key,
                       const std::string& part) {
-  return fmt::format("{} = \"{}\" {}", key, part, place_of(draft.places, key));
+  return fmt::format("{} = \"{}\" {}", key, part, place_of(parsed.places, key));
 }
 
 /// LEDs of devices that have one of their own.
-void load_device_leds(Scenario& s, const ParsedScenario& draft, const PartSources& from,
+void load_device_leds(Scenario& s, const ParsedScenario& parsed, const PartSources& from,
                       std::vector<CarriedPart>& parts) {
   for (auto& [name, device] : s.devices) {
     if (device.led.empty()) continue;
-    auto led = load_led(device.led, from, asked_for(draft, "devices." + name + ".led", device.led));
+    auto led =
+        load_led(device.led, from, asked_for(parsed, "devices." + name + ".led", device.led));
     device.emitter = std::move(led.data);
     parts.push_back(std::move(led.source));
   }
 }
 
 /// The photodiode of an experiment that looks at the light itself.
-void load_photodiode(Scenario& s, const ParsedScenario& draft, const PartSources& from,
+void load_photodiode(Scenario& s, const ParsedScenario& parsed, const PartSources& from,
                      std::vector<CarriedPart>& parts) {
   const Key* key = find_key(s.experiment + ".photodiode");
   if (key == nullptr) return;
   const std::string& name = key->text(s);
-  auto photodiode = load_photodiode(name, from, asked_for(draft, key->name(), name));
+  auto photodiode = load_photodiode(name, from, asked_for(parsed, key->name(), name));
   s.photodiode = std::move(photodiode.data);
   parts.push_back(std::move(photodiode.source));
 }
 
-/// Files of pauses become lists in the draft, and in the options that repeat the run: they are not
-/// carried with it.
-void read_interval_files(ParsedScenario& draft, const std::filesystem::path& scenario,
+/// Files of pauses become lists in the parsed scenario, and in the options that repeat the run:
+/// they are not carried with it.
+void read_interval_files(ParsedScenario& parsed, const std::filesystem::path& scenario,
                          std::vector<std::string>& options) {
-  const SourceLocations given = draft.places;  // by name
+  const SourceLocations given = parsed.places;  // by name
   for (const auto& [name, place] : given) {
     if (!name.ends_with(".interval_file")) continue;
-    const std::string file = std::exchange(draft.texts[find_key(name)], "");
+    const std::string file = std::exchange(parsed.texts[find_key(name)], "");
     if (file.empty()) continue;
     const std::string list = name.substr(0, name.rfind('.')) + ".intervals_ms";
     const std::string asked = fmt::format("{} = \"{}\" {}", name, file, place);
-    if (draft.texts.contains(find_key(list)))
+    if (parsed.texts.contains(find_key(list)))
       throw bad_input(asked, "the scenario also has " + list, "remove one of the two");
     const std::string values = read_number_lines(scenario.parent_path() / file, asked);
-    draft.set_text(*find_key(list), values, "in " + file);
+    parsed.set_text(*find_key(list), values, "in " + file);
     options.push_back(name + "=");
     options.push_back(fmt::format("{}={}", list, values));
   }
 }
 
-Assembly assemble(const ParsedScenario& draft, const PartSources& from) {
+Assembly assemble(const ParsedScenario& parsed, const PartSources& from) {
   Scenario s;
-  for (const auto& [key, value] : draft.texts) key->text(s) = value;
-  check_kinds(s, draft.places);
+  for (const auto& [key, value] : parsed.texts) key->text(s) = value;
+  check_kinds(s, parsed.places);
   for (auto& [name, disturbance] : s.disturbances) take_defaults(disturbance);
   auto module =
-      load_module(s.receiver.module, from, asked_for(draft, "receiver.module", s.receiver.module));
-  auto led = load_led(s.led.part, from, asked_for(draft, "led.part", s.led.part));
+      load_module(s.receiver.module, from, asked_for(parsed, "receiver.module", s.receiver.module));
+  auto led = load_led(s.led.part, from, asked_for(parsed, "led.part", s.led.part));
   s.module = std::move(module.data);
   s.emitter = std::move(led.data);
   const std::string& floor_name = s.floor_settings.part;
-  auto floor = load_floor(floor_name, from, asked_for(draft, "floor.part", floor_name));
+  auto floor = load_floor(floor_name, from, asked_for(parsed, "floor.part", floor_name));
   s.floor = std::move(floor.data);
-  for (const auto& [key, value] : draft.numbers) key->number(s) = value;
+  for (const auto& [key, value] : parsed.numbers) key->number(s) = value;
   std::vector<CarriedPart> parts{std::move(module.source), std::move(led.source),
                                  std::move(floor.source)};
-  load_device_leds(s, draft, from, parts);
-  load_photodiode(s, draft, from, parts);
+  load_device_leds(s, parsed, from, parts);
+  load_photodiode(s, parsed, from, parts);
   return {std::move(s), std::move(parts)};
 }
 
@@ -109,28 +110,28 @@ struct PartVariants {
   std::vector<CarriedPart> parts;
 };
 
-void add_axis(PartVariants& to, ParsedScenario& draft, Axis& axis, const PartSources& from) {
+void add_axis(PartVariants& to, ParsedScenario& parsed, Axis& axis, const PartSources& from) {
   const Key* key = find_key(axis.key);
   const auto with = [&](const std::string& part) {
-    draft.texts[key] = part;
-    return assemble(draft, from);
+    parsed.texts[key] = part;
+    return assemble(parsed, from);
   };
-  for (Assembly& each : load_part_axis(axis, from, place_of(draft.places, axis.key), with)) {
+  for (Assembly& each : load_part_axis(axis, from, place_of(parsed.places, axis.key), with)) {
     to.scenarios.back().push_back(std::move(each.scenario));
     std::ranges::move(each.parts, std::back_inserter(to.parts));
   }
-  draft.texts[key] = axis.labels.front();
+  parsed.texts[key] = axis.labels.front();
 }
 
 /// Loads the parts of all axes. The base then has the first of each.
-PartVariants load_variants(ParsedScenario& draft, const PartSources& from) {
+PartVariants load_variants(ParsedScenario& parsed, const PartSources& from) {
   PartVariants all;
-  for (const Axis& axis : draft.sweep)
+  for (const Axis& axis : parsed.sweep)
     if (is_part_axis(axis))
-      draft.texts[find_key(axis.key)] = any_part(axis, from, place_of(draft.places, axis.key));
-  for (Axis& axis : draft.sweep) {
+      parsed.texts[find_key(axis.key)] = any_part(axis, from, place_of(parsed.places, axis.key));
+  for (Axis& axis : parsed.sweep) {
     all.scenarios.emplace_back();
-    if (is_part_axis(axis)) add_axis(all, draft, axis, from);
+    if (is_part_axis(axis)) add_axis(all, parsed, axis, from);
   }
   return all;
 }
@@ -183,21 +184,21 @@ LoadedScenario load_scenario(const std::filesystem::path& path,
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,
                               const std::vector<std::string>& overrides,
                               const std::vector<std::filesystem::path>& roots) {
-  ParsedScenario draft = draft_of(scenario_entries(text, path), overrides);
-  count_points(draft.sweep);
-  check_dimension_names(draft.sweep);
+  ParsedScenario parsed = parsed_scenario_of(scenario_entries(text, path), overrides);
+  count_points(parsed.sweep);
+  check_dimension_names(parsed.sweep);
   std::vector<std::string> options = overrides;
-  read_interval_files(draft, path, options);
-  const PartSources from{roots, draft.parts, path};
-  const std::vector<std::string> axes_of_all = keys_of_all(draft.sweep);
-  PartVariants variants = load_variants(draft, from);
-  Assembly assembly = assemble(draft, from);
+  read_interval_files(parsed, path, options);
+  const PartSources from{roots, parsed.parts, path};
+  const std::vector<std::string> axes_of_all = keys_of_all(parsed.sweep);
+  PartVariants variants = load_variants(parsed, from);
+  Assembly assembly = assemble(parsed, from);
   std::ranges::move(variants.parts, std::back_inserter(assembly.parts));
-  const std::string whole = with_parts(text, assembly.parts, draft.parts);
-  for (const std::string& key : axes_of_all) options.push_back(spelt_out(draft.sweep, key));
+  const std::string whole = with_parts(text, assembly.parts, parsed.parts);
+  for (const std::string& key : axes_of_all) options.push_back(spelt_out(parsed.sweep, key));
   LoadedScenario loaded{
       std::move(assembly.scenario), with_overrides(whole, options), path,
-      std::move(draft.sweep),       std::move(draft.places),        std::move(variants.scenarios)};
+      std::move(parsed.sweep),      std::move(parsed.places),       std::move(variants.scenarios)};
   check_all_points(loaded);
   scenario_entries(loaded.text, "--set");  // what repeats the run must itself be a scenario
   return loaded;

@@ -169,16 +169,16 @@ std::string text_of(const Key& key, const Entry& entry) {
   refuse_kind(entry, "text", "write the text in quotes");
 }
 
-void take_setting(ParsedScenario& draft, const Entry& entry) {
+void take_setting(ParsedScenario& parsed, const Entry& entry) {
   const Key& key = known_key(entry.key, entry.place);
   if (key.is_number()) {
-    draft.set_number(key, number_of(key, entry), entry.place);
+    parsed.set_number(key, number_of(key, entry), entry.place);
   } else {
     const auto value = text_of(key, entry);
     if (value == all_texts && is_sweepable_text(key))
       throw bad_input(key.name() + " = \"*\" " + entry.place, "all are a sweep",
                       "write it in [sweep]");
-    draft.set_text(key, value, entry.place);
+    parsed.set_text(key, value, entry.place);
   }
 }
 
@@ -190,11 +190,11 @@ std::vector<std::string> swept_texts(const Entry& entry) {
   refuse_kind(entry, "a list of texts", "write [\"A\", \"B\"] or \"*\" for all");
 }
 
-void take_sweep(ParsedScenario& draft, const Entry& entry) {
+void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   const std::string name = entry.key.substr(sweep_prefix.size());
   const Key& key = sweepable_key(name, entry.place);
   if (!key.is_number())
-    return draft.set_axis(make_text_axis(key, swept_texts(entry), entry.place), entry.place);
+    return parsed.set_axis(make_text_axis(key, swept_texts(entry), entry.place), entry.place);
   std::vector<double> values;
   if (const auto* number = std::get_if<double>(&entry.value))
     values = {*number};
@@ -204,11 +204,11 @@ void take_sweep(ParsedScenario& draft, const Entry& entry) {
     values = parse_values(*text, fmt::format("{} = \"{}\" {}", name, *text, entry.place));
   else
     refuse_kind(entry, "a range or list", "write \"1:1:20\" or [1, 2, 5]");
-  draft.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
+  parsed.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
 }
 
 /// "true", "false", or both as a sweep.
-void override_flag(ParsedScenario& draft, const Key& key, const std::string& value,
+void override_flag(ParsedScenario& parsed, const Key& key, const std::string& value,
                    const std::string& place) {
   std::vector<double> values;
   for (const std::string_view item : split(value, ',')) {
@@ -219,29 +219,29 @@ void override_flag(ParsedScenario& draft, const Key& key, const std::string& val
                       "use true or false");
     values.push_back(yes ? 1 : 0);
   }
-  if (values.size() > 1) return draft.set_axis(make_axis(key, values, place), place);
-  draft.set_number(key, values.front(), place);
-  draft.drop_axis(key);
+  if (values.size() > 1) return parsed.set_axis(make_axis(key, values, place), place);
+  parsed.set_number(key, values.front(), place);
+  parsed.drop_axis(key);
 }
 
-void override_number(ParsedScenario& draft, const Key& key, const std::string& value,
+void override_number(ParsedScenario& parsed, const Key& key, const std::string& value,
                      const std::string& place) {
-  if (key.facts.type == KeyType::flag) return override_flag(draft, key, value, place);
+  if (key.facts.type == KeyType::flag) return override_flag(parsed, key, value, place);
   const auto values = parse_values(value, fmt::format("{} = {} {}", key.name(), value, place));
-  if (is_range_or_list(value)) return draft.set_axis(make_axis(key, values, place), place);
-  draft.set_number(key, values.front(), place);
-  draft.drop_axis(key);
+  if (is_range_or_list(value)) return parsed.set_axis(make_axis(key, values, place), place);
+  parsed.set_number(key, values.front(), place);
+  parsed.drop_axis(key);
 }
 
-void override_text(ParsedScenario& draft, const Key& key, const std::string& value,
+void override_text(ParsedScenario& parsed, const Key& key, const std::string& value,
                    const std::string& place) {
   if (is_sweepable_text(key) && is_text_list(value))
-    return draft.set_axis(make_text_axis(key, parse_texts(value), place), place);
-  draft.set_text(key, value, place);
-  draft.drop_axis(key);
+    return parsed.set_axis(make_text_axis(key, parse_texts(value), place), place);
+  parsed.set_text(key, value, place);
+  parsed.drop_axis(key);
 }
 
-void take_override(ParsedScenario& draft, const std::string& override, const std::string& place) {
+void take_override(ParsedScenario& parsed, const std::string& override, const std::string& place) {
   const std::size_t equals = override.find('=');
   if (equals == std::string::npos)
     throw bad_input("\"" + override + "\" " + place, "no = in it",
@@ -251,47 +251,47 @@ void take_override(ParsedScenario& draft, const std::string& override, const std
                     "no key before the =", "write key=value, such as receiver.range_m=3");
   const Key& key = known_key(override.substr(0, equals), place);
   const std::string value = override.substr(equals + 1);
-  if (key.is_number()) return override_number(draft, key, value, place);
-  override_text(draft, key, value, place);
+  if (key.is_number()) return override_number(parsed, key, value, place);
+  override_text(parsed, key, value, place);
 }
 
-void take_file_override(ParsedScenario& draft, const Entry& entry) {
+void take_file_override(ParsedScenario& parsed, const Entry& entry) {
   const auto* text = std::get_if<std::string>(&entry.value);
   if (!text) refuse_kind(entry, "text", "write set = \"key=value\"");
-  take_override(draft, *text, entry.place);
+  take_override(parsed, *text, entry.place);
 }
 
-void take_part(ParsedScenario& draft, const Entry& entry) {
+void take_part(ParsedScenario& parsed, const Entry& entry) {
   const std::string file = entry.key.substr(part_prefix.size());
   if (!is_part_file(file))
     throw bad_input(file + " " + entry.place, "no name of a part's file",
                     "write \"modules/NAME.toml\", \"leds/NAME.toml\", \"floors/NAME.toml\" or "
                     "\"photodiodes/NAME.toml\" in quotes");
-  if (std::ranges::find(draft.parts, file, &CarriedPart::file) != draft.parts.end())
+  if (std::ranges::find(parsed.parts, file, &CarriedPart::file) != parsed.parts.end())
     throw bad_input(file + " " + entry.place, "carried twice", "remove one of the two");
   const auto* text = std::get_if<std::string>(&entry.value);
   if (!text) refuse_kind(entry, "text", "write the part's file between ''' and '''");
-  draft.parts.push_back({file, *text});
+  parsed.parts.push_back({file, *text});
 }
 
-void take_entry(ParsedScenario& draft, const Entry& entry) {
+void take_entry(ParsedScenario& parsed, const Entry& entry) {
   if (entry.key == override_key) return;
-  if (entry.key.starts_with(part_prefix)) return take_part(draft, entry);
+  if (entry.key.starts_with(part_prefix)) return take_part(parsed, entry);
   if (is_empty_table(entry)) return check_empty_table(entry);
-  if (entry.key.starts_with(sweep_prefix)) return take_sweep(draft, entry);
-  take_setting(draft, entry);
+  if (entry.key.starts_with(sweep_prefix)) return take_sweep(parsed, entry);
+  take_setting(parsed, entry);
 }
 
 }  // namespace
 
-ParsedScenario draft_of(const std::vector<Entry>& entries,
-                        const std::vector<std::string>& overrides) {
-  ParsedScenario draft;
-  for (const Entry& entry : entries) take_entry(draft, entry);
+ParsedScenario parsed_scenario_of(const std::vector<Entry>& entries,
+                                  const std::vector<std::string>& overrides) {
+  ParsedScenario parsed;
+  for (const Entry& entry : entries) take_entry(parsed, entry);
   for (const Entry& entry : entries)
-    if (entry.key == override_key) take_file_override(draft, entry);
-  for (const std::string& override : overrides) take_override(draft, override, "in --set");
-  return draft;
+    if (entry.key == override_key) take_file_override(parsed, entry);
+  for (const std::string& override : overrides) take_override(parsed, override, "in --set");
+  return parsed;
 }
 
 }  // namespace sim

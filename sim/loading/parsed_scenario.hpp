@@ -30,7 +30,7 @@ struct ParsedScenario {
 
 /// Entries of the file in their order, then the file's own overrides, then those of --set.
 /// Throws bad_input, naming place and remedy, of the first that cannot be.
-ParsedScenario draft_of(const std::vector<Entry>& entries,
-                        const std::vector<std::string>& overrides);
+ParsedScenario parsed_scenario_of(const std::vector<Entry>& entries,
+                                  const std::vector<std::string>& overrides);
 
 }  // namespace sim

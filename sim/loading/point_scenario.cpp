@@ -1,6 +1,4 @@
 #include "sim/loading/point_scenario.hpp"
-#include "sim/loading/fidelity_check.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +8,12 @@
 
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
+#include "sim/loading/fidelity_check.hpp"
 #include "sim/parts/part_slot.hpp"
 #include "sim/scenario/fidelity.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/method.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"
 
 namespace sim {

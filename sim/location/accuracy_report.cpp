@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/text/rounded_text.hpp"
@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-using Point = LocationPointRun;
+using AccuracyPoint = LocationPointRun;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -41,48 +41,50 @@ std::string ellipse_text(const ErrorEllipse& e) {
              : fmt::format("{:.2g} by {:.2g}", e.semi_major_m, e.semi_minor_m);
 }
 
-void add_error(Columns<Point>& columns) {
+void add_error(Columns<AccuracyPoint>& columns) {
   columns
       .ratio(
           {"rmse_m", "m", "rms error of the located ones"},
-          [](const Point& p) { return p.result->rmse_m; }, error_text)
+          [](const AccuracyPoint& p) { return p.result->rmse_m; }, error_text)
       .headed({{"", "rms error", "[m]"}, -estimate_width})
       .drawn({"Error of location", "rms error [m] (dashed: Cramer-Rao bound)", true, "bound_m"});
 }
 
-void add_bound(Columns<Point>& columns) {
+void add_bound(Columns<AccuracyPoint>& columns) {
   columns
       .real(
           {"bound_m", "m", "root of the trace of the Cramer-Rao bound"},
-          [](const Point& p) { return p.result->bound_m(); }, significant(3))
+          [](const AccuracyPoint& p) { return p.result->bound_m(); }, significant(3))
       .headed({{"Cramer-", "Rao", "[m]"}, 7});
   columns
       .real(
           {"error_over_bound", "1", "rms error over that"},
-          [](const Point& p) { return error_over_bound(*p.result); }, significant(3))
+          [](const AccuracyPoint& p) { return error_over_bound(*p.result); }, significant(3))
       .headed({{"error", "over", "bound"}, 5});
-  columns.words({}, [](const Point& p) { return ellipse_text(bound_ellipse(*p.result)); })
+  columns.words({}, [](const AccuracyPoint& p) { return ellipse_text(bound_ellipse(*p.result)); })
       .headed({{"bound's 95 %", "ellipse, half", "axes [m by m]"}, 15});
   columns.real({"ellipse_major_m", "m", "longer half axis of the bound's 95 % ellipse"},
-               [](const Point& p) { return bound_ellipse(*p.result).semi_major_m; });
+               [](const AccuracyPoint& p) { return bound_ellipse(*p.result).semi_major_m; });
   columns.real({"ellipse_minor_m", "m", "shorter half axis of the bound's 95 % ellipse"},
-               [](const Point& p) { return bound_ellipse(*p.result).semi_minor_m; });
+               [](const AccuracyPoint& p) { return bound_ellipse(*p.result).semi_minor_m; });
   columns
       .real(
           {"ellipse_direction_deg", "degree", "direction of the longer one from +x"},
-          [](const Point& p) { return dsp::in_degrees(bound_ellipse(*p.result).direction); },
+          [](const AccuracyPoint& p) {
+            return dsp::in_degrees(bound_ellipse(*p.result).direction);
+          },
           fixed(0))
       .headed({{"", "from +x", "[deg]"}, 7});
 }
 
-void add_coverage(Columns<Point>& columns) {
+void add_coverage(Columns<AccuracyPoint>& columns) {
   columns.ratio({"coverage", "1",
                  "share of the located ones with the truth in the ellipse of their covariance"},
-                [](const Point& p) { return p.result->coverage; });
+                [](const AccuracyPoint& p) { return p.result->coverage; });
   columns
       .ratio(
           {"region_coverage", "1", "share of the located ones with the truth in their 95 % region"},
-          [](const Point& p) { return p.result->region_coverage; })
+          [](const AccuracyPoint& p) { return p.result->region_coverage; })
       .headed({{"truth in the", "95 % region", "[interval]"}, -estimate_width})
       .drawn({"Truth in the region", "share of the located ones"});
 }
@@ -98,56 +100,58 @@ TextColumn outcome_heading(std::size_t outcome) {
   return headings.at(outcome);
 }
 
-void add_outcomes(Columns<Point>& columns) {
+void add_outcomes(Columns<AccuracyPoint>& columns) {
   columns
       .count({"n_outcomes", "1", "trials by what they came to"},
-             [](const Point& p, std::size_t i) { return p.result->count[i]; })
+             [](const AccuracyPoint& p, std::size_t i) { return p.result->count[i]; })
       .on({"outcome"})
       .spread_as([](const Label&, std::size_t i) { return outcome_heading(i); });
   columns.count(
       {"n_covered", "1", "located ones with the truth in the ellipse of their covariance"},
-      [](const Point& p) { return p.result->covered; });
-  columns.count({"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
-                [](const Point& p) { return std::llround(p.result->squared_um2); });
+      [](const AccuracyPoint& p) { return p.result->covered; });
+  columns.count(
+      {"squared_error_um2", "um2", "sum of the squared errors of the located ones"},
+      [](const AccuracyPoint& p) { return std::llround(std::min(p.result->squared_um2, 9e18)); });
 }
 
-void add_readings(Columns<Point>& columns) {
+void add_readings(Columns<AccuracyPoint>& columns) {
   columns
       .real({"irradiance_mw_per_m2", "mW/m2", "light of the device at each receiver"},
-            [](const Point& p, std::size_t i) {
+            [](const AccuracyPoint& p, std::size_t i) {
               return p.settings.readings[i].irradiance_w_per_m2 * 1e3;
             })
       .known_before()
       .on({"reading"});
   columns
       .real({"sigma_mw_per_m2", "mW/m2", "standard deviation of its reading"},
-            [](const Point& p, std::size_t i) {
+            [](const AccuracyPoint& p, std::size_t i) {
               return p.settings.readings[i].deviation_w_per_m2 * 1e3;
             })
       .known_before()
       .on({"reading"});
 }
 
-void add_dimensions(Columns<Point>& columns) {
-  columns.dimension({"outcome", "", "what locating came to"}, [](const Point&) {
+void add_dimensions(Columns<AccuracyPoint>& columns) {
+  columns.dimension({"outcome", "", "what locating came to"}, [](const AccuracyPoint&) {
     return std::vector<Label>(locate_outcome_names().begin(), locate_outcome_names().end());
   });
-  columns.dimension({"reading", "1", "number of the receiver or heading"}, [](const Point& p) {
-    std::vector<Label> numbers;
-    for (std::size_t i = 1; i <= p.settings.readings.size(); ++i)
-      numbers.emplace_back(static_cast<double>(i));
-    return numbers;
-  });
+  columns.dimension({"reading", "1", "number of the receiver or heading"},
+                    [](const AccuracyPoint& p) {
+                      std::vector<Label> numbers;
+                      for (std::size_t i = 1; i <= p.settings.readings.size(); ++i)
+                        numbers.emplace_back(static_cast<double>(i));
+                      return numbers;
+                    });
 }
 
 }  // namespace
 
 const Columns<LocationPointRun>& location_columns() {
   static const Columns<LocationPointRun> columns = [] {
-    Columns<Point> made;
+    Columns<AccuracyPoint> made;
     add_dimensions(made);
     made.count({"n_trials", "1", "times that locating was tried"},
-               [](const Point& p) { return p.result->trials(); });
+               [](const AccuracyPoint& p) { return p.result->trials(); });
     add_error(made);
     add_bound(made);
     add_coverage(made);

@@ -1,6 +1,4 @@
 #include "sim/location/location_settings.hpp"
-#include "sim/location/scenario_settings.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +8,8 @@
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/point_scenario.hpp"
+#include "sim/location/scenario_settings.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {

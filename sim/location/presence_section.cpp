@@ -10,7 +10,6 @@
 #include "sim/section/dataset_cells.hpp"
 #include "sim/section/dataset_words.hpp"
 #include "sim/section/experiment_section.hpp"
-#include "sim/section/picture_sections.hpp"
 
 namespace sim {
 namespace {

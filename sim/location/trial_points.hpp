@@ -1,9 +1,9 @@
 #pragma once
 // A point of a sweep that is measured by trials.
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <vector>
-
-#include "sim/engine/measurement.hpp"
 
 namespace sim {
 
@@ -16,7 +16,7 @@ struct TrialPoint {
   bool reached() const { return result.has_value(); }
 };
 
-/// In lots so small that threads end together, and no more of them than about a thousand.
+/// In batches so small that threads end together, and no more of them than about a thousand.
 template <class Bench>
 std::uint32_t trials_at_once(const Bench&, std::uint32_t trials, int /*threads*/) {
   return std::max(16U, trials / 1000);

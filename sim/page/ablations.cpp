@@ -7,7 +7,6 @@
 #include <functional>
 #include <utility>
 
-#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "sim/columns/estimate_text.hpp"
-#include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/page/eye_diagram.hpp"
 #include "sim/page/frame_charts.hpp"
@@ -17,7 +16,6 @@
 #include "sim/page/trial_tables.hpp"
 #include "sim/page/trial_view.hpp"
 #include "sim/picture/svg.hpp"
-#include "sim/report/closing_lines.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/report/result_charts.hpp"
 #include "sim/result/place_text.hpp"

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
 
 #include "sim/page/content_policy.hpp"
 #include "sim/page/embedded.hpp"

@@ -16,7 +16,7 @@ bool are_alike(const Chart& a, const Chart& b) {
   return a.title == b.title && a.x.label == b.x.label;
 }
 
-/// Charts that one part alone has say whose they are.
+/// Charts that one result alone has say whose they are.
 void name_lone_charts(std::vector<ReportSection>& parts) {
   std::vector<std::pair<Chart*, std::string>> lone;
   for (ReportSection& part : parts)

@@ -54,7 +54,7 @@ std::vector<double> degrees_of_freedom(const Dataset& a, const Dataset& b) {
   std::vector<double> degrees = runs_of(a);
   const std::vector<double> others = runs_of(b);
   for (std::size_t i = 0; i < degrees.size(); ++i)
-    degrees[i] = std::max(std::min(degrees[i], i < others.size() ? others[i] : 0) - 1, 1.0);
+    degrees[i] = std::max(1.0, std::min(degrees[i], i < others.size() ? others[i] : 0) - 1);
   return degrees;
 }
 
@@ -75,14 +75,14 @@ void add_tests(DatasetComparison& comparison, const Dataset& a, const Dataset& b
   std::size_t known = 0;  // in the other
   for (std::size_t i = 0; i < other.places().size(); ++i) {
     others.emplace(other.places()[i], i);
-    known += other[i] ? 1 : 0;
+    known += other[i].has_value();
   }
   for (std::size_t i = 0; i < one.places().size(); ++i) {
     const auto& [point, elements] = one.places()[i];
     const auto found = others.find(one.places()[i]);
     const std::optional<Estimate> x = one[i],
                                   y = found == others.end() ? std::nullopt : other[found->second];
-    known -= y ? 1 : 0;
+    known -= y.has_value();
     if (x && y)
       comparison.tests.push_back(
           {name, joined(place_text(a, point), elements), *x, *y,

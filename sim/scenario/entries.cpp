@@ -1,5 +1,4 @@
 #include "sim/scenario/entries.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -11,6 +10,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/scenario/key_depth.hpp"
+#include "sim/scenario/source_locations.hpp"
 #include "sim/text/letters.hpp"
 
 namespace sim {

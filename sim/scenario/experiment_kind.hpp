@@ -24,7 +24,7 @@ const std::vector<const ExperimentKind*>& experiment_kinds();
 /// As long as this lives, scenarios may be of an experiment. Not for several threads at once.
 class KnownExperimentKind {
  public:
-  /// `kind` must outlive this.
+  /// `kind` must outlive the program's last look at a key: it is static.
   explicit KnownExperimentKind(const ExperimentKind& kind);
   ~KnownExperimentKind();
   KnownExperimentKind(const KnownExperimentKind&) = delete;

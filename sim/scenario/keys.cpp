@@ -221,7 +221,6 @@ class KeyTable {
 
   const std::deque<Key>& of(const std::vector<const ExperimentKind*>& kinds) {
     if (kinds == kinds_) return keys_;
-    kinds_ = kinds;
     keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(shared_), keys_.end());
     std::vector<std::string>& names =
         std::ranges::find(keys_, std::string("experiment"), &Key::name)->choices;
@@ -231,6 +230,7 @@ class KeyTable {
       if (kind->keys != nullptr)
         for (Key& key : kind->keys()) keys_.push_back(std::move(key));
     }
+    kinds_ = kinds;
     return keys_;
   }
 

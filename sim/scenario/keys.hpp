@@ -112,8 +112,8 @@ const std::deque<Key>& scenario_keys();
 /// The key of the part that gives a key its value where the scenario does not, or nothing.
 std::string part_giving(const std::string& name);
 
-/// The key of that name, those of named tables included, or nothing. While scenarios are loaded
-/// only: it makes the latter as they are asked for.
+/// The key of that name, those of named tables included, or nothing. Not for several threads at
+/// once: it makes keys of named tables as they are asked for.
 const Key* find_key(const std::string& name);
 
 }  // namespace sim

@@ -1,5 +1,4 @@
 #include "sim/scenario/method.hpp"
-#include "sim/scenario/source_locations.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "protocol/uart.hpp"
 #include "sim/failure.hpp"
 #include "sim/scenario/fidelity.hpp"
+#include "sim/scenario/source_locations.hpp"
 
 namespace sim {
 namespace {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 
 #include "sim/result/place_text.hpp"
 #include "sim/scenario/sweep.hpp"

@@ -50,13 +50,13 @@ struct Part {
 
 /// Which rows of missed peaks make a bit read as dark: those whose last peak is so many carrier
 /// cycles before or behind the instant at which the pin is looked at.
-struct LinkRange {
+struct PeakReach {
   double before, behind;
 };
 
 /// The pin is up for as long as the integrator needs to fill again and `spare` cycles; a UART looks
 /// up to `late` of a bit late, and its clock is another.
-LinkRange reach_within(const Link& link, double spare, double late) {
+PeakReach reach_within(const Link& link, double spare, double late) {
   const double bit = carrier_of(link) / link.device_baud;
   const double drift =
       protocol::bits_per_byte * bit * std::abs(link.device_baud / link.receiver_baud - 1);
@@ -65,8 +65,8 @@ LinkRange reach_within(const Link& link, double spare, double late) {
 
 /// Nearly all that fail, and all that may: the pin is up for longer if further peaks are missed
 /// meanwhile.
-LinkRange near_reach(const Link& link) { return reach_within(link, 4, 0.1); }
-LinkRange far_reach(const Link& link) { return reach_within(link, 12, 0.125); }
+PeakReach near_reach(const Link& link) { return reach_within(link, 4, 0.1); }
+PeakReach far_reach(const Link& link) { return reach_within(link, 12, 0.125); }
 
 /// When the decision of a bit is known at the pin, samples.
 double decision(const Link& link, const ExposedBit& bit) {
@@ -76,7 +76,7 @@ double decision(const Link& link, const ExposedBit& bit) {
 /// Where margins are wanted for bits, within a trial of so many samples.
 Stretch around(const Link& link, const std::vector<ExposedBit>& bits, double cycle,
                std::int64_t end) {
-  const LinkRange reach = far_reach(link);
+  const PeakReach reach = far_reach(link);
   const double before = (reach.before + link.importance->readings + 2) * cycle;
   const double behind = (reach.behind + 2) * cycle;
   const auto from = static_cast<std::int64_t>(decision(link, bits.front()) - before);
@@ -213,7 +213,7 @@ class ModuleBuilder {
 
   const Link& link_;
   const PeakReadings& peaks_;
-  const LinkRange reach_, near_;
+  const PeakReach reach_, near_;
   double dark_likelihood_ = 0;
   Readings readings_;
   std::vector<WeakSpot> spots_;

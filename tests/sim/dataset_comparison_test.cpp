@@ -45,7 +45,7 @@ TEST(EstimateComparison, OfWhatIsTooLargeTellsNothing) {
   EXPECT_EQ(p_value_of_estimates({0, 0, 0}, {1, 1, 1}, 7), 0);
 }
 
-Dataset sweep_of(const std::vector<double>& values, const std::vector<double>& runs) {
+Dataset measured_sweep(const std::vector<double>& values, const std::vector<double>& runs) {
   const auto moved = [&](double by) {
     std::vector<double> ends = values;
     for (double& end : ends) end += by;
@@ -62,22 +62,23 @@ Dataset sweep_of(const std::vector<double>& values, const std::vector<double>& r
 }
 
 TEST(EstimateComparison, PointsThatReadAlikeAreKeptApart) {
-  const Dataset one = sweep_of({0.1, 0.5, 0.9}, {1000, 1000, 1000});
+  const Dataset one = measured_sweep({0.1, 0.5, 0.9}, {1000, 1000, 1000});
   const DatasetComparison same = compare(one, one, 0.01);
   ASSERT_EQ(same.tests.size(), 3U);
   for (const CellTest& test : same.tests) EXPECT_EQ(test.p_value, 1) << test.one.value;
 }
 
 TEST(EstimateComparison, FewRunsTellLess) {
-  const Dataset one = sweep_of({0.3, 0.3, 0.3}, {1000, 8, 2});
-  const DatasetComparison c = compare(one, sweep_of({0.6, 0.6, 0.6}, {1000, 1000, 1000}), 0.01);
+  const Dataset one = measured_sweep({0.3, 0.3, 0.3}, {1000, 8, 2});
+  const DatasetComparison c =
+      compare(one, measured_sweep({0.6, 0.6, 0.6}, {1000, 1000, 1000}), 0.01);
   EXPECT_LT(c.tests[0].p_value, 1e-4);
   EXPECT_GT(c.tests[1].p_value, 20 * c.tests[0].p_value) << "of 8 runs: Student's t of 7";
   EXPECT_GT(c.tests[2].p_value, c.tests[1].p_value);
 }
 
 TEST(EstimateComparison, CountsWhatOnlyOneHas) {
-  Dataset one = sweep_of({0.1, std::nan(""), 0.9}, {9, 0, 9}), other = one;
+  Dataset one = measured_sweep({0.1, std::nan(""), 0.9}, {9, 0, 9}), other = one;
   other.variables[1].values = std::vector<double>{0.1, 0.5, std::nan("")};
   EXPECT_EQ(compare(one, other, 0.01).unknown, 1U) << "the interval of one is not known";
   EXPECT_EQ(compare(one, other, 0.01).tests.size(), 1U);

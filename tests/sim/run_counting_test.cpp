@@ -222,6 +222,12 @@ TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
 TEST(CheckpointBytes, AListThatIsLongerThanTheBytesIsRefused) {
   const std::string bytes = bytes_of(std::vector<std::uint64_t>{1, 2, 3});
   EXPECT_EQ(from_bytes<std::vector<std::uint64_t>>(bytes), (std::vector<std::uint64_t>{1, 2, 3}));
+  EXPECT_TRUE(
+      from_bytes<std::vector<std::uint64_t>>(bytes_of(std::vector<std::uint64_t>())).empty());
+  EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(bytes + "x"), cereal::Exception);
+  std::string neither = bytes_of(true);
+  neither.back() = 2;
+  EXPECT_THROW(from_bytes<bool>(neither), cereal::Exception);
   std::string endless = bytes;
   endless[7] = 0x7f;  // of its length
   EXPECT_THROW(from_bytes<std::vector<std::uint64_t>>(endless), cereal::Exception);
@@ -243,6 +249,15 @@ TEST(CheckpointBytes, ATallyOfOtherDevicesIsRefused) {
   forged[0] = {without_senders};
   counting.add(bytes_of(forged));
   EXPECT_THROW(counting.describe_all({}), Failure);
+}
+
+TEST(CheckpointBytes, RunsAreTakenOnce) {
+  const LoadedScenario scenario = small_scenario("arena", "arena.runs=3");
+  const std::string checkpoint = counted_shard(arena_measurement, scenario, {1, 3}, 1);
+  RunCounting<Arena, ArenaRuns, ArenaPoint> counting(arena_measurement, scenario);
+  counting.add(checkpoint);
+  EXPECT_THROW(counting.add(checkpoint), Failure);
+  EXPECT_NO_THROW(counting.add(counted_shard(arena_measurement, scenario, {2, 3}, 1)));
 }
 
 }  // namespace
