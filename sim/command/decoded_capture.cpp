@@ -17,13 +17,13 @@ namespace {
 using dsp::Hertz;
 using dsp::Seconds;
 
-constexpr std::size_t batch = most_surveyed_flips;
+constexpr std::size_t flips_at_once = most_surveyed_flips;
 
 /// The next flips of a line; fewer than a batch at its end alone.
 std::vector<Seconds> next_flips(FlipSource& line, const DecodeListener& listener) {
   constexpr std::size_t told = 1024;  // of so many flips the last: they may be far apart
   std::vector<Seconds> flips;
-  while (flips.size() < batch) {
+  while (flips.size() < flips_at_once) {
     const auto flip = line.next();
     if (!flip) break;
     flips.push_back(*flip);
@@ -87,7 +87,7 @@ void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeLis
   listener.chosen(decoded);
   CapturedLineDecoder decoder(request, listener, line.initial() != decoded.line.inverted, decoded);
   std::optional<Seconds> last;
-  for (; flips.size() == batch; flips = next_flips(line, listener)) {
+  for (; flips.size() == flips_at_once; flips = next_flips(line, listener)) {
     last = flips.back();
     decoder.take(flips, *last);
   }
