@@ -11,7 +11,7 @@
 namespace sim {
 namespace {
 
-constexpr std::uint32_t frames = 1024;
+constexpr std::uint32_t frames_sent = 1024;
 constexpr Workers workers{.threads = 2, .interrupt = nullptr};
 
 std::vector<JudgedPoint> points_of_decoders() {
@@ -25,7 +25,7 @@ std::vector<DecodedFrames> decoded_by_all(const JudgedPoint& point) {
   std::vector<const Decoder*> decoders;
   for (const std::string& name : built_in_decoders())
     decoders.push_back(owned.emplace_back(make_built_in_decoder(name)).get());
-  return decode_frames(judged_link(point), decoders, 0, frames, workers);
+  return decode_frames(judged_link(point), decoders, 0, frames_sent, workers);
 }
 
 std::ptrdiff_t undetected_error(const DecodedFrames& decoded) {
@@ -35,7 +35,7 @@ std::ptrdiff_t undetected_error(const DecodedFrames& decoded) {
 
 PairedLosses paired(const DecodedFrames& candidate, const DecodedFrames& baseline) {
   PairedLosses losses;
-  for (std::size_t i = 0; i < frames; ++i)
+  for (std::size_t i = 0; i < frames_sent; ++i)
     losses.add(candidate.frames[i].outcome.lost(), baseline.frames[i].outcome.lost());
   return losses;
 }
