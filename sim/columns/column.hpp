@@ -85,20 +85,20 @@ struct Column : ColumnFacts {
   using Kind = std::variant<Count, Real, Ratio, Words, Flags>;
   Kind kind;
 
-  Column& on(std::vector<std::string> dimensions) {
-    over = std::move(dimensions);
+  Column& on(const std::vector<std::string>& dimensions) {
+    over = dimensions;
     return *this;
   }
-  Column& headed(TextColumn names_and_width) {
-    heading = std::move(names_and_width);
+  Column& headed(const TextColumn& names_and_width) {
+    heading = names_and_width;
     return *this;
   }
-  Column& spread_as(std::function<TextColumn(const Label&, std::size_t)> heading_of) {
-    spread = std::move(heading_of);
+  Column& spread_as(const std::function<TextColumn(const Label&, std::size_t)>& heading_of) {
+    spread = heading_of;
     return *this;
   }
-  Column& drawn(DrawnColumn how) {
-    drawing = std::move(how);
+  Column& drawn(const DrawnColumn& how) {
+    drawing = how;
     return *this;
   }
   Column& known_before() {

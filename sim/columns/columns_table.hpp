@@ -21,7 +21,7 @@ std::string cell_text(const Column<Point>& column, const Point& point, std::size
   return std::visit(
       [&](const auto& kind) -> std::string {
         using Held = std::decay_t<decltype(kind)>;
-        const auto value = kind.read(point, element);
+        auto value = kind.read(point, element);
         if constexpr (std::is_same_v<Held, typename Column<Point>::Count>)
           return std::to_string(value);
         else if constexpr (std::is_same_v<Held, typename Column<Point>::Words>)

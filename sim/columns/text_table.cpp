@@ -54,7 +54,7 @@ std::string table_line(const std::vector<TextColumn>& columns,
 
 std::string table_head(const std::vector<TextColumn>& columns) {
   std::string head;
-  for (int row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < 3; ++row) {
     std::vector<std::string> texts;
     for (const TextColumn& column : columns) texts.push_back(column.names[row]);
     const bool empty = std::ranges::all_of(texts, [](const auto& text) { return text.empty(); });

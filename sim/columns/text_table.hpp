@@ -1,5 +1,6 @@
 #pragma once
 // Tables whose lines can be printed one by one: columns of a width known before their values are.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,8 @@
 namespace sim {
 
 struct TextColumn {
-  std::string names[3];  // the header, from top to bottom
-  int width;             // negative: to the left, as in printf
+  std::array<std::string, 3> names;  // the header, from top to bottom
+  int width;                         // negative: to the left, as in printf
 };
 
 constexpr int number_width = 10;  // "-1.234e-09"
