@@ -17,7 +17,7 @@ Columns<ArenaPoint> arena_variables();
 /// the last and is given back. A row's tally is that of a device, or of several together.
 template <class Row, class TallyOf>
 Column<Row>& add_message_columns(Columns<Row>& columns, VariableFacts loss, TallyOf tally_of) {
-  const auto count = [&](TextColumn heading, std::uint64_t (*read)(const SenderTally&)) {
+  const auto count = [&](const TextColumn& heading, std::uint64_t (*read)(const SenderTally&)) {
     columns.count({}, [=](const Row& row) { return read(tally_of(row)); }).headed(heading);
   };
   count({{"", "messages", "sent"}, 9}, [](const SenderTally& t) { return t.sent(); });

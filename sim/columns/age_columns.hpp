@@ -23,8 +23,9 @@ struct AgeColumns {
 template <class Point, class AgeOf>
 void add_age_columns(Columns<Point>& columns, const AgeColumns& how, AgeOf age_of) {
   constexpr double high_share = 0.95;
-  const auto add = [&](const char* name, const char* unit, std::string long_name, RealText text,
-                       TextColumn heading, auto read) -> Column<Point>& {
+  const auto add = [&](const char* name, const char* unit, std::string long_name,
+                       const RealText& text, const TextColumn& heading,
+                       auto read) -> Column<Point>& {
     VariableFacts facts;
     if (how.are_stored) facts = {how.prefix + name, unit, std::move(long_name)};
     Column<Point>& column = columns.real(

@@ -78,12 +78,12 @@ class DirectionColumns {
   }
 
   void count(const char* name, const char* what, std::uint64_t DirectionTally::*member,
-             TextColumn heading = {{}, 0}) {
+             const TextColumn& heading = {{}, 0}) {
     columns_
         .count(stored({name, "1", what}),
                [of = tally_of_, member](const Point& p, std::size_t i) { return of(p, i).*member; })
         .on(over_)
-        .headed(std::move(heading));
+        .headed(heading);
   }
 
   Columns<Point>& columns_;

@@ -19,9 +19,10 @@ bool may_send(const LoadedScenario& scenario) {
 }
 
 Column<Point>& add_count(Columns<Point>& columns, VariableFacts facts,
-                         std::uint64_t ListeningTally::*count, TextColumn heading = {{}, 0}) {
+                         std::uint64_t ListeningTally::*count,
+                         const TextColumn& heading = {{}, 0}) {
   return columns.count(std::move(facts), [count](const Point& p) { return p.tally.*count; })
-      .headed(std::move(heading));
+      .headed(heading);
 }
 
 void add_line(Columns<Point>& columns) {
