@@ -9,6 +9,7 @@
 #include "sim/result/crossing_text.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/scenario/flags.hpp"
+#include "sim/section/point_marks.hpp"
 #include "sim/section/swept_curves.hpp"
 
 namespace sim {
