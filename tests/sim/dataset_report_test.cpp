@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/section/dataset_cells.hpp"
 #include "sim/section/dataset_charts.hpp"

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "dsp/philox.hpp"
+#include "sim/columns/columns_dataset.hpp"
 #include "sim/columns/point_report.hpp"
 #include "sim/command/command_line.hpp"
 #include "sim/command/experiments.hpp"
