@@ -10,6 +10,8 @@
 #include "gtest/gtest.h"
 #include "protocol/cosys.hpp"
 #include "protocol/uart_receivers.hpp"
+#include "sim/arena/arena_columns.hpp"
+#include "sim/columns/columns_dataset.hpp"
 
 namespace sim {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "sim/columns/columns_dataset.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/section/dataset_cells.hpp"
 #include "sim/section/dataset_charts.hpp"

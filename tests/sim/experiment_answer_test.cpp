@@ -4,7 +4,6 @@
 
 #include "experiment_report.hpp"
 #include "page_tables.hpp"
-#include "sim/columns/columns_dataset.hpp"
 #include "sim/listening/listening_section.hpp"
 #include "sim/loading/load_scenario.hpp"
 

@@ -1,7 +1,6 @@
 // What a report says of detectors: where they notice the device, and how they differ in that.
 #include <gtest/gtest.h>
 
-#include "sim/columns/columns_dataset.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/location/location_sections.hpp"
 

@@ -7,7 +7,6 @@
 #include <span>
 #include <sstream>
 
-#include "sim/columns/columns_dataset.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/result/netcdf.hpp"
