@@ -48,7 +48,7 @@ void expect_damage_to_be_met(const Measurement<Setup, Tally, Point>& kind,
   const std::string whole = counted_shard(kind, scenario, {}, 2);
   std::mt19937_64 random(1);
   int refused = 0;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 4; ++i) {
     std::string damaged = whole;
     for (int bytes = 0; bytes < 3; ++bytes)
       damaged[random() % damaged.size()] = static_cast<char>(random());
