@@ -5,7 +5,7 @@
 
 #include "channel/interference.hpp"
 #include "protocol/uart_receivers.hpp"
-#include "sim/arena/arena_settings.hpp"
+#include "sim/arena/arena_keys.hpp"
 #include "sim/arena/arena_validity.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"

@@ -1,6 +1,5 @@
 #include "sim/arena/arena_keys.hpp"
 
-#include "sim/arena/arena_settings.hpp"
 #include "sim/scenario/key_making.hpp"
 
 namespace sim {

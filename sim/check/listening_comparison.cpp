@@ -6,7 +6,7 @@
 #include "sim/check/judged_point.hpp"
 #include "sim/counting/event_rate.hpp"
 #include "sim/listening/listening.hpp"
-#include "sim/listening/listening_settings.hpp"
+#include "sim/listening/listening_keys.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
 

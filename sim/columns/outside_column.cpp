@@ -1,5 +1,8 @@
 #include "sim/columns/outside_column.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "sim/link/validity.hpp"
 #include "sim/scenario/flags.hpp"
 
@@ -17,6 +20,12 @@ std::string outside_notes(const Dataset& data) {
     if (const auto* masks = std::get_if<std::vector<std::int64_t>>(&variable->values))
       for (const std::int64_t mask : *masks) raised |= static_cast<std::uint64_t>(mask);
   return raised_notes(validity_limits(), raised, outside_sign);
+}
+
+std::string marked_line(std::size_t points, const std::vector<std::string>& marks) {
+  if (marks.empty()) return "";
+  return fmt::format("Marked in the table of all numbers: of {} point{} {}.\n", points,
+                     points == 1 ? "" : "s", fmt::join(marks, " and "));
 }
 
 }  // namespace sim

@@ -1,5 +1,6 @@
 #pragma once
 // How experiments say which of their points leave the range of a model (sim/link/validity).
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,5 +30,10 @@ void add_outside(Columns<Point>& columns) {
 
 /// What the marks of all points mean, a line each.
 std::string outside_notes(const Dataset& data);
+
+inline constexpr const char* outside_words = "outside of what a model is valid for";
+
+/// "Marked in the table of all numbers: of 5 points 2 with an alarm."; empty without marks.
+std::string marked_line(std::size_t points, const std::vector<std::string>& marks);
 
 }  // namespace sim

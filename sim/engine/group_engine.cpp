@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "channel/instruction_set.hpp"
+#include "sim/counting/shard.hpp"
 #include "sim/engine/batch_sizes.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/threads/stopwatch.hpp"
@@ -20,8 +21,6 @@ constexpr std::uint64_t largest_wave = 1 << 16;  // groups of a member
 /// Groups of a thread in the shortest wave: as many as the widest processors have lanes for, since
 /// the members must agree and their processors may differ.
 constexpr std::uint64_t least_share = channel::most_lanes / group_size;
-
-std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
 /// What all members run between two exchanges, each its share of groups, in the order of the ranks.
 struct Wave {

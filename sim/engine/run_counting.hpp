@@ -223,8 +223,6 @@ class RunCounting {
     std::uint32_t first, all;
   };
 
-  static std::uint32_t divided_up(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
-
   bool has_all(std::size_t i, const Shard& shard, const Wanted& wanted) const {
     return std::ranges::any_of(counted_[i], [&](const CountedRuns<Tally>& part) {
       return part.shard == shard && part.n == wanted.all;

@@ -2,7 +2,7 @@
 
 #include "channel/geometry.hpp"
 #include "protocol/uart_receivers.hpp"
-#include "sim/exchange/exchange_settings.hpp"
+#include "sim/exchange/exchange_keys.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/link.hpp"
 #include "sim/link/validity.hpp"

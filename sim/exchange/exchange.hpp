@@ -13,7 +13,7 @@
 #include "channel/chain.hpp"
 #include "dsp/units.hpp"
 #include "protocol/uart_receivers.hpp"
-#include "sim/exchange/exchange_settings.hpp"
+#include "sim/exchange/exchange_keys.hpp"
 #include "sim/exchange/exchange_tally.hpp"
 #include "sim/scenario/scenario.hpp"
 

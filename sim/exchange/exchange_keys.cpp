@@ -1,6 +1,5 @@
 #include "sim/exchange/exchange_keys.hpp"
 
-#include "sim/exchange/exchange_settings.hpp"
 #include "sim/scenario/key_making.hpp"
 
 namespace sim {

@@ -4,7 +4,7 @@
 
 #include "sim/arena/arena_run.hpp"
 #include "sim/guard/guard_check.hpp"
-#include "sim/guard/guard_settings.hpp"
+#include "sim/guard/guard_keys.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {

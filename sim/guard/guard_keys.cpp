@@ -1,6 +1,5 @@
 #include "sim/guard/guard_keys.hpp"
 
-#include "sim/guard/guard_settings.hpp"
 #include "sim/scenario/key_making.hpp"
 
 namespace sim {

@@ -11,7 +11,7 @@
 #include "dsp/philox.hpp"
 #include "dsp/units.hpp"
 #include "sim/arena/arena_tally.hpp"
-#include "sim/guard/guard_settings.hpp"
+#include "sim/guard/guard_keys.hpp"
 #include "sim/guard/guard_tally.hpp"
 #include "sim/guard/serial_line.hpp"
 

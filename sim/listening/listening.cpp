@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sim/listening/listening_settings.hpp"
+#include "sim/listening/listening_keys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/trial/drawn_trials.hpp"
 

@@ -6,7 +6,7 @@
 #include "sim/counting/event_rate.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
-#include "sim/listening/listening_settings.hpp"
+#include "sim/listening/listening_keys.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/source_locations.hpp"
 #include "sim/scenario/sweep.hpp"

@@ -1,6 +1,5 @@
 #include "sim/listening/listening_keys.hpp"
 
-#include "sim/listening/listening_settings.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/key_making.hpp"
 

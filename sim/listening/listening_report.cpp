@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim/columns/outside_column.hpp"
-#include "sim/listening/listening_settings.hpp"
+#include "sim/listening/listening_keys.hpp"
 
 namespace sim {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "sim/location/scenario_settings.hpp"
 #include "sim/scenario/detector.hpp"
 #include "sim/scenario/key_making.hpp"
 

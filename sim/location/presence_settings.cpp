@@ -9,7 +9,7 @@
 #include "sim/link/disturbance.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/location/scenario_settings.hpp"
+#include "sim/location/location_keys.hpp"
 #include "sim/scenario/source_locations.hpp"
 #include "sim/text/number_text.hpp"
 

@@ -4,12 +4,12 @@
 
 #include <utility>
 
+#include "sim/columns/outside_column.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/page/numbers_section.hpp"
 #include "sim/result/crossing_text.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/scenario/flags.hpp"
-#include "sim/section/point_marks.hpp"
 #include "sim/section/swept_curves.hpp"
 
 namespace sim {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "sim/columns/estimate_text.hpp"
+#include "sim/columns/outside_column.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/result/point_loss.hpp"
-#include "sim/section/point_marks.hpp"
 #include "sim/section/swept_curves.hpp"
 
 namespace sim {

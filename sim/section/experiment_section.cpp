@@ -7,7 +7,6 @@
 #include "sim/columns/outside_column.hpp"
 #include "sim/section/dataset_cells.hpp"
 #include "sim/section/picture_sections.hpp"
-#include "sim/section/point_marks.hpp"
 
 namespace sim {
 namespace {
