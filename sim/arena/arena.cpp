@@ -52,9 +52,9 @@ std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena,
   ParallelRuns<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
                                     .most_at_once = 1,
                                     .workers = workers},
-                                   [&](std::uint32_t sender, int) {
+                                   [&](std::uint32_t sender, int, const std::atomic<bool>* over) {
                                      return light_track(s, arena.senders[sender], arena.way,
-                                                        arena.end, step, workers.interrupt);
+                                                        arena.end, step, over);
                                    });
   return sharing();
 }

@@ -61,6 +61,10 @@ Estimate frame_loss(const SenderTally& tally) {
   return clustered_ratio(tally.losses, level);
 }
 
+Estimate frame_loss(const ArenaRuns& runs, double level) {
+  return clustered_ratio(runs.tally.losses, level);
+}
+
 SenderTally together(const ArenaPoint& point) {
   SenderTally sum;
   for (const SenderTally& sender : point.tally.senders) sum += sender;
@@ -88,6 +92,8 @@ constinit const Measurement<Arena, ArenaRuns, ArenaPoint> arena_measurement{
     .most_at_once = [](const Arena& arena, std::uint32_t,
                        int threads) { return arena_runs_at_once(arena, threads); },
     .run = run_arena,
+    .ratio = [](const Arena&, const ArenaRuns& runs,
+                double level) { return frame_loss(runs, level); },
     .describe = describe_arena,
     .fits = fits_arena};
 

@@ -38,6 +38,8 @@ bool fits_arena(const Arena& arena, const ArenaRuns& runs);
 
 /// Lost of sent, with the interval of runs as clusters.
 Estimate frame_loss(const SenderTally& tally);
+/// Of all senders.
+Estimate frame_loss(const ArenaRuns& runs, double level);
 
 /// Sum over the devices of a point.
 SenderTally together(const ArenaPoint& point);

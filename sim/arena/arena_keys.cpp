@@ -17,9 +17,10 @@ std::vector<Key> arena_keys() {
 
 }  // namespace
 
-constinit const ExperimentKind arena_kind{.name = "arena",
-                                          .tables = {"path.", "arena.", "devices."},
-                                          .amount = "arena.runs",
-                                          .keys = arena_keys};
+constinit const ExperimentKind arena_kind{
+    .name = "arena",
+    .tables = {"path.", "arena.", "devices.", "stop.target_flr"},
+    .amount = "arena.runs",
+    .keys = arena_keys};
 
 }  // namespace sim

@@ -53,12 +53,12 @@ std::vector<DecodedFrames> decode_frames(const JudgedLink& judged,
   assert(first % frames_per_capture == 0);
   const std::uint32_t captures = (n + frames_per_capture - 1) / frames_per_capture;
   const SharedRuns shared{.runs = captures, .most_at_once = 1, .workers = workers};
-  ParallelRuns<OfDecoders> sharing(shared, [&](std::uint32_t capture, int) {
-    const std::uint32_t done = capture * frames_per_capture;
-    return decode_capture(judged, decoders, first + done,
-                          static_cast<int>(std::min(frames_per_capture, n - done)),
-                          workers.interrupt);
-  });
+  ParallelRuns<OfDecoders> sharing(
+      shared, [&](std::uint32_t capture, int, const std::atomic<bool>* over) {
+        const std::uint32_t done = capture * frames_per_capture;
+        return decode_capture(judged, decoders, first + done,
+                              static_cast<int>(std::min(frames_per_capture, n - done)), over);
+      });
   OfDecoders all(decoders.size());
   for (const OfDecoders& capture : sharing()) append(all, capture);
   return all;

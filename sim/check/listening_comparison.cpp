@@ -79,9 +79,8 @@ ListeningComparisonPoint listening_comparison(const LoadedScenario& scenario, st
       {.runs = static_cast<std::uint32_t>(at.settings.of<ListeningSettings>().runs),
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},
-      [&](std::uint32_t first, int n) {
-        return accepts_of_all(listening, dsp::Hertz(at.device.baud), decoders, first, n,
-                              workers.interrupt);
+      [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
+        return accepts_of_all(listening, dsp::Hertz(at.device.baud), decoders, first, n, over);
       });
   ListeningComparisonPoint result{.name = point_name(scenario, coordinates),
                                   .hours_of_a_run = hours_of(listening, 1),

@@ -25,6 +25,7 @@
 #include "sim/location/location_keys.hpp"
 #include "sim/location/location_sections.hpp"
 #include "sim/location/presence_report.hpp"
+#include "sim/report/link_run.hpp"
 #include "sim/report/point_run.hpp"
 #include "sim/section/columns_section.hpp"
 
@@ -47,18 +48,19 @@ constexpr std::array shipped{
                listening_section},
 };
 
+/// Its kind is known from the start; its reports are not made of a Dataset.
+constexpr Experiment link{&link_kind, &link_engine};
+
 std::vector<const Experiment*>& known() {
-  static std::vector<const Experiment*> experiments;
+  static std::vector<const Experiment*> experiments{&link};
   return experiments;
 }
 
 /// From the program's start on.
 const std::deque<KnownExperiment> shipped_are_known(shipped.begin(), shipped.end());
 
-/// Null for a link.
-const Experiment* experiment_of(const LoadedScenario& scenario) {
-  const auto found = std::ranges::find(known(), &kind_of(scenario.base), &Experiment::kind);
-  return found == known().end() ? nullptr : *found;
+const Experiment& experiment_of(const LoadedScenario& scenario) {
+  return **std::ranges::find(known(), &kind_of(scenario.base), &Experiment::kind);
 }
 
 }  // namespace
@@ -72,17 +74,16 @@ KnownExperiment::~KnownExperiment() { std::erase(known(), experiment_); }
 
 void check_experiment(const LoadedScenario& scenario) {
   check_keys_of_experiment(scenario);
-  const Experiment* experiment = experiment_of(scenario);
-  if (experiment != nullptr && experiment->check != nullptr) experiment->check(scenario);
+  const Experiment& experiment = experiment_of(scenario);
+  if (experiment.check != nullptr) experiment.check(scenario);
 }
 
-const ExperimentEngine* engine_of(const LoadedScenario& scenario) {
-  const Experiment* experiment = experiment_of(scenario);
-  return experiment == nullptr ? nullptr : experiment->engine;
+const ExperimentEngine& engine_of(const LoadedScenario& scenario) {
+  return *experiment_of(scenario).engine;
 }
 
 ReportSection report_of(const std::string& name, const StoredDataset& stored) {
-  const Experiment& experiment = *experiment_of(stored.scenario);
+  const Experiment& experiment = experiment_of(stored.scenario);
   return experiment.report != nullptr ? experiment.report(name, stored)
                                       : columns_section(name, stored, experiment.engine->columns());
 }

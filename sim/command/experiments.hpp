@@ -1,6 +1,6 @@
 #pragma once
-// The experiments besides links: a row of the table in experiments.cpp for each. A row is all that
-// the commands need to know of one.
+// The experiments: a row of the table in experiments.cpp for each. A row is all that the commands
+// need to know of one.
 #include <string>
 
 #include "sim/report/experiment_run.hpp"
@@ -40,8 +40,7 @@ class KnownExperiment {
 /// its points.
 void check_experiment(const LoadedScenario& scenario);
 
-/// Null for a link.
-const ExperimentEngine* engine_of(const LoadedScenario& scenario);
+const ExperimentEngine& engine_of(const LoadedScenario& scenario);
 
 /// What a result that is not of a link brings to a report.
 ReportSection report_of(const std::string& name, const StoredDataset& stored);

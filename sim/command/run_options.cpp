@@ -18,8 +18,9 @@ void add_run(CLI::App& app, RunRequest& request) {
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
   add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
-                 "relative half width of the bit error ratio's interval at which a point is "
-                 "finished, such as 0.1; 0 for no such rule");
+                 "relative half width of the interval (of the bit error ratio, or of what another "
+                 "experiment measures) at which a point is finished, such as 0.1; 0 for no such "
+                 "rule");
   run.add_option_function<std::string>(
          "--method",
          [&request](const std::string& name) {

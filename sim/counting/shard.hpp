@@ -1,7 +1,6 @@
 #pragma once
 // Shards: an experiment's trials shared out to machines that do not know of each other. Each runs
 // a range of every point's trials into a file of its own, and `cosys-sim merge` adds them up.
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,11 +50,5 @@ TrialRange runs_of(const Shard& shard, std::uint64_t runs);
 /// which all shards together then have what was asked for. The sum of their frames is distributed
 /// as it is when one run waits for all of them: waiting for e losses is waiting for e/N, N times.
 StopRule share_of(const StopRule& rule, const Shard& shard);
-
-/// How many shares of `b` it takes to hold `a`.
-template <std::unsigned_integral T>
-constexpr T divided_up(T a, T b) {
-  return (a + b - 1) / b;
-}
 
 }  // namespace sim

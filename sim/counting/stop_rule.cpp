@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "sim/counting/statistics.hpp"
 
@@ -12,6 +13,11 @@ constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted
                                   "target_flr"};
 
 constexpr double usual_level = 0.95;
+
+Side side_of(const Estimate& e, double level) {
+  if (e.high < level) return Side::below;
+  return e.low > level ? Side::above : Side::unknown;
+}
 
 bool is_narrow(const Estimate& e, double relative) {
   return e.value > 0 && (e.high - e.low) / 2 <= relative * e.value;
@@ -32,9 +38,7 @@ double worth_of_losses(const Tally& counted) {
 }
 
 Side side_of(const Tally& counted, double flr) {
-  const Estimate e = frame_loss_ratio(counted, sure_level);
-  if (e.high < flr) return Side::below;
-  return e.low > flr ? Side::above : Side::unknown;
+  return side_of(frame_loss_ratio(counted, sure_level), flr);
 }
 
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
@@ -48,5 +52,22 @@ std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted
   if (counted.n_frames >= rule.max_frames) return StopReason::max_frames;
   return std::nullopt;
 }
+
+bool looks_at_ratio(const StopRule& rule) { return rule.rel_ci > 0 || rule.target_flr > 0; }
+
+std::optional<StopReason> stop_reason(const StopRule& rule,
+                                      const std::function<Estimate(double level)>& ratio) {
+  if (rule.rel_ci > 0 && is_narrow(ratio(usual_level), rule.rel_ci)) return StopReason::rel_ci;
+  if (rule.target_flr > 0 && side_of(ratio(sure_level), rule.target_flr) != Side::unknown)
+    return StopReason::target_flr;
+  return std::nullopt;
+}
+
+std::uint32_t next_look(std::uint32_t done) {
+  const std::uint32_t pause = std::max(8U, std::bit_floor(done / 16));
+  return (done / pause + 1) * pause;
+}
+
+bool is_look(std::uint32_t done) { return done > 0 && next_look(done - 1) == done; }
 
 }  // namespace sim

@@ -2,9 +2,11 @@
 // When a point has been run long enough. A rule looks at the counts of whole groups of trials in
 // their order and at nothing else, so that it stops at the same trial whatever the machine does.
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
+#include "sim/counting/statistics.hpp"
 #include "sim/counting/tally.hpp"
 
 namespace sim {
@@ -44,5 +46,20 @@ Side side_of(const Tally& counted, double flr);
 
 /// Why the point is finished with these counts; nothing while it is not.
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);
+
+// ---- experiments that count one ratio, or measure one figure ----
+
+/// Whether a rule looks at it.
+bool looks_at_ratio(const StopRule& rule);
+
+/// The same by the ratio at a level of confidence: rel_ci looks at it, and target_flr where it is a
+/// frame loss.
+std::optional<StopReason> stop_reason(const StopRule& rule,
+                                      const std::function<Estimate(double level)>& ratio);
+
+/// Behind how many runs a rule looks next: behind every eighth; behind 256 less often, as it then
+/// costs more and another eight say less.
+std::uint32_t next_look(std::uint32_t done);
+bool is_look(std::uint32_t done);
 
 }  // namespace sim

@@ -10,14 +10,15 @@
 namespace sim {
 
 BatchSizes batch_sizes(const Link& link) {
-  constexpr std::uint64_t quick = 64;
+  constexpr std::uint32_t quick = 64 * group_size;
   if (link.decisions) return {quick, quick};
-  const auto lanes = static_cast<std::uint64_t>(channel::trials_at_once()) / group_size;
+  const auto lanes = static_cast<std::uint32_t>(channel::trials_at_once());
   if (link.envelope || link.importance) return {lanes, lanes};
   constexpr double samples_a_batch = 0x1p28;
   const double samples = dsp::cycles(mean_length(link), link.chain.sample_rate) * group_size;
-  return {lanes,
-          std::clamp(static_cast<std::uint64_t>(samples_a_batch / samples), lanes, 8 * lanes)};
+  const auto groups = static_cast<std::uint64_t>(samples_a_batch / samples);
+  return {lanes, static_cast<std::uint32_t>(
+                     std::clamp<std::uint64_t>(groups * group_size, lanes, 8 * lanes))};
 }
 
 }  // namespace sim

@@ -8,11 +8,10 @@
 namespace sim {
 
 /// Trials of a group, which are counted together.
-constexpr std::uint64_t group_size = channel::lanes_per_group;
+constexpr std::uint32_t group_size = channel::lanes_per_group;
 
-/// Groups of eight trials.
 struct BatchSizes {
-  std::uint64_t least, most;
+  std::uint32_t least, most;  // trials, in whole groups
 };
 
 /// Many where a group is over in a microsecond, which a lock takes too; else as many as the

@@ -1,13 +1,28 @@
 #pragma once
-// The Monte Carlo engine: groups of eight trials on a pool of threads, added up in the order of
-// their numbers. The stop rule looks at that sum after each group, never at a clock, so the result
-// is the same for any number of threads; work done beyond the stop is thrown away.
+// Counts the trials of a point of a link, in groups of eight. The stop rule looks at the sum after
+// each group, never at a clock, so the result is the same for any number of threads and processes;
+// work done beyond the stop is thrown away.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
 #include "sim/counting/stop_rule.hpp"
-#include "sim/engine/engine_options.hpp"
 #include "sim/link/link.hpp"
 #include "sim/result/result.hpp"
 
 namespace sim {
+
+class ProcessGroup;
+
+struct EngineOptions {
+  int threads = 1;
+  std::uint64_t first_trial = 0;      // of the point's trials; starts a whole group of eight
+  bool profiled = false;              // with PointResult::profile
+  ProcessGroup* processes = nullptr;  // processes to share the trials with
+  const std::atomic<bool>* interrupt = nullptr;  // polled; ends the point with what is complete
+  /// From the calling thread, a few times a second: what an interrupt would leave now.
+  std::function<void(const PointResult&)> on_progress{};
+};
 
 /// Runs one point to its stop. Coordinates are left to the caller. Throws Failure(environment) if
 /// the machine does not give as many threads.

@@ -59,22 +59,36 @@ void refuse_empty(const Shard& shard, std::uint64_t all, const std::string& unit
                   fmt::format("use fewer shards or more {}{}", unit, enough));
 }
 
-void check_shard_of_link(const Scenario& point, const Shard& shard) {
-  const std::string problem = "--shard " + shards_text({shard});
+void refuse_shared_look(const StopRule& rule, const Shard& shard, const std::string& remedy) {
+  if (looks_at_ratio(rule))
+    throw bad_input("--shard " + shards_text({shard}),
+                    "--rel-ci and --target-flr need the counts of all shards", remedy);
+}
+
+void check_frames(const Scenario& point, const Shard& shard) {
   const StopRule rule = rule_of(point.stop);
-  if (rule.rel_ci > 0 || rule.target_flr > 0)
-    throw bad_input(problem, "--rel-ci and --target-flr need the counts of all shards",
-                    "use --max-frames and --max-frame-errors, which can be shared out");
+  refuse_shared_look(rule, shard,
+                     "use --max-frames and --max-frame-errors, which can be shared out");
   if (rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
-    throw bad_input(problem, "what weighted losses are worth cannot be shared out",
+    throw bad_input("--shard " + shards_text({shard}),
+                    "what weighted losses are worth cannot be shared out",
                     "add --max-frame-errors 0");
   if (share_of(rule, shard).max_frames == 0)
     refuse_empty(shard, rule.max_frames, "frames", ", at least eight for each");
 }
 
-void check_shard_of_runs(const Scenario& point, const Shard& shard) {
+void check_runs(const Scenario& point, const Shard& shard) {
+  refuse_shared_look(rule_of(point.stop), shard,
+                     "use " + amount_key(point) + ", which can be shared out");
   const std::uint64_t runs = runs_asked_for(point);
   if (shard.count > runs) refuse_empty(shard, runs, "runs", "");
+}
+
+void check_points(const LoadedScenario& scenario, const Shard& shard,
+                  void (*check)(const Scenario& point, const Shard&)) {
+  if (shard == Shard{}) return;
+  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i)
+    check(point_scenario(scenario, point_coordinates(scenario.sweep, i)), shard);
 }
 
 }  // namespace
@@ -91,12 +105,12 @@ bool has_theory(const LoadedScenario& scenario) {
   return matched;
 }
 
-void check_shard(const LoadedScenario& scenario, const Shard& shard) {
-  if (shard == Shard{}) return;
-  const bool link = scenario.base.experiment == "link";
-  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i)
-    (link ? check_shard_of_link : check_shard_of_runs)(
-        point_scenario(scenario, point_coordinates(scenario.sweep, i)), shard);
+void check_shard_of_frames(const LoadedScenario& scenario, const Shard& shard) {
+  check_points(scenario, shard, check_frames);
+}
+
+void check_shard_of_runs(const LoadedScenario& scenario, const Shard& shard) {
+  check_points(scenario, shard, check_runs);
 }
 
 void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {

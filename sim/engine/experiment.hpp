@@ -36,8 +36,10 @@ bool is_interrupted(const ExperimentOptions& options);
 /// Whether a receiver of the sweep is one that theory knows.
 bool has_theory(const LoadedScenario& scenario);
 
-/// Throws Failure(bad_input) where a point cannot be shared out like this.
-void check_shard(const LoadedScenario& scenario, const Shard& shard);
+/// Throws Failure(bad_input) where a point of a link cannot be shared out like this.
+void check_shard_of_frames(const LoadedScenario& scenario, const Shard& shard);
+/// The same of another experiment.
+void check_shard_of_runs(const LoadedScenario& scenario, const Shard& shard);
 
 /// Operating points, flags and alarms of what is measured, as counts that were read back lack them.
 void describe_points(const LoadedScenario& scenario, ExperimentResult& result);

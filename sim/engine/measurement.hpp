@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/counting/statistics.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/parallel_runs.hpp"
 
@@ -22,6 +23,8 @@ struct Measurement {
   std::uint32_t (*most_at_once)(const Setup&, std::uint32_t runs, int threads);
   /// Runs first ... first + n - 1. Its result is dropped once `*stop` is true.
   Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop);
+  /// The ratio, or other figure, whose interval of a level of confidence a stop rule looks at.
+  Estimate (*ratio)(const Setup&, const Tally&, double level);
   /// Puts what some runs gave, at least one, into a point.
   void (*describe)(Point&, const Setup&, const Tally&);
   /// Whether a tally can be of this point: a file may be damaged. Null: any can.

@@ -6,7 +6,6 @@
 #include <exception>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 
 #include "sim/engine/process_group.hpp"
@@ -36,14 +35,6 @@ class MpiTeam : public ProcessGroup {
 
   int size() const override { return size_; }
   int rank() const override { return rank_; }
-
-  std::vector<GroupResult> exchange(std::span<const GroupResult> mine) override {
-    static_assert(std::is_trivially_copyable_v<GroupResult>);
-    std::vector<GroupResult> all(mine.size() * static_cast<std::size_t>(size_));
-    const int bytes = static_cast<int>(mine.size_bytes());
-    MPI_Allgather(mine.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, MPI_COMM_WORLD);
-    return all;
-  }
 
   std::vector<std::string> exchange(const std::string& mine) override {
     std::vector<int> sizes(static_cast<std::size_t>(size_)), begins;

@@ -42,16 +42,18 @@ double in_groups(double frames) { return std::ceil(frames / group_size) * group_
 
 }  // namespace
 
-std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
-                              const std::atomic<bool>& interrupt) {
+std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard,
+                              const Workers& workers) {
   std::vector<Pilot> pilots;
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
     std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
     const Scenario point = point_scenario(scenario, coordinates);
     const Link link = make_link(point);
-    const StopRule few{.max_frames = pilot_frames(link) * static_cast<std::uint64_t>(threads)};
-    const PointResult counted = run_point(link, few, {.threads = threads, .interrupt = &interrupt});
-    if (interrupt) break;
+    const StopRule few{.max_frames =
+                           pilot_frames(link) * static_cast<std::uint64_t>(workers.threads)};
+    const PointResult counted =
+        run_point(link, few, {.threads = workers.threads, .interrupt = workers.interrupt});
+    if (workers.interrupted()) break;
     pilots.push_back({std::move(coordinates), share_of(rule_of(point.stop), shard), counted.tally,
                       counted.elapsed_s / static_cast<double>(counted.tally.n_frames)});
   }

@@ -1,6 +1,5 @@
 #pragma once
 // What a run will take, told from a few trials of each point before any of them is counted.
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +20,8 @@ struct Pilot {
 };
 
 /// One for each point, in their order, for a run of that shard; fewer if interrupted.
-std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard, int threads,
-                              const std::atomic<bool>& interrupt);
+std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard,
+                              const Workers& workers);
 
 /// After how many frames the rule will stop the point, or so; of what no trial showed, as of losses
 /// where none was lost, it expects nothing, and the limit of frames remains.

@@ -5,11 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
-
-#include "sim/trial/trial.hpp"
 
 namespace sim {
 
@@ -20,9 +17,7 @@ class ProcessGroup {
   virtual int size() const = 0;
   virtual int rank() const = 0;  // 0: the one that speaks
 
-  /// What all members give, which must be as much of each: that of the first, of the second, ...
-  virtual std::vector<GroupResult> exchange(std::span<const GroupResult> mine) = 0;
-  /// The same of bytes, of which each may give as many as it wants, 2 GB in all.
+  /// The bytes that all members give, 2 GB in all: those of the first, of the second, ...
   virtual std::vector<std::string> exchange(const std::string& mine) = 0;
   /// Whether it is true for any member.
   virtual bool any(bool mine) = 0;

@@ -7,7 +7,6 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
-#include "sim/result/stored_dataset.hpp"
 #include "sim/result/stored_result.hpp"
 
 namespace sim {
@@ -34,27 +33,20 @@ void refuse_other_shards(const std::filesystem::path& path, const std::vector<Sh
 
 }  // namespace
 
-void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
-                 ExperimentResult& result) {
+void check_resumable(const std::filesystem::path& path, const ProgramInfo& program,
+                     const LoadedScenario& scenario, const Shard& shard) {
+  const auto seed = static_cast<std::uint64_t>(scenario.base.simulation.seed);
   const NetcdfReader file(path);
-  refuse_other(path, {NetcdfFile::format_version, program, result.seed, result.scenario_toml},
-               origin_of(file));
-  const std::vector<Shard> shards = result.shards;
-  const bool whole =
-      read_counts(file, result) && std::ranges::all_of(result.points, [](const PointResult& p) {
-        return p.stop != StopReason::interrupted || is_resumable(p);
-      });
-  if (!whole) refuse(path, "its counts do not fit its digest: it is damaged");
-  refuse_other_shards(path, shards, result.shards);
+  refuse_other(path, {NetcdfFile::format_version, program, seed, scenario.text}, origin_of(file));
+  refuse_other_shards(path, {shard}, shards_of(file).value_or(std::vector<Shard>{}));
 }
 
-std::string checkpoint_to_resume(const std::filesystem::path& path, const ProgramInfo& program,
-                                 const LoadedScenario& scenario, const Shard& shard) {
-  const auto seed = static_cast<std::uint64_t>(scenario.base.simulation.seed);
-  refuse_other(path, {NetcdfFile::format_version, program, seed, scenario.text},
-               origin_of(NetcdfReader(path)));
-  refuse_other_shards(path, {shard}, read_dataset(path).data.shards);
-  return read_checkpoint(path);
+void resume_from(const std::filesystem::path& path, ExperimentResult& result) {
+  const bool whole = read_counts(NetcdfReader(path), result) &&
+                     std::ranges::all_of(result.points, [](const PointResult& p) {
+                       return p.stop != StopReason::interrupted || is_resumable(p);
+                     });
+  if (!whole) refuse(path, "its counts do not fit its digest: it is damaged");
 }
 
 }  // namespace sim

@@ -1,7 +1,6 @@
 #pragma once
 // Going on with what an interrupted run left in its result file.
 #include <filesystem>
-#include <string>
 
 #include "sim/counting/shard.hpp"
 #include "sim/program_info.hpp"
@@ -10,15 +9,13 @@
 
 namespace sim {
 
-/// Reads the counts of `path` into `result`, the same experiment before its first trial. Throws
-/// Failure(bad_input) if they are of another scenario, seed, format or program, or damaged: only
-/// trials that this program would have run in the same way can be gone on with.
-void resume_from(const std::filesystem::path& path, const ProgramInfo& program,
-                 ExperimentResult& result);
+/// Throws Failure(bad_input) if the counts of `path` are of another scenario, seed, format, program
+/// or shard: only trials that this program would have run in the same way can be gone on with.
+void check_resumable(const std::filesystem::path& path, const ProgramInfo& program,
+                     const LoadedScenario& scenario, const Shard& shard);
 
-/// The checkpoint that an interrupted run of another experiment than a link left in `path`, of
-/// those runs of a shard. Throws as resume_from.
-std::string checkpoint_to_resume(const std::filesystem::path& path, const ProgramInfo& program,
-                                 const LoadedScenario& scenario, const Shard& shard);
+/// Reads the counts of such a file into `result`, the same link before its first trial. Throws
+/// Failure(bad_input) if they are damaged.
+void resume_from(const std::filesystem::path& path, ExperimentResult& result);
 
 }  // namespace sim

@@ -2,6 +2,7 @@
 // Counts the runs of all points of an experiment's sweep, in the order of their numbers, so that
 // counts are the same for any number of threads, interrupts and shards.
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -12,39 +13,31 @@
 #include <vector>
 
 #include "sim/counting/shard.hpp"
+#include "sim/counting/stop_rule.hpp"
 #include "sim/engine/checkpoint_bytes.hpp"
 #include "sim/engine/measurement.hpp"
-#include "sim/engine/process_group.hpp"
+#include "sim/engine/ordered_runs.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/threads/parallel_runs.hpp"
+#include "sim/threads/profile.hpp"
 #include "sim/threads/stopwatch.hpp"
 
 namespace sim {
-
-/// Who counts runs.
-struct RunCounters {
-  Workers workers{};
-  ProcessGroup* processes = nullptr;  // each of whose members counts the same
-
-  /// Whether any member was told to stop.
-  bool interrupted() const {
-    return processes != nullptr ? processes->any(workers.interrupted()) : workers.interrupted();
-  }
-};
 
 /// The first `n` runs of a shard of a point.
 template <class Tally>
 struct CountedRuns {
   Shard shard;
   std::uint32_t n = 0;
+  bool is_enough = false;  // its stop rule wants no more
   Tally tally{};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(shard.number, shard.count, n, tally);
+    archive(shard.number, shard.count, n, is_enough, tally);
   }
 };
 
@@ -62,11 +55,16 @@ class RunCounting {
       const std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
       const Scenario point = point_scenario(scenario, coordinates);
       points_.push_back(kind.unreached(point, scenario.places, coordinates));
-      asked_.push_back(runs_asked_for(point));
+      asked_.push_back({runs_asked_for(point), rule_of(point.stop)});
     }
   }
 
   const std::vector<Point>& points() const { return points_; }
+
+  /// Where the time went, but for writing.
+  RunProfile profile() const {
+    return {.preparing_s = preparing_s_, .running_s = running_s_, .describing_s = describing_s_};
+  }
 
   /// How many points have any run, and all those of some shards.
   std::size_t n_begun() const {
@@ -76,13 +74,10 @@ class RunCounting {
   std::size_t n_finished(const std::vector<Shard>& shards) const {
     std::size_t n = 0;
     for (std::size_t i = 0; i < counted_.size(); ++i) {
-      std::uint64_t missing = 0;
-      for (const Shard& shard : shards) {
-        const TrialRange range = runs_of(shard, asked_[i]);
-        missing += range.last - range.first;
-      }
-      for (const CountedRuns<Tally>& part : counted_[i]) missing -= part.n;
-      n += missing == 0 ? 1 : 0;
+      const auto is_whole = [&](const Shard& shard) {
+        return runs_in(shard, i).all == 0 || is_finished(i, shard);
+      };
+      n += std::ranges::all_of(shards, is_whole) ? 1 : 0;
     }
     return n;
   }
@@ -113,15 +108,11 @@ class RunCounting {
   /// second; in a process group, behind each exchange.
   void count(std::size_t i, const Shard& shard, const RunCounters& by,
              const Meanwhile& meanwhile = {}) {
-    const Wanted wanted = runs_in(shard, i);
-    if (has_all(i, shard, wanted) || by.interrupted()) return;
+    if (is_finished(i, shard) || by.interrupted()) return;
     set_up(i, by.workers);
     if (by.interrupted()) return;
     CountedRuns<Tally>& part = part_of(shard);
-    if (by.processes == nullptr)
-      run(part, wanted, by.workers, meanwhile);
-    else
-      run_collectively(part, wanted, by, meanwhile);
+    run(part, runs_in(shard, i), by, meanwhile);
     if (part.n == 0) counted_[i].erase(std::ranges::find(counted_[i], 0U, &CountedRuns<Tally>::n));
     bring_up_to_date();
   }
@@ -145,6 +136,13 @@ class RunCounting {
 
   /// Describes the point at hand, to be called by `meanwhile`, by the runs that it has.
   void bring_up_to_date() {
+    const Stopwatch watch;
+    describe_at_hand();
+    describing_s_ += watch.seconds();
+  }
+
+ private:
+  void describe_at_hand() {
     const std::vector<CountedRuns<Tally>>& parts = counted_[at_hand_];
     if (parts.size() == 1 && parts.front().n > 0)
       return kind_.describe(points_[at_hand_], *setup_, parts.front().tally);
@@ -157,7 +155,6 @@ class RunCounting {
     if (n > 0) kind_.describe(points_[at_hand_], *setup_, sum);
   }
 
- private:
   using Counted = std::vector<std::vector<CountedRuns<Tally>>>;  // of each point, in their order
 
   Counted counted_in(const std::string& checkpoint) const {
@@ -181,7 +178,7 @@ class RunCounting {
       for (const CountedRuns<Tally>& part : counted_[i]) shards.push_back(part.shard);
       for (const CountedRuns<Tally>& part : counted[i]) {
         if (!is_shard(part.shard)) return false;
-        const TrialRange range = runs_of(part.shard, asked_[i]);
+        const TrialRange range = runs_of(part.shard, asked_[i].runs);
         if (part.n > range.last - range.first) return false;
         const auto overlaps = [&](const Shard& other) { return overlap(part.shard, other); };
         if (std::ranges::any_of(shards, overlaps)) return false;
@@ -203,10 +200,12 @@ class RunCounting {
   }
 
   void set_up(std::size_t i, const Workers& workers) {
+    const Stopwatch watch;
     at_hand_ = i;
     setup_.reset();
     setup_.emplace(kind_.prepare(point_scenario(scenario_, point_coordinates(scenario_.sweep, i)),
                                  scenario_.places, workers));
+    preparing_s_ += watch.seconds();
     if (kind_.fits == nullptr || workers.interrupted()) return;
     for (const CountedRuns<Tally>& part : counted_[i])
       if (!kind_.fits(*setup_, part.tally)) refuse_damage();
@@ -223,84 +222,75 @@ class RunCounting {
     std::uint32_t first, all;
   };
 
-  bool has_all(std::size_t i, const Shard& shard, const Wanted& wanted) const {
+  bool is_finished(std::size_t i, const Shard& shard) const {
     return std::ranges::any_of(counted_[i], [&](const CountedRuns<Tally>& part) {
-      return part.shard == shard && part.n == wanted.all;
+      return part.shard == shard && (part.is_enough || part.n == runs_in(shard, i).all);
     });
   }
 
   Wanted runs_in(const Shard& shard, std::size_t point) const {
-    const TrialRange range = runs_of(shard, asked_[point]);
+    const TrialRange range = runs_of(shard, asked_[point].runs);
     return {static_cast<std::uint32_t>(range.first),
             static_cast<std::uint32_t>(range.last - range.first)};
   }
 
-  void run(CountedRuns<Tally>& part, const Wanted& wanted, const Workers& workers,
+  void run(CountedRuns<Tally>& part, const Wanted& wanted, const RunCounters& by,
            const Meanwhile& meanwhile) {
-    ParallelRuns<Tally> sharing(
+    const StopRule& rule = asked_[at_hand_].rule;
+    OrderedRuns<Tally> runs(
         {.runs = wanted.all - part.n,
-         .most_at_once = kind_.most_at_once(*setup_, wanted.all, workers.threads),
-         .workers = workers,
+         .most_at_once = kind_.most_at_once(*setup_, wanted.all, by.workers.threads),
+         .workers = by.workers,
          .first = wanted.first + part.n},
-        [&](std::uint32_t first, int n) {
-          return kind_.run(*setup_, first, n, workers.interrupt);
+        [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
+          return spans(first - wanted.first, static_cast<std::uint32_t>(n), wanted.first, over);
         });
-    const auto add = [&](Tally&& batch, std::uint32_t n) {
-      part.tally += std::move(batch);
-      part.n += n;
+    const auto add = [&](RunSpan<Tally>&& span) {
+      part.tally += std::move(span.tally);
+      part.n += span.n;
+      part.is_enough = looks_at_ratio(rule) && is_look(part.n) && is_enough(rule, part.tally);
+      return !part.is_enough;
     };
-    sharing.in_order(add, [&] {
+    runs.add_to(add, by.processes, [&] {
       if (meanwhile) meanwhile(part.n, wanted.all);
     });
   }
 
-  /// Each member does a share of the next runs, then all add all shares, in the order of the runs.
-  void run_collectively(CountedRuns<Tally>& part, const Wanted& wanted, const RunCounters& by,
-                        const Meanwhile& meanwhile) {
-    const std::uint64_t least = least_share(wanted, by);
-    std::uint64_t share = least;
-    while (part.n < wanted.all) {
-      const Stopwatch watch;
-      CountedRuns<Tally> mine;
-      share = std::min<std::uint64_t>(
-          share, divided_up(wanted.all - part.n, static_cast<std::uint32_t>(by.processes->size())));
-      run(mine, share_of_member(wanted, part.n, share, *by.processes), by.workers, {});
-      const double seconds = by.processes->largest(watch.seconds());
-      if (by.interrupted()) return;
-      for (const std::string& bytes : by.processes->exchange(bytes_of(mine))) {
-        auto theirs = from_bytes<CountedRuns<Tally>>(bytes);
-        part.tally += std::move(theirs.tally);
-        part.n += theirs.n;
-      }
-      if (meanwhile) meanwhile(part.n, wanted.all);
-      share = next_share(share, seconds, least, wanted.all);
+  /// Some of a shard's runs, behind its first `done`; a span for each look of the rule.
+  typename OrderedRuns<Tally>::Spans spans(std::uint32_t done, std::uint32_t n, std::uint32_t first,
+                                           const std::atomic<bool>* over) {
+    const Stopwatch watch;
+    const bool looks = looks_at_ratio(asked_[at_hand_].rule);
+    typename OrderedRuns<Tally>::Spans spans;
+    for (const std::uint32_t end = done + n; done < end && !is_stopped(over);) {
+      const std::uint32_t next = looks ? std::min(end, next_look(done)) : end;
+      spans.push_back(
+          {next - done, kind_.run(*setup_, first + done, static_cast<int>(next - done), over)});
+      done = next;
     }
+    running_s_ += watch.seconds();
+    return spans;
   }
 
-  /// Of a wave in which each member does a share of the runs behind the first `done`.
-  static Wanted share_of_member(const Wanted& wanted, std::uint32_t done, std::uint64_t share,
-                                const ProcessGroup& processes) {
-    const auto at = [&](int rank) {
-      const std::uint64_t behind = done + static_cast<std::uint64_t>(rank) * share;
-      return static_cast<std::uint32_t>(std::min<std::uint64_t>(behind, wanted.all));
-    };
-    return {wanted.first + at(processes.rank()), at(processes.rank() + 1) - at(processes.rank())};
-  }
-
-  /// Runs for all threads of the member that has most. The members' processors may differ.
-  std::uint64_t least_share(const Wanted& wanted, const RunCounters& by) const {
-    const int threads = by.workers.threads;
-    const double at_once = kind_.most_at_once(*setup_, wanted.all, threads);
-    return static_cast<std::uint64_t>(by.processes->largest(at_once * threads));
+  bool is_enough(const StopRule& rule, const Tally& tally) const {
+    return stop_reason(rule, [&](double level) { return kind_.ratio(*setup_, tally, level); })
+        .has_value();
   }
 
   const Kind& kind_;
   const LoadedScenario& scenario_;
   Counted counted_;
   std::vector<Point> points_;
-  std::vector<std::uint32_t> asked_;  // runs, of each point
+  /// Of a point: how many runs, unless its rule needs fewer.
+  struct Asked {
+    std::uint32_t runs;
+    StopRule rule;
+  };
+  std::vector<Asked> asked_;  // of each point
   std::size_t at_hand_ = 0;
   std::optional<Setup> setup_;  // of the point at hand
+  double preparing_s_ = 0, describing_s_ = 0;
+  std::atomic<double> running_s_ = 0;
 };
 
 /// Of all points, for a shard; fewer if interrupted.

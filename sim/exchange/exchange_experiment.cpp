@@ -24,6 +24,8 @@ constinit const Measurement<Exchange, ExchangeTally, ExchangePoint> exchange_mea
     .most_at_once = [](const Exchange&, std::uint32_t,
                        int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
     .run = run_exchange,
+    .ratio = [](const Exchange&, const ExchangeTally& tally,
+                double level) { return clustered_ratio(tally.losses, level); },
     .describe = describe_exchange,
     .fits =
         [](const Exchange&, const ExchangeTally& tally) {

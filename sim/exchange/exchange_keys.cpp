@@ -49,7 +49,7 @@ std::vector<Key> exchange_keys() {
 constinit const ExperimentKind exchange_kind{
     .name = "sharedlink",
     .tables = {"exchange.", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-               "device.clock_error_ppm", "device.carrier_error_ppm"},
+               "device.clock_error_ppm", "device.carrier_error_ppm", "stop.target_flr"},
     .amount = "exchange.runs",
     .keys = exchange_keys};
 

@@ -68,6 +68,8 @@ constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
     .most_at_once = [](const Guard& guard, std::uint32_t,
                        int threads) { return arena_runs_at_once(guard.arena, threads); },
     .run = run_guard,
+    .ratio = [](const Guard&, const GuardRuns& runs,
+                double level) { return frame_loss(runs.arena, level); },
     .describe = describe_guard,
     .fits =
         [](const Guard& guard, const GuardRuns& runs) {

@@ -37,9 +37,10 @@ std::vector<Key> guard_keys() {
 
 }  // namespace
 
-constinit const ExperimentKind guard_kind{.name = "guard",
-                                          .tables = {"path.", "arena.", "devices.", "guard."},
-                                          .amount = "arena.runs",
-                                          .keys = guard_keys};
+constinit const ExperimentKind guard_kind{
+    .name = "guard",
+    .tables = {"path.", "arena.", "devices.", "guard.", "stop.target_flr"},
+    .amount = "arena.runs",
+    .keys = guard_keys};
 
 }  // namespace sim

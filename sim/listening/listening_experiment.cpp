@@ -38,11 +38,13 @@ void check_air(const Scenario& scenario, const SourceLocations& places) {
           fmt::format("raise simulation.sample_rate_hz to {}", 4 * d.carrier_hz));
 }
 
+Estimate false_rate(const ListeningTally& tally, double hours, double level) {
+  return event_rate({tally.n_runs, tally.n_frames_false, tally.false_squared}, hours, level);
+}
+
 }  // namespace
 
-Estimate ListeningPoint::false_per_hour() const {
-  return event_rate({tally.n_runs, tally.n_frames_false, tally.false_squared}, hours, ci_level);
-}
+Estimate ListeningPoint::false_per_hour() const { return false_rate(tally, hours, ci_level); }
 
 Estimate ListeningPoint::undetected_per_hour() const {
   return event_rate({tally.n_runs, tally.n_frames_undetected, tally.undetected_squared},
@@ -67,6 +69,10 @@ constinit const Measurement<Listening, ListeningTally, ListeningPoint> listening
     .most_at_once = [](const Listening&, std::uint32_t,
                        int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
     .run = run_listening,
+    .ratio =
+        [](const Listening& listening, const ListeningTally& tally, double level) {
+          return false_rate(tally, hours_of(listening, tally.n_runs), level);
+        },
     .describe = describe_listening};
 
 }  // namespace sim

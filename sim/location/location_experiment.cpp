@@ -16,6 +16,8 @@ constinit const Measurement<LocationBench, LocationTally, LocationPointRun> loca
                   const Workers&) { return LocationBench(location_settings(s, places)); },
     .most_at_once = trials_at_once<LocationBench>,
     .run = run_location,
+    .ratio = [](const LocationBench&, const LocationTally& tally,
+                double level) { return rms_error_m(tally, level); },
     .describe = [](LocationPointRun& point, const LocationBench& bench,
                    const LocationTally& tally) { point.result = bench.summed(tally); },
     .fits =

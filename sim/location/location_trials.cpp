@@ -13,6 +13,10 @@
 namespace sim {
 namespace {
 
+Estimate root_of(const Estimate& square) {
+  return {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
+}
+
 Estimate share_of(std::uint64_t part, std::uint64_t whole, double level) {
   const Interval ci = clopper_pearson(static_cast<double>(part), static_cast<double>(whole), level);
   return {ratio(part, whole), ci.low, ci.high};
@@ -94,11 +98,17 @@ LocationTrials LocationBench::summed(const LocationTally& tally) const {
   }
   const double level = settings_.level;
   result.squared_um2 = errors.sum() * 1e12;
-  const Estimate square = errors.estimate(level);
-  result.rmse_m = {std::sqrt(square.value), std::sqrt(square.low), std::sqrt(square.high)};
+  result.rmse_m = root_of(errors.estimate(level));
   result.coverage = share_of(result.covered, errors.n(), level);
   result.region_coverage = share_of(in_region, errors.n(), level);
   return result;
+}
+
+Estimate rms_error_m(const LocationTally& tally, double level) {
+  SkewedMean errors;
+  for (const LocationTrial& trial : tally.trials)
+    if (trial.outcome == LocateOutcome::located) errors.add(trial.squared_m2);
+  return root_of(errors.estimate(level));
 }
 
 LocationTally run_location(const LocationBench& bench, std::uint32_t first, int n,

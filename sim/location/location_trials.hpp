@@ -81,6 +81,9 @@ class LocationBench {
   std::optional<PositionCovariance> bound_;
 };
 
+/// Of the located ones, with an interval of that level.
+Estimate rms_error_m(const LocationTally& tally, double level);
+
 /// Trials first ... first + n - 1; fewer after a stop.
 LocationTally run_location(const LocationBench& bench, std::uint32_t first, int n,
                            const std::atomic<bool>* stop = nullptr);

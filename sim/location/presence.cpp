@@ -87,6 +87,10 @@ PresenceResult PresenceBench::result(const PresenceTally& tally) const {
   return result;
 }
 
+Estimate detection(const PresenceTally& tally, double level) {
+  return share(tally.detections.front(), tally.trials, level);
+}
+
 PresenceTally run_presence(const PresenceBench& bench, std::uint32_t first, int n,
                            const std::atomic<bool>* stop) {
   PresenceTally tally = bench.no_trials();

@@ -88,6 +88,9 @@ class PresenceBench {
   PresenceResult uncounted_;  // nothing counted yet
 };
 
+/// At the first threshold, with an interval of that level.
+Estimate detection(const PresenceTally& tally, double level);
+
 /// Trials first ... first + n - 1; fewer after a stop.
 PresenceTally run_presence(const PresenceBench& bench, std::uint32_t first, int n,
                            const std::atomic<bool>* stop = nullptr);

@@ -16,6 +16,8 @@ constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> pres
                   const Workers&) { return PresenceBench(presence_settings(s, places)); },
     .most_at_once = trials_at_once<PresenceBench>,
     .run = run_presence,
+    .ratio = [](const PresenceBench&, const PresenceTally& tally,
+                double level) { return detection(tally, level); },
     .describe = [](PresencePointRun& point, const PresenceBench& bench,
                    const PresenceTally& tally) { point.result = bench.result(tally); },
     .fits =

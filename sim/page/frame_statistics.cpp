@@ -70,8 +70,8 @@ FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& count
       {.runs = trials,
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},
-      [&](std::uint32_t first, int n) {
-        return wires_of(link, hear_trials(link, begin + first, n, workers.interrupt));
+      [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
+        return wires_of(link, hear_trials(link, begin + first, n, over));
       });
   for (const std::vector<TracedTrial>& lot : sharing())
     for (const TracedTrial& trial : lot) add_trial(frames, link, trial);

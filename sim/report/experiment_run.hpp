@@ -1,11 +1,13 @@
 #pragma once
-// A run of an experiment that is not a link: what it is given by the command.
+// A run of an experiment: what it is given by the command, and what the commands ask of an
+// experiment, whatever its points are.
+#include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "sim/engine/measurement.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/dataset.hpp"
@@ -16,30 +18,47 @@
 namespace sim {
 
 struct ExperimentRun {
-  const LoadedScenario& scenario;
+  LoadedScenario scenario;
   std::filesystem::path output;
   std::string command;  // as the user typed it
   ProgramInfo program;
   Workers workers{};
   ProcessGroup* processes =
       nullptr;  // each of whose members runs the same; the first speaks for all
-  bool json = false, quiet = false, plot = false;
-  /// What was counted before, by files of the same scenario; the runs that the result has.
-  std::vector<std::string> checkpoints{};
+  bool json = false, quiet = false, plot = false, profile = false;
+  /// Results of the same scenario, program and shards, whose counts it goes on with or adds up.
+  std::vector<std::filesystem::path> counted_in{};
   std::vector<Shard> shards{{}};
   bool counts_nothing = false;  // what was counted before is all: shards are merged
 
   bool speaks() const { return processes == nullptr || processes->rank() == 0; }
 };
 
-/// What the commands ask of an experiment, whatever its points are.
+/// A run before its first trial: what it goes on with is read, what can be refused is refused.
+class ReadyRun {
+ public:
+  ReadyRun() = default;
+  ReadyRun(const ReadyRun&) = delete;
+  ReadyRun& operator=(const ReadyRun&) = delete;
+  virtual ~ReadyRun() = default;
+
+  /// What it starts from, for the members of a process group to compare.
+  virtual std::string start() const = 0;
+  /// Runs, says and writes; whether all points are finished.
+  virtual bool operator()() = 0;
+};
+
+/// What the commands ask of an experiment, whatever its points are. All throw Failure.
 struct ExperimentEngine {
-  /// Whether all points have all of their runs.
-  bool (*run)(const ExperimentRun&);
-  /// One for each point, for a shard; fewer if interrupted.
-  std::vector<RunPilot> (*pilots)(const LoadedScenario&, const Shard&, const Workers&);
-  /// Of its results.
-  std::vector<ColumnFacts> (*columns)();
+  std::unique_ptr<ReadyRun> (*ready)(ExperimentRun);
+  /// Throws where a point cannot be shared out like this.
+  void (*check_shard)(const LoadedScenario&, const Shard&);
+  /// The table of what each point of a shard would take; of fewer points if interrupted.
+  std::string (*plan)(const LoadedScenario&, const Shard&, const Workers&);
+  /// How much of amount_key() each point may have for all to take so many seconds.
+  std::uint64_t (*amount_within)(const LoadedScenario&, double seconds, const Workers&);
+  /// Of its results, where they are a Dataset.
+  std::vector<ColumnFacts> (*columns)() = nullptr;
 };
 
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any
@@ -48,6 +67,7 @@ class Rows {
  public:
   explicit Rows(bool silent) : silent_(silent) {}
   void print(const std::string& text);
+  bool have_failed() const { return failure_ != nullptr; }
   /// Throws what print could not.
   void check() const;
 

@@ -1,35 +1,50 @@
 #pragma once
 // A run of an experiment from its first row to its file: points are said while they are counted,
 // and kept in the file as they go.
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/columns/columns_dataset.hpp"
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/point_report.hpp"
 #include "sim/engine/checkpointer.hpp"
+#include "sim/engine/experiment.hpp"
+#include "sim/engine/plan.hpp"
 #include "sim/engine/progress_line.hpp"
 #include "sim/engine/run_counting.hpp"
 #include "sim/report/experiment_run.hpp"
+#include "sim/report/plan_report.hpp"
 #include "sim/report/report_table.hpp"
+#include "sim/result/stored_dataset.hpp"
+#include "sim/scenario/experiment_kind.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/text/digest.hpp"
+#include "sim/threads/stopwatch.hpp"
 
 namespace sim {
 
 template <class Setup, class Tally, class Point>
-class PointRun {
+class PointRun : public ReadyRun {
  public:
-  PointRun(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
+  PointRun(ExperimentRun run, const Measurement<Setup, Tally, Point>& kind,
            const PointReport<Point>& report)
-      : run_(run),
+      : run_(std::move(run)),
         report_(report),
-        counting_(kind, run.scenario),
-        table_(report.columns(), run.scenario, counting_.points().front()),
-        rows_(run.json || !run.speaks()),
-        progress_(!run.quiet && run.speaks()) {
-    for (const std::string& checkpoint : run.checkpoints) counting_.add(checkpoint);
+        counting_(kind, run_.scenario),
+        table_(report.columns(), run_.scenario, counting_.points().front()),
+        rows_(run_.json || !run_.speaks()),
+        progress_(!run_.quiet && run_.speaks()) {
+    for (const std::filesystem::path& path : run_.counted_in) counting_.add(read_checkpoint(path));
   }
 
-  bool operator()() {
+  std::string start() const override {
+    return run_.scenario.text + digest_of(counting_.checkpoint());
+  }
+
+  bool operator()() override {
     const RunCounters by{run_.workers, run_.processes};
     counting_.describe_all(run_.workers);
     if (by.interrupted()) return leave_as_it_was();
@@ -40,9 +55,12 @@ class PointRun {
     }
     const std::size_t all = counting_.points().size();
     const std::size_t finished = counting_.n_finished(run_.shards);
+    const Stopwatch watch;
     if (run_.speaks())
       conclude(run_, rows_, dataset(), unfinished_note(all, finished, counting_.n_begun()),
                drawn_columns(report_.columns()), details());
+    writing_s_ += watch.seconds();
+    if (run_.profile && run_.speaks()) say(profile_text());
     return finished == all;
   }
 
@@ -67,9 +85,11 @@ class PointRun {
   }
 
   /// A result of no runs replaces none.
-  void write() const {
+  void write() {
     const Dataset data = dataset();
+    const Stopwatch watch;
     if (data.n_runs > 0) write_dataset(run_.output, data, run_.program);
+    writing_s_ += watch.seconds();
   }
 
   bool leave_as_it_was() const {
@@ -90,28 +110,44 @@ class PointRun {
     return single ? report_.details(run_.scenario, points[0]) : "";
   }
 
-  const ExperimentRun& run_;
+  std::string profile_text() const {
+    RunProfile profile = counting_.profile();
+    profile.writing_s = writing_s_;
+    return profile_lines(profile, dataset().n_runs);
+  }
+
+  const ExperimentRun run_;
   const PointReport<Point> report_;
   RunCounting<Setup, Tally, Point> counting_;
   PointTable<Point> table_;
   Rows rows_;
   ProgressLine progress_;
   Checkpointer checkpointer_;
+  double writing_s_ = 0;
 };
 
 template <class Setup, class Tally, class Point>
-bool run_points(const ExperimentRun& run, const Measurement<Setup, Tally, Point>& kind,
-                const PointReport<Point>& report) {
-  return PointRun<Setup, Tally, Point>(run, kind, report)();
+std::unique_ptr<ReadyRun> ready_run(ExperimentRun run, const Measurement<Setup, Tally, Point>& kind,
+                                    const PointReport<Point>& report) {
+  return std::make_unique<PointRun<Setup, Tally, Point>>(std::move(run), kind, report);
 }
 
 /// An experiment for the commands, of what it tells the engine (a Measurement) and of what it says
 /// of its points (a PointReport).
 template <const auto& kind, const auto& report>
 constexpr ExperimentEngine experiment_engine{
-    .run = [](const ExperimentRun& run) { return run_points(run, kind, report); },
-    .pilots = [](const LoadedScenario& scenario, const Shard& shard,
-                 const Workers& workers) { return run_pilots(kind, scenario, shard, workers); },
+    .ready = [](ExperimentRun run) { return ready_run(std::move(run), kind, report); },
+    .check_shard = check_shard_of_runs,
+    .plan =
+        [](const LoadedScenario& scenario, const Shard& shard, const Workers& workers) {
+          return plan_table(scenario.sweep, run_pilots(kind, scenario, shard, workers),
+                            workers.threads);
+        },
+    .amount_within =
+        [](const LoadedScenario& scenario, double seconds, const Workers& workers) {
+          return runs_within(run_pilots(kind, scenario, {}, workers), seconds,
+                             find_key(amount_key(scenario.base))->facts.range.high);
+        },
     .columns =
         [] {
           const auto& all = report.columns().all();

@@ -113,7 +113,7 @@ std::uint64_t runs_in(const Dataset& data) {
 }
 
 std::vector<Shard> shards_in(const NetcdfReader& file, const std::filesystem::path& path) {
-  const auto shards = parse_shards(file.text("shards", "1/1"));
+  const auto shards = shards_of(file);
   if (!shards || shards->empty())
     throw bad_input(path.string(), "it does not say which runs it has: it is damaged",
                     "choose another file");

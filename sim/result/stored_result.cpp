@@ -88,6 +88,10 @@ Origin origin_of(const NetcdfReader& file) {
           .scenario_toml = file.text("scenario_toml")};
 }
 
+std::optional<std::vector<Shard>> shards_of(const NetcdfReader& file) {
+  return parse_shards(file.text("shards", "1/1"));
+}
+
 std::string mismatch(const Origin& own, const Origin& other) {
   if (other.format_version != own.format_version) return "it has another version of the format";
   if (other.program.version != own.program.version || other.program.commit != own.program.commit)
@@ -102,7 +106,7 @@ bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
   const bool whole = std::ranges::all_of(columns(), [&](const LinkColumn& column) {
     return std::visit(ColumnReader{file, column.name, result.points}, column.value);
   });
-  const auto shards = parse_shards(file.text("shards", "1/1"));
+  const auto shards = shards_of(file);
   result.shards = shards.value_or(std::vector<Shard>());
   return whole && shards && read_costs(file, result.points) &&
          result_digest(result) == file.text("result_digest");

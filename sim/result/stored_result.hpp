@@ -1,7 +1,9 @@
 #pragma once
 // A result file read back.
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/program_info.hpp"
 #include "sim/result/netcdf_reader.hpp"
@@ -19,6 +21,9 @@ struct Origin {
 };
 
 Origin origin_of(const NetcdfReader& file);
+
+/// Which trials or runs a result has; nothing where the file does not say it.
+std::optional<std::vector<Shard>> shards_of(const NetcdfReader& file);
 
 /// In what `other` is not the same as `own`, as words about "it"; empty where it is the same.
 std::string mismatch(const Origin& own, const Origin& other);

@@ -13,16 +13,13 @@
 namespace sim {
 namespace {
 
-constexpr ExperimentKind link{
-    .name = "link", .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}};
-
 std::vector<const ExperimentKind*>& known_kinds() {
-  static std::vector<const ExperimentKind*> kinds{&link};
+  static std::vector<const ExperimentKind*> kinds{&link_kind};
   return kinds;
 }
 
 /// Of every experiment.
-constexpr std::array<std::string_view, 12> common{
+constexpr std::array<std::string_view, 13> common{
     "title",
     "experiment",
     "led.part",
@@ -35,6 +32,7 @@ constexpr std::array<std::string_view, 12> common{
     "receiver.yaw_deg",
     "receiver.tilt_deg",
     "simulation.seed",
+    "stop.rel_ci",
 };
 
 /// Of every experiment in which receiver modules hear messages.
@@ -75,11 +73,14 @@ std::string kinds_with(std::string_view key) {
 
 std::string remedy(const ExperimentKind& kind, std::string_view key) {
   if (key.starts_with("stop.") && !kind.amount.empty())
-    return fmt::format("set {}: --max-frames and all else of [stop] are for links", kind.amount);
+    return fmt::format("set {}, or stop.rel_ci to end at a width of the interval", kind.amount);
   return fmt::format("remove it, or write experiment = {} before the first table", kinds_with(key));
 }
 
 }  // namespace
+
+constinit const ExperimentKind link_kind{
+    .name = "link", .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}};
 
 const std::vector<const ExperimentKind*>& experiment_kinds() { return known_kinds(); }
 

@@ -18,6 +18,9 @@ struct ExperimentKind {
   std::vector<Key> (*keys)() = nullptr;  // of its own tables; null: none
 };
 
+/// A link, which is always known.
+extern const ExperimentKind link_kind;
+
 /// A link, and the experiments that are known besides, in the order in which they became known.
 const std::vector<const ExperimentKind*>& experiment_kinds();
 

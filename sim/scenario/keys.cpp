@@ -193,10 +193,11 @@ std::vector<Key> stop_keys() {
       whole("stop.max_frame_errors", "1", from(0, 1e12), stop, &StopSettings::max_frame_errors,
             "lost messages after which a point ends",
             "under importance sampling as many as weights are worth; 0: no such limit"),
-      number("stop.rel_ci", "1", from(0, 1), stop, &StopSettings::rel_ci,
-             "half width of the interval of the bit error ratio, over the ratio, at which a point "
-             "is finished",
-             "0: no such rule"),
+      number(
+          "stop.rel_ci", "1", from(0, 1), stop, &StopSettings::rel_ci,
+          "half width of the 95 % interval of what is measured, over its value, at which a point "
+          "is finished",
+          "of a link the bit error ratio, of others their first figure; 0: no such rule"),
       number("stop.target_flr", "1", from(0, 1), stop, &StopSettings::target_flr,
              "frame loss ratio; a point is finished when its own is surely below or above",
              "by its 99.9 % interval; 0: no such rule"),

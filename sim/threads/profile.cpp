@@ -35,22 +35,40 @@ Stages stages_of(const Profile& profile, bool has_samples) {
   return stages;
 }
 
-}  // namespace
+/// What time is told for besides: "ns a sample".
+struct Each {
+  const char* heading;
+  double per_second;
+  std::uint64_t n;
+};
 
-std::string profile_lines(const Profile& profile, std::uint64_t n_samples) {
-  const Stages stages = stages_of(profile, n_samples > 0);
+std::string lines(const Stages& stages, const Each& each) {
   double total = 0;
   for (const auto& [name, seconds] : stages) total += seconds;
   if (total == 0) return "nothing was run, so there is no profile\n";
-  std::string text = "time of the threads          s   share   ns a sample\n";
+  std::string text = fmt::format("time of the threads          s   share   {:>11}\n", each.heading);
   const auto line = [&](const char* name, double seconds) {
-    const double ns = 1e9 * seconds / static_cast<double>(n_samples);
+    const double time = each.per_second * seconds / static_cast<double>(each.n);
     text += fmt::format("  {:<16}  {:>10.3f}  {:>5.1f}%  {:>12}\n", name, seconds,
-                        100 * seconds / total, n_samples > 0 ? fmt::format("{:.4f}", ns) : "-");
+                        100 * seconds / total, each.n > 0 ? fmt::format("{:.4f}", time) : "-");
   };
   for (const auto& [name, seconds] : stages) line(name, seconds);
   line("all", total);
   return text;
+}
+
+}  // namespace
+
+std::string profile_lines(const Profile& profile, std::uint64_t n_samples) {
+  return lines(stages_of(profile, n_samples > 0), {"ns a sample", 1e9, n_samples});
+}
+
+std::string profile_lines(const RunProfile& profile, std::uint64_t n_runs) {
+  return lines({{"preparing", profile.preparing_s},
+                {"runs", profile.running_s},
+                {"describing", profile.describing_s},
+                {"writing", profile.writing_s}},
+               {"ms a run", 1e3, n_runs});
 }
 
 }  // namespace sim

@@ -22,4 +22,15 @@ struct Profile {
 /// where samples were made.
 std::string profile_lines(const Profile& profile, std::uint64_t n_samples);
 
+/// Of an experiment that is not a link, the same in seconds.
+struct RunProfile {
+  double preparing_s = 0;   // of the points
+  double running_s = 0;     // of all threads
+  double describing_s = 0;  // of the points, by what their runs counted
+  double writing_s = 0;     // of the result file
+};
+
+/// With time for a run.
+std::string profile_lines(const RunProfile& profile, std::uint64_t n_runs);
+
 }  // namespace sim

@@ -81,11 +81,6 @@ TEST_F(ArenaProgram, IsDrawnAsCharacters) {
   EXPECT_NE(single.out.find("nothing to plot: no number is swept"), std::string::npos);
 }
 
-TEST_F(ArenaProgram, StagesOfATrialAreNotTimed) {
-  expect_refused({"run", "a.toml", "--profile"}, bad_input,
-                 "--profile with a.toml (it times the stages of a link's trial) leave it out");
-}
-
 TEST_F(ArenaProgram, OtherCommandsTakeLinks) {
   for (const char* command : {"find", "trace"}) {
     const Outcome o = program({command, "a.toml"});

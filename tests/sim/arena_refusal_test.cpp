@@ -181,7 +181,7 @@ TEST(ArenaRefusals, KeysOfAnotherExperiment) {
          "link");
   EXPECT_EQ(line_of(one + "[stop]\nmax_frames = 5\n"),
             "stop.max_frames in x.toml:5" + nothing +
-                "\"arena\") set arena.runs: --max-frames and all else of [stop] are for links");
+                "\"arena\") set arena.runs, or stop.rel_ci to end at a width of the interval");
   expect(line_of("[devices.a]\nx_m = 1\n"), "devices.a.x_m in x.toml:2" + nothing + "\"link\"",
          "arena");
   expect(line_of("[sweep]\narena.duration_s = [1, 2]\n"),

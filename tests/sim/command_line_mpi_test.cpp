@@ -74,6 +74,18 @@ TEST_F(Mpi, OtherExperimentsThanLinksToo) {
   }
 }
 
+TEST_F(Mpi, TheyStopAtTheSameRun) {
+  write("d.toml",
+        sim::test::scenario_of(sim::test::small_experiments[3], false) + "stop.rel_ci = 0.1\n");
+  const Words run{"run", "d.toml", "-q", "-t", "1", "--set", "presence.trials=2000"};
+  const Outcome alone = program(run);
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  const std::string trials = values("d.h5", "n_trials");
+  EXPECT_LT(std::stoi(trials), 2000);
+  EXPECT_EQ(mpirun(3, run).out, alone.out);
+  EXPECT_EQ(values("d.h5", "n_trials"), trials);
+}
+
 TEST_F(Mpi, GoesOnWithWhatWasLeft) {
   const Words run{"run", "s.toml", "-q", "-n", "1500", "-e", "0", "-t", "1"};
   const std::string whole = digest_of(program(run).out);

@@ -229,7 +229,7 @@ TEST(Listening, RefusesWhatItCannotHear) {
       "carrier period takes at least 4 samples) raise simulation.sample_rate_hz to 236000");
   EXPECT_EQ(refused({"stop.max_frames=8"}),
             "stop.max_frames in --set (it means nothing in the experiment \"listening\") set "
-            "listening.runs: --max-frames and all else of [stop] are for links");
+            "listening.runs, or stop.rel_ci to end at a width of the interval");
   EXPECT_EQ(refused({"listening.air=*"}), "accepted");
 }
 

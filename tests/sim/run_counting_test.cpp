@@ -2,7 +2,10 @@
 #include "sim/engine/run_counting.hpp"
 #include "sim/columns/columns_dataset.hpp"
 
+#include <atomic>
+#include <cmath>
 #include <random>
+#include <thread>
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
@@ -41,29 +44,6 @@ std::string counted_shard(const Measurement<Setup, Tally, Point>& kind,
   return counting.checkpoint();
 }
 
-/// Bytes of a checkpoint are changed at random: it is refused, or what it then says is described.
-template <class Setup, class Tally, class Point>
-void expect_damage_to_be_met(const Measurement<Setup, Tally, Point>& kind,
-                             const LoadedScenario& scenario, const Columns<Point>& columns) {
-  const std::string whole = counted_shard(kind, scenario, {}, 2);
-  std::mt19937_64 random(1);
-  int refused = 0;
-  for (int i = 0; i < 4; ++i) {
-    std::string damaged = whole;
-    for (int bytes = 0; bytes < 3; ++bytes)
-      damaged[random() % damaged.size()] = static_cast<char>(random());
-    RunCounting<Setup, Tally, Point> counting(kind, scenario);
-    try {
-      counting.add(damaged);
-      counting.describe_all({});
-      dataset_json(dataset_of(scenario, "", columns, counting.points()));
-    } catch (const std::exception&) {
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 0);
-}
-
 template <class Setup, class Tally, class Point>
 void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
                             const LoadedScenario& scenario, const Columns<Point>& columns) {
@@ -74,37 +54,55 @@ void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
   EXPECT_NE(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
   sum.describe_all({});
   EXPECT_EQ(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
-  expect_damage_to_be_met(kind, scenario, columns);
 }
 
-TEST(RunCounting, PartsOfAnArenaAddUp) {
-  expect_parts_to_add_up(arena_measurement, small_scenario("arena", "arena.runs=3"),
-                         arena_columns());
+/// Bytes of a checkpoint are changed at random: it is refused, or what it then says is described.
+/// What is left of one that was cut off is refused.
+template <class Setup, class Tally, class Point>
+void expect_damage_to_be_met(const Measurement<Setup, Tally, Point>& kind,
+                             const LoadedScenario& scenario, const Columns<Point>& columns) {
+  const std::string whole = counted_shard(kind, scenario, {}, 2);
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2; ++i) {
+    std::string damaged = whole;
+    for (int bytes = 0; bytes < 3; ++bytes)
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    RunCounting<Setup, Tally, Point> counting(kind, scenario);
+    try {
+      counting.add(damaged);
+      counting.describe_all({});
+      dataset_json(dataset_of(scenario, "", columns, counting.points()));
+    } catch (const std::exception&) {  // it is refused
+    }
+  }
+  RunCounting<Setup, Tally, Point> counting(kind, scenario);
+  EXPECT_THROW(counting.add(whole.substr(0, random() % whole.size())), Failure);
 }
 
-TEST(RunCounting, PartsOfAGuardAddUp) {
-  expect_parts_to_add_up(guard_measurement, small_scenario("guard", "arena.runs=3"),
-                         guard_columns());
+/// Each experiment with its scenario and columns.
+template <class Check>
+void for_each_experiment(const Check& check) {
+  check(arena_measurement, small_scenario("arena", "arena.runs=3"), arena_columns());
+  check(guard_measurement, small_scenario("guard", "arena.runs=3"), guard_columns());
+  check(exchange_measurement, small_scenario("sharedlink", "exchange.runs=3"), exchange_columns());
+  check(presence_measurement, small_scenario("presence", "presence.trials=50"), presence_columns());
+  check(location_measurement, small_scenario("location", "location.trials=50"), location_columns());
+  check(listening_measurement, small_scenario("listening", "listening.runs=3"),
+        listening_columns());
 }
 
-TEST(RunCounting, PartsOfAnExchangeAddUp) {
-  expect_parts_to_add_up(exchange_measurement, small_scenario("sharedlink", "exchange.runs=3"),
-                         exchange_columns());
+TEST(RunParts, AddUpInAnyOrder) {
+  for_each_experiment([](const auto& kind, const LoadedScenario& scenario, const auto& columns) {
+    SCOPED_TRACE(scenario.base.experiment);
+    expect_parts_to_add_up(kind, scenario, columns);
+  });
 }
 
-TEST(RunCounting, PartsOfPresenceAddUp) {
-  expect_parts_to_add_up(presence_measurement, small_scenario("presence", "presence.trials=50"),
-                         presence_columns());
-}
-
-TEST(RunCounting, PartsOfLocationAddUp) {
-  expect_parts_to_add_up(location_measurement, small_scenario("location", "location.trials=50"),
-                         location_columns());
-}
-
-TEST(RunCounting, PartsOfListeningAddUp) {
-  expect_parts_to_add_up(listening_measurement, small_scenario("listening", "listening.runs=3"),
-                         listening_columns());
+TEST(CheckpointBytes, DamageIsMet) {
+  for_each_experiment([](const auto& kind, const LoadedScenario& scenario, const auto& columns) {
+    SCOPED_TRACE(scenario.base.experiment);
+    expect_damage_to_be_met(kind, scenario, columns);
+  });
 }
 
 // ---- interrupts, on an experiment that counts its runs and lists them ----
@@ -129,7 +127,19 @@ struct NumberedPoint {
 
 constexpr std::uint32_t all_runs = 20;
 
-NumberedRuns run_numbered(const int&, std::uint32_t first, int n, const std::atomic<bool>*) {
+/// Runs from this on take until they are over.
+std::atomic<std::uint32_t> held_from = 0;
+
+/// As long as this lives.
+struct HeldRuns {
+  explicit HeldRuns(std::uint32_t from) { held_from = from; }
+  HeldRuns(const HeldRuns&) = delete;
+  HeldRuns& operator=(const HeldRuns&) = delete;
+  ~HeldRuns() { held_from = 0; }
+};
+
+NumberedRuns run_numbered(const int&, std::uint32_t first, int n, const std::atomic<bool>* over) {
+  while (held_from > 0 && first >= held_from && !is_stopped(over)) std::this_thread::yield();
   NumberedRuns numbers;
   for (int i = 0; i < n; ++i) numbers.runs.push_back(first + static_cast<std::uint32_t>(i));
   return numbers;
@@ -141,6 +151,11 @@ const Measurement<int, NumberedRuns, NumberedPoint> numbered_measurement{
     .prepare = [](const Scenario&, const SourceLocations&, const Workers&) { return 0; },
     .most_at_once = [](const int&, std::uint32_t, int) { return 3U; },
     .run = run_numbered,
+    .ratio =
+        [](const int&, const NumberedRuns& numbers, double) {
+          const double half_width = 1 / std::sqrt(static_cast<double>(numbers.runs.size()));
+          return Estimate{1, 1 - half_width, 1 + half_width};
+        },
     .describe = [](NumberedPoint& point, const int&,
                    const NumberedRuns& n) { point.runs = n.runs; }};
 
@@ -150,18 +165,20 @@ std::vector<std::uint32_t> first_numbers(std::uint32_t n) {
   return run_numbered(0, 0, static_cast<int>(n), nullptr).runs;
 }
 
+/// Counts so many runs, whole batches, until an interrupt.
+void count_first(NumberedCounting& counting, std::uint32_t n) {
+  const HeldRuns held(n);
+  std::atomic<bool> stop = false;
+  counting.count(0, {}, {{.threads = 1, .interrupt = &stop}},
+                 [&](std::uint32_t done, std::uint32_t) { stop = done == n; });
+}
+
 TEST(RunCounting, GoesOnBehindTheRunsThatItHas) {
   const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
-  std::atomic<bool> stop = false;
   NumberedCounting begun(numbered_measurement, scenario);
-  begun.count(0, {}, {{.threads = 1, .interrupt = &stop}},
-              [&](std::uint32_t done, std::uint32_t all) {
-                EXPECT_EQ(all, all_runs);
-                if (done > 5) stop = true;
-              });
+  count_first(begun, 9);
+  EXPECT_EQ(begun.points()[0].runs, first_numbers(9));
   const auto before = begun.points()[0].runs;
-  ASSERT_FALSE(before.empty());
-  EXPECT_EQ(before, first_numbers(static_cast<std::uint32_t>(before.size())));
   NumberedCounting again(numbered_measurement, scenario);
   again.add(begun.checkpoint());
   again.describe_all({});
@@ -213,10 +230,77 @@ TEST(RunCounting, RefusesWhatIsNoCheckpointOfIt) {
 TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
   const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
   NumberedCounting counting(numbered_measurement, scenario);
-  counting.count(0, {}, {{.threads = 1}}, [&](std::uint32_t done, std::uint32_t) {
-    counting.bring_up_to_date();
-    EXPECT_EQ(counting.points()[0].runs, first_numbers(done));
-  });
+  const HeldRuns held(9);
+  std::atomic<bool> stop = false;
+  std::vector<std::uint32_t> seen;
+  counting.count(0, {}, {{.threads = 1, .interrupt = &stop}},
+                 [&](std::uint32_t done, std::uint32_t all) {
+                   EXPECT_EQ(all, all_runs);
+                   counting.bring_up_to_date();
+                   EXPECT_EQ(counting.points()[0].runs, first_numbers(done));
+                   stop = done == 9;
+                 });
+  EXPECT_EQ(counting.points()[0].runs, first_numbers(9));
+}
+
+// ---- stop rules: the interval of numbered runs is 1 +- 1/sqrt(n) ----
+
+LoadedScenario presence(const std::string& trials, const std::string& rule) {
+  return loaded("experiment = \"presence\"\n", {"presence.trials=" + trials, rule});
+}
+
+TEST(RunCounting, StopsAtTheFirstLookThatFindsTheIntervalNarrow) {
+  for (const auto& [width, n] : {std::pair{"0.2", 32U},
+                                 {"0.25", 16U},
+                                 {"0.0501", 400U},
+                                 {"0.01", 10240U},
+                                 {"0.001", 12000U}})
+    for (const int threads : {1, 2, 5}) {
+      const LoadedScenario scenario = presence("12000", std::string("stop.rel_ci=") + width);
+      NumberedCounting counting(numbered_measurement, scenario);
+      counting.count(0, {}, {{.threads = threads}});
+      EXPECT_EQ(counting.points()[0].runs, first_numbers(n)) << width << ", " << threads;
+      EXPECT_EQ(counting.n_finished({{}}), 1U);
+    }
+}
+
+TEST(RunCounting, StopsThereAfterAnInterruptToo) {
+  const LoadedScenario scenario = presence("1000", "stop.rel_ci=0.2");
+  for (const std::uint32_t before : {3U, 9U, 24U, 30U}) {
+    NumberedCounting begun(numbered_measurement, scenario);
+    count_first(begun, before);
+    EXPECT_EQ(begun.points()[0].runs, first_numbers(before));
+    EXPECT_EQ(begun.n_finished({{}}), 0U);
+    NumberedCounting again(numbered_measurement, scenario);
+    again.add(begun.checkpoint());
+    again.count(0, {}, {{.threads = 2}});
+    EXPECT_EQ(again.points()[0].runs, first_numbers(32)) << before;
+  }
+}
+
+TEST(RunCounting, RunsNothingBehindTheStop) {
+  const LoadedScenario scenario = presence("1000", "stop.rel_ci=0.2");
+  const std::string whole = counted_shard(numbered_measurement, scenario, {}, 2);
+  NumberedCounting again(numbered_measurement, scenario);
+  again.add(whole);
+  EXPECT_EQ(again.n_finished({{}}), 1U);
+  again.count(0, {}, {{.threads = 2}});
+  again.describe_all({});
+  EXPECT_EQ(again.points()[0].runs, first_numbers(32));
+  EXPECT_EQ(again.checkpoint(), whole);
+}
+
+TEST(RunCounting, StopsWhereALevelIsSurelyLeft) {
+  const auto runs_with = [](const std::string& target) {
+    const LoadedScenario scenario = loaded(test::scenario_of(test::small_experiments[0], false),
+                                           {"arena.runs=1000", "stop.target_flr=" + target});
+    NumberedCounting counting(numbered_measurement, scenario);
+    counting.count(0, {}, {{.threads = 2}});
+    return counting.points()[0].runs.size();
+  };
+  EXPECT_EQ(runs_with("0.5"), 8U);   // 1 - 1/sqrt(8) = 0.65
+  EXPECT_EQ(runs_with("0.8"), 32U);  // 1 - 1/sqrt(32) = 0.82, of 24 runs 0.796
+  EXPECT_EQ(runs_with("0.99"), 1000U);
 }
 
 TEST(CheckpointBytes, AListThatIsLongerThanTheBytesIsRefused) {

@@ -130,4 +130,43 @@ TEST(SequentialCoverage, MeasuredStoppedByATarget) {
     EXPECT_GE(coverage({.max_frames = 5000, .target_flr = target}).ber, 0.93) << target;
 }
 
+// ---- runs of other experiments, whose losses are clustered ----
+
+constexpr std::uint64_t messages = 40;                  // of a run
+constexpr double calm_loss = 0.02, crowded_loss = 0.3;  // half of the runs each
+constexpr double run_loss = (calm_loss + crowded_loss) / 2;
+
+sim::Estimate stopped_run_loss(const StopRule& rule, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  sim::ClusterSums losses;
+  const auto loss = [&](double level) { return sim::clustered_ratio(losses, level); };
+  for (std::uint32_t n = 1;; ++n) {
+    const double p = random() % 2 == 0 ? calm_loss : crowded_loss;
+    losses.add(std::binomial_distribution<std::uint64_t>(messages, p)(random), messages);
+    if (n == rule.max_frames || (sim::is_look(n) && sim::stop_reason(rule, loss)))
+      return loss(0.95);
+  }
+}
+
+double coverage_of_runs(const StopRule& rule) {
+  constexpr int experiments = 4000;
+  int held = 0;
+  for (int i = 0; i < experiments; ++i)
+    held += holds(stopped_run_loss(rule, static_cast<std::uint64_t>(i)), run_loss);
+  return 1.0 * held / experiments;
+}
+
+TEST(SequentialCoverage, MeasuredOfRuns) {
+  for (const double rel_ci : {0.0, 0.5, 0.2, 0.1}) {
+    const double held = coverage_of_runs({.max_frames = 1000, .rel_ci = rel_ci});
+    EXPECT_GE(held, 0.93) << rel_ci;
+    EXPECT_LE(held, 0.965) << rel_ci;
+  }
+}
+
+TEST(SequentialCoverage, MeasuredOfRunsStoppedByATarget) {
+  for (const double target : {0.02, 0.1, 0.14, 0.18, 0.25, 0.5})
+    EXPECT_GE(coverage_of_runs({.max_frames = 1000, .target_flr = target}), 0.9) << target;
+}
+
 }  // namespace

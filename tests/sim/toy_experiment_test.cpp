@@ -2,10 +2,13 @@
 // elsewhere it has keys, a table, HDF5, JSON and a page, and its runs are kept, shared out, merged
 // and compared as those of the others.
 #include <gtest/gtest.h>
+
 #include <unistd.h>
+#include <cmath>
 
 #include <algorithm>
 #include <cereal/types/vector.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -80,6 +83,13 @@ Throws throw_dice(const Dice& dice, std::uint32_t first, int n, const std::atomi
   return throws;
 }
 
+Estimate ones(const Throws& throws, double level) {
+  const auto part = static_cast<double>(throws.faces[0]);
+  const auto whole = static_cast<double>(throws.n());
+  const Interval ends = clopper_pearson(part, whole, level);
+  return {part / whole, ends.low, ends.high};
+}
+
 constexpr Measurement<Dice, Throws, DicePoint> dice_measurement{
     .unreached = [](const Scenario&, const SourceLocations&,
                     const std::vector<double>& coordinates) { return DicePoint{coordinates}; },
@@ -91,14 +101,8 @@ constexpr Measurement<Dice, Throws, DicePoint> dice_measurement{
         },
     .most_at_once = [](const Dice&, std::uint32_t, int) { return 10U; },
     .run = throw_dice,
+    .ratio = [](const Dice&, const Throws& throws, double level) { return ones(throws, level); },
     .describe = [](DicePoint& point, const Dice&, const Throws& throws) { point.throws = throws; }};
-
-Estimate ones(const DicePoint& point) {
-  const auto part = static_cast<double>(point.throws.faces[0]);
-  const auto whole = static_cast<double>(point.throws.n());
-  const Interval ends = clopper_pearson(part, whole, 0.95);
-  return {part / whole, ends.low, ends.high};
-}
 
 double mean(const DicePoint& point) {
   double sum = 0;
@@ -118,7 +122,8 @@ const Columns<DicePoint>& dice_columns() {
     });
     made.count({"n_runs", "1", "throws"}, [](const DicePoint& p) { return p.throws.n(); })
         .headed({{"", "", "throws"}, 8});
-    made.ratio({"share_of_ones", "1", "throws of a one over all"}, ones)
+    made.ratio({"share_of_ones", "1", "throws of a one over all"},
+               [](const DicePoint& p) { return ones(p.throws, 0.95); })
         .headed({{"", "share of ones", "[interval]"}, -estimate_width})
         .drawn({"Share of ones", "share of ones", true});
     made.real({"mean_eyes", "1", "mean of the eyes thrown"}, mean, significant(3))
@@ -239,6 +244,26 @@ TEST_F(ToyExperiment, IsPlottedPlannedAndCompared) {
   EXPECT_EQ(done({"diff", "d.h5", "one.h5"}), "equal: the same counts at every point\n");
   done({"run", "d.toml", "-q", "-o", "other.h5", "-S", "5"});
   EXPECT_TRUE(done({"diff", "d.h5", "other.h5"}).starts_with("compatible: no ratio of 3 "));
+}
+
+TEST_F(ToyExperiment, EndsWhereItsIntervalIsNarrow) {
+  done({"run", "d.toml", "-q", "--rel-ci", "0.3"});
+  const std::vector<double> runs = numbers_named(read_dataset("d.h5").data, "n_runs");
+  EXPECT_LT(runs[0], 100);  // a one in two
+  EXPECT_EQ(runs[2], 300);  // in twenty: all of them
+  EXPECT_EQ(std::fmod(runs[0], 8), 0);
+  EXPECT_EQ(said({"run", "d.toml", "-q", "--rel-ci", "0.3", "--shard", "1/2"}),
+            "--shard 1/2 (--rel-ci and --target-flr need the counts of all shards) use dice.runs, "
+            "which can be shared out");
+}
+
+TEST_F(ToyExperiment, SaysWhereItsTimeWent) {
+  testing::internal::CaptureStderr();
+  done({"run", "d.toml", "-q", "--profile"});
+  const std::string profile = testing::internal::GetCapturedStderr();
+  for (const char* stage : {"preparing", "runs", "describing", "writing", "all"})
+    EXPECT_NE(profile.find(std::string("\n  ") + stage + " "), std::string::npos) << profile;
+  EXPECT_NE(profile.find("ms a run"), std::string::npos) << profile;
 }
 
 TEST_F(ToyExperiment, IsSharedOut) {
