@@ -4,11 +4,12 @@
 # (-LE measured). Lists of names, "A|B", say what else a suite is; that of a parameterised suite is what follows its "/".
 #   GATE: its measurements have the label `gate` too, and tests/run leaves them to the gate
 #   WEEKLY: theirs is `weekly` instead
-#   OUTSIDE, AGAIN: the suite has the label `outside` or `again`; all others of sim have `plain`
+#   OUTSIDE, AGAIN: the suite has the label `outside` or `again`
+#   PLAIN: of the others, those in the list have `plain`: in a gate the address sanitizer's build alone runs them
 #   THREADS: it has the label `threads` where a part of its name, or of one of its cases, is in the list
 #   LONG: it is begun before others
 # Usage: cmake -D PROGRAM=... -D PREFIX=... -D THREADS=... -D LONG=... -D GATE=... -D WEEKLY=... -D OUTSIDE=...
-#   -D AGAIN=... -D OUTPUT=... -P suites.cmake
+#   -D AGAIN=... -D PLAIN=... -D OUTPUT=... -P suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
@@ -45,7 +46,7 @@ function(add_suite suite cases)
     list(APPEND labels "outside")
   elseif(suite MATCHES "^(.*/)?(${AGAIN})$")
     list(APPEND labels "again")
-  elseif(PREFIX STREQUAL "sim")
+  elseif(PREFIX STREQUAL "sim" AND suite MATCHES "^(.*/)?(${PLAIN})$")
     list(APPEND labels "plain")
   endif()
   if(plain)
