@@ -21,7 +21,7 @@ std::int64_t samples_of(const dsp::LogicTrace& drive, dsp::Hertz sample_rate) {
   return static_cast<std::int64_t>(std::ceil(dsp::cycles(drive.end(), sample_rate)));
 }
 
-/// Pins being written; a flip past a trial's own end is not that trial's.
+/// Pins being written; an edge past a trial's own end is not that trial's.
 class PinWriter {
  public:
   PinWriter(std::span<const ChainInput> inputs, dsp::Hertz sample_rate,
@@ -46,7 +46,7 @@ class PinWriter {
   void write(std::int64_t sample, std::uint32_t lanes) {
     for (std::size_t i = 0; i < pins_.size(); ++i) {
       if ((lanes >> i & 1) == 0 || sample > last_[i]) continue;
-      pins_[i].flip_at(dsp::Seconds(static_cast<double>(sample) / rate_.value));
+      pins_[i].add_edge(dsp::Seconds(static_cast<double>(sample) / rate_.value));
     }
   }
 
@@ -79,7 +79,7 @@ struct PreparedGroup {
     for (ChainKernelInput::Lane& lane : kernel.lane) lane.module = &design.module;
     kernel.noise_dark = design.noise_dark;
     kernel.noise_lit = design.noise_lit;
-    kernel.on_flip = &PinWriter::write;
+    kernel.on_edge = &PinWriter::write;
     kernel.stopped = &PinWriter::stopped;
     kernel.context = &pins;
     for (const ChainInput& input : inputs) {

@@ -1,6 +1,6 @@
 #pragma once
 // The chain from the wire that drives the LED to the wire that the receiver module gives: keying,
-// light, noise, module, flips. Wires are LogicTraces: low = light on the way in, and on the way
+// light, noise, module, edges. Wires are LogicTraces: low = light on the way in, and on the way
 // out. Results do not depend on how many trials run together nor on the instruction set.
 #include <array>
 #include <atomic>

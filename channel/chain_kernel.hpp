@@ -64,7 +64,7 @@ struct ChainKernelInput {
   std::size_t n_tones = 0, n_tables = 0, n_carriers = 0;
   std::int64_t samples = 0;  // of the longest lane
   /// Called when pins change: at which sample's end, and which lanes (bit i = lane i).
-  void (*on_flip)(void* context, std::int64_t sample, std::uint32_t lanes) = nullptr;
+  void (*on_edge)(void* context, std::int64_t sample, std::uint32_t lanes) = nullptr;
   /// If set, no module runs: called at the end of each slot of a lane with its correlation.
   void (*on_slot)(void* context, int lane, const SlotSums& sums) = nullptr;
   /// Whether to give up, asked once a block.

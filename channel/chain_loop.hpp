@@ -1,6 +1,6 @@
 #pragma once
 // The loop over samples, the same for one trial as float and for many as lanes. Block by block it
-// is short loops, one behind the other: noise, light, light of others, the module, flips of the
+// is short loops, one behind the other: noise, light, light of others, the module, edges of the
 // pin. The state of each stays in registers; that of all in one does not (tests/bench). For the
 // kernels, and for who computes one trial alone.
 #include <algorithm>
@@ -260,7 +260,7 @@ void receive_with_margins(const ChainKernelInput& in, ReceiverModule<T>& module,
 
 /// Tells of each change of the pins in a block, of which most have none: eight bytes a look.
 template <class T>
-void report_flips(const ChainKernelInput& in, std::int64_t first, const dsp::LaneBits<T>* pins,
+void report_edges(const ChainKernelInput& in, std::int64_t first, const dsp::LaneBits<T>* pins,
                   int length, dsp::LaneBits<T>& before) {
   using Bits = dsp::LaneBits<T>;
   constexpr int look = sizeof(std::uint64_t) / sizeof(Bits);
@@ -271,8 +271,8 @@ void report_flips(const ChainKernelInput& in, std::int64_t first, const dsp::Lan
       i += look;
       continue;
     }
-    const std::uint32_t flips = pins[i] ^ before;
-    if (flips != 0) in.on_flip(in.context, first + i + 1, flips);
+    const std::uint32_t edges = pins[i] ^ before;
+    if (edges != 0) in.on_edge(in.context, first + i + 1, edges);
     before = pins[i++];
   }
 }
@@ -292,7 +292,7 @@ void run_chain(const ChainKernelInput& in, Probe probe) {
     else
       receive(module, x, length, pins, probe);
     done<T>(in, ChainStage::receiver);
-    report_flips<T>(in, first, pins, length, before);
+    report_edges<T>(in, first, pins, length, before);
     done<T>(in, ChainStage::pin);
   }
 }
@@ -312,7 +312,7 @@ class ChainRun {
     for (; done_ + block <= end; done_ += block) {
       irradiance_.fill(done_, x, block);
       receive(module_, x, block, pins, NoProbe{});
-      report_flips<T>(in_, done_, pins, block, before_);
+      report_edges<T>(in_, done_, pins, block, before_);
     }
   }
 

@@ -81,8 +81,8 @@ double burst_start(const BurstTrain& train, int i) {
 dsp::LogicTrace drive_of(const BurstTrain& train) {
   dsp::LogicTrace drive(true);
   for (int i = 0; i < train.bursts; ++i) {
-    drive.flip_at(dsp::Seconds(burst_start(train, i)));
-    drive.flip_at(dsp::Seconds(burst_start(train, i) + train.burst_s));
+    drive.add_edge(dsp::Seconds(burst_start(train, i)));
+    drive.add_edge(dsp::Seconds(burst_start(train, i) + train.burst_s));
   }
   drive.observe_until(dsp::Seconds(lead_s + train.bursts * train.period_s + lead_s));
   return drive;
@@ -110,9 +110,9 @@ dsp::LogicTrace output_of(const Bench& bench, const BurstTrain& train, double e_
 
 std::vector<Pulse> pulses_of(const dsp::LogicTrace& pin) {
   std::vector<Pulse> pulses;
-  const auto flips = pin.flips();
-  for (std::size_t i = 0; i + 1 < flips.size(); i += 2)
-    pulses.push_back({flips[i].value, flips[i + 1].value});
+  const auto edges = pin.edges();
+  for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+    pulses.push_back({edges[i].value, edges[i + 1].value});
   return pulses;
 }
 

@@ -75,10 +75,10 @@ class EnvelopeLane {
 
   const EnvelopeStretch* stretches() const { return stretches_.data(); }
   /// The pin changes so many steps behind the begin of a stretch, unless the trial is over by then.
-  void flip(std::size_t stretch, double step) {
-    const double last = pin_.flips().empty() ? 0 : pin_.flips().back().value;
+  void add_edge(std::size_t stretch, double step) {
+    const double last = pin_.edges().empty() ? 0 : pin_.edges().back().value;
     const double at = clock_.seconds(static_cast<double>(begins_[stretch]) + step - 0.5);
-    if (at <= pin_.end().value) pin_.flip_at(dsp::Seconds(std::max(last, at)));
+    if (at <= pin_.end().value) pin_.add_edge(dsp::Seconds(std::max(last, at)));
   }
   dsp::LogicTrace take() { return std::move(pin_); }
 
@@ -89,14 +89,14 @@ class EnvelopeLane {
     edges_.resize(steps.size());
     bool lit = !input.drive->initial();
     std::size_t stretch = 0;
-    for (const dsp::Seconds flip : input.drive->flips()) {
+    for (const dsp::Seconds edge : input.drive->edges()) {
       lit = !lit;
-      const dsp::Seconds behind = flip + chain.unit.delay;
+      const dsp::Seconds behind = edge + chain.unit.delay;
       const std::int64_t step = clock_.at_or_after(behind);
       while (stretch + 1 < steps.size() && step >= begins_[stretch + 1]) ++stretch;
       assert(step >= begins_[stretch]);
       const double phase =
-          fraction(flip.value * chain.carrier.value + input.carrier_phase * 0x1p-32);
+          fraction(edge.value * chain.carrier.value + input.carrier_phase * 0x1p-32);
       const double until = clock_.seconds(static_cast<double>(step) - 1) - behind.value;
       const Complex free =
           (lit ? -1.0 : 1.0) * chain.unit.irradiance * chain.unit.gain * steady(phase, until);
@@ -129,7 +129,7 @@ class EnvelopeGroup {
     kernel_.design = &chain.unit.design;
     kernel_.steps = steps.data();
     kernel_.n_stretches = steps.size();
-    kernel_.on_flip = &EnvelopeGroup::flip;
+    kernel_.on_edge = &EnvelopeGroup::add_edge;
     kernel_.stopped = &EnvelopeGroup::stopped;
     kernel_.context = this;
   }
@@ -144,10 +144,10 @@ class EnvelopeGroup {
   }
 
  private:
-  static void flip(void* self, int lane, std::size_t stretch, double step) {
+  static void add_edge(void* self, int lane, std::size_t stretch, double step) {
     auto& lanes = static_cast<EnvelopeGroup*>(self)->lanes_;
     const auto i = static_cast<std::size_t>(lane);
-    if (i < lanes.size()) lanes[i].flip(stretch, step);
+    if (i < lanes.size()) lanes[i].add_edge(stretch, step);
   }
   static bool stopped(void* self) {
     const std::atomic<bool>* stop = static_cast<EnvelopeGroup*>(self)->stop_;

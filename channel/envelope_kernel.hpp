@@ -40,7 +40,7 @@ struct EnvelopeKernelInput {
   const std::int32_t* steps = nullptr;  // of each stretch, in all lanes; whole blocks
   std::size_t n_stretches = 0;
   /// Called when a lane's pin changes: at how many steps from the stretch's begin.
-  void (*on_flip)(void* context, int lane, std::size_t stretch, double step) = nullptr;
+  void (*on_edge)(void* context, int lane, std::size_t stretch, double step) = nullptr;
   /// Whether to give up, asked in each block.
   bool (*stopped)(void* context) = nullptr;
   void* context = nullptr;

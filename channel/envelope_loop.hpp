@@ -95,23 +95,23 @@ class EnvelopeLoop {
   }
 
   void demodulate(std::size_t stretch, std::int32_t first, const Envelope<T>* envelope) {
-    T flip[block];
+    T edge[block];
     dsp::LaneBits<T> light[block];
     EnvelopeDemodulator<T> local = demodulator_;
-    for (int i = 0; i < block; i += steps_per_tick) local(envelope + i, light + i, flip + i);
+    for (int i = 0; i < block; i += steps_per_tick) local(envelope + i, light + i, edge + i);
     demodulator_ = local;
-    report_flips(stretch, first, light, flip);
+    report_edges(stretch, first, light, edge);
   }
 
-  void report_flips(std::size_t stretch, std::int32_t first, const dsp::LaneBits<T>* light,
-                    const T* flip) {
+  void report_edges(std::size_t stretch, std::int32_t first, const dsp::LaneBits<T>* light,
+                    const T* edge) {
     for (int i = 0; i < block; ++i) {
-      std::uint32_t flips = light[i] ^ before_;
+      std::uint32_t edges = light[i] ^ before_;
       before_ = light[i];
-      for (int lane = 0; flips != 0; ++lane, flips >>= 1)
-        if ((flips & 1) != 0)
-          in_.on_flip(in_.context, lane, stretch,
-                      first + i + static_cast<double>(dsp::lane(flip[i], lane)));
+      for (int lane = 0; edges != 0; ++lane, edges >>= 1)
+        if ((edges & 1) != 0)
+          in_.on_edge(in_.context, lane, stretch,
+                      first + i + static_cast<double>(dsp::lane(edge[i], lane)));
     }
   }
 

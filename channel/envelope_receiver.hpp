@@ -199,15 +199,15 @@ class EnvelopeIntegrator {
     const auto early = first >= top_, full = last >= top_;
     on_ = full | ((on_ | early) & (fallen > zero));
     const T late = dsp::choose(full, one - (last - top_), lit.begin + dsp::smaller(fallen, zero));
-    flip_ = dsp::choose(early, top_ - level_, late);
+    edge_ = dsp::choose(early, top_ - level_, late);
     level_ = dsp::smaller(last, top_);
     return on_;
   }
   /// If the output switched in the last step: when, from its begin.
-  T flip() const { return flip_; }
+  T edge() const { return edge_; }
 
  private:
-  T top_, level_ = T(0.0f), flip_ = T(0.0f);
+  T top_, level_ = T(0.0f), edge_ = T(0.0f);
   dsp::Mask<T> on_ = dsp::Mask<T>(false);
 };
 
@@ -231,11 +231,11 @@ class EnvelopeDemodulator {
 
   /// The steps of a tick: at the end of each whether the output reports light, bit i of it being
   /// lane i's, and when in it the output switched, if it did.
-  void operator()(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* flip) {
+  void operator()(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* edge) {
     if (dsp::any(bound(envelope) > sensed_))
-      see(envelope, light, flip);
+      see(envelope, light, edge);
     else
-      see_nothing(light, flip);
+      see_nothing(light, edge);
     agc_(active_);
     set_gain(agc_.ahead(middle_of_tick));
     active_ = T(0.0f);
@@ -256,26 +256,26 @@ class EnvelopeDemodulator {
   }
 
   // What no comparator sees the follower does not either, whichever lanes run together.
-  void see(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* flip) {
+  void see(const Envelope<T>* envelope, dsp::LaneBits<T>* light, T* edge) {
     Peak<T> peaks[steps_per_tick];
     for (int i = 0; i < steps_per_tick; ++i) peaks[i] = peaks_(envelope[i]);
     for (int i = 0; i < steps_per_tick; ++i) {
       const T height = peaks[i].height;
       const T following = follower_(dsp::choose(height > sensed_, height, T(0.0f)));
       active_ = active_ + activity_(peaks[i], dsp::larger(sensed_, following)).length();
-      count(signal_(peaks[i], dsp::larger(fixed_, following)), light + i, flip + i);
+      count(signal_(peaks[i], dsp::larger(fixed_, following)), light + i, edge + i);
     }
   }
-  void see_nothing(dsp::LaneBits<T>* light, T* flip) {
+  void see_nothing(dsp::LaneBits<T>* light, T* edge) {
     for (int i = 0; i < steps_per_tick; ++i) {
       follower_(T(0.0f));
       active_ = active_ + activity_().length();
-      count(signal_(), light + i, flip + i);
+      count(signal_(), light + i, edge + i);
     }
   }
-  void count(const LitParts<T>& lit, dsp::LaneBits<T>* light, T* flip) {
+  void count(const LitParts<T>& lit, dsp::LaneBits<T>* light, T* edge) {
     *light = static_cast<dsp::LaneBits<T>>(dsp::bits(integrator_(lit)));
-    *flip = integrator_.flip();
+    *edge = integrator_.edge();
   }
 
   /// The waveform's gain is that of its last tick, which is as long as a step.

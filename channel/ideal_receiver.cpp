@@ -35,7 +35,7 @@ SlotSamples slot_samples(const BitSlot& slot, dsp::Hertz sample_rate) {
 
 void SlotPin::decide(bool light) {
   const BitSlot& slot = (*slots_)[decided_];
-  // Ends and begins of neighbours may differ by a rounding error; flips must not go back in time.
+  // Ends and begins of neighbours may differ by a rounding error; edges must not go back in time.
   const dsp::Seconds before = decided_ == 0 ? slot.begin : (*slots_)[decided_ - 1].end;
   pin_.set_at(std::max(slot.begin, before) + delay_, !light);
   pin_.set_at(slot.end + delay_, true);

@@ -51,7 +51,7 @@ struct LiveChains::State {
     kernel_.carrier = &design.carrier;
     kernel_.noise_dark = design.noise_dark;
     kernel_.noise_lit = design.noise_lit;
-    kernel_.on_flip = &State::flip;
+    kernel_.on_edge = &State::add_edge;
     kernel_.context = this;
     for (ChainKernelInput::Lane& lane : kernel_.lane) lane.module = &design.module;
     for (std::size_t i = 0; i < inputs.size(); ++i) take(inputs[i], kernel_.lane[i]);
@@ -79,10 +79,10 @@ struct LiveChains::State {
     return dsp::Seconds(static_cast<double>(sample) / design.sample_rate.value);
   }
 
-  static void flip(void* self, std::int64_t sample, std::uint32_t lanes) {
+  static void add_edge(void* self, std::int64_t sample, std::uint32_t lanes) {
     State& state = *static_cast<State*>(self);
     for (std::size_t i = 0; i < state.pins.size(); ++i)
-      if ((lanes >> i & 1) != 0) state.pins[i].flip_at(state.time_of(sample));
+      if ((lanes >> i & 1) != 0) state.pins[i].add_edge(state.time_of(sample));
   }
 
   void take(const ChainInput& input, ChainKernelInput::Lane& lane) {

@@ -1,7 +1,7 @@
 #pragma once
 // LogicTrace: the level of one wire over time, the only type that channel and protocol share.
 // What a UART drives into an LED and what a receiver module gives the RX pin are both one of these,
-// so a perfect link is the identity plus a delay. Flip times must not decrease.
+// so a perfect link is the identity plus a delay. Edge times must not decrease.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -13,22 +13,22 @@ namespace dsp {
 
 class LogicTrace {
  public:
-  /// A wire at `initial` level that never flips, observed until `end`.
+  /// A wire at `initial` level that never changes, observed until `end`.
   explicit LogicTrace(bool initial = true, Seconds end = Seconds(0))
       : initial_(initial), end_(end) {}
 
-  /// The level changes at `t` (not before the last flip). Two flips at one instant cancel.
-  void flip_at(Seconds t);
+  /// The level changes at `t` (not before the last edge). Two edges at one instant cancel.
+  void add_edge(Seconds t);
   /// Makes the level `level` from `t` on; does nothing if it is so already.
   void set_at(Seconds t, bool level);
-  /// Extends the observation to `t`; it never shrinks and always covers the last flip.
+  /// Extends the observation to `t`; it never shrinks and always covers the last edge.
   void observe_until(Seconds t);
 
   bool initial() const { return initial_; }
-  bool final_level() const { return initial_ != (flips_.size() % 2 == 1); }
-  /// Level at `t`; an instant that is a flip has the level after it. O(log n).
+  bool final_level() const { return initial_ != (edges_.size() % 2 == 1); }
+  /// Level at `t`; an instant that is an edge has the level after it. O(log n).
   bool level_at(Seconds t) const;
-  std::span<const Seconds> flips() const { return flips_; }
+  std::span<const Seconds> edges() const { return edges_; }
   Seconds end() const { return end_; }
 
   bool operator==(const LogicTrace&) const = default;
@@ -36,7 +36,7 @@ class LogicTrace {
  private:
   bool initial_;
   Seconds end_;
-  std::vector<Seconds> flips_;
+  std::vector<Seconds> edges_;
 };
 
 /// Reads a trace forward in time in amortised O(1) a question: what a receiver's clock does.
@@ -52,7 +52,7 @@ class TraceReader {
   void advance_to(Seconds t);
 
   const LogicTrace* trace_;
-  std::size_t next_ = 0;  // index of the first flip after the last time asked
+  std::size_t next_ = 0;  // index of the first edge after the last time asked
 };
 
 }  // namespace dsp

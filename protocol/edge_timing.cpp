@@ -57,12 +57,12 @@ class Characters {
 UartReading read_edge_timing(const dsp::LogicTrace& line, dsp::Hertz baud) {
   const Seconds bit = dsp::period(baud);
   Characters characters(line.initial(), bit);
-  const auto flips = line.flips();
+  const auto edges = line.edges();
   bool level = line.initial();
-  for (std::size_t i = 0; i < flips.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
     level = !level;
-    const Seconds end = i + 1 < flips.size() ? flips[i + 1] : line.end();
-    characters.take({flips[i], level, std::floor((end - flips[i]) / bit + 0.5)});
+    const Seconds end = i + 1 < edges.size() ? edges[i + 1] : line.end();
+    characters.take({edges[i], level, std::floor((end - edges[i]) / bit + 0.5)});
   }
   return std::move(characters.reading());
 }

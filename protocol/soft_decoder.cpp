@@ -37,13 +37,13 @@ SoftDecoder::SoftDecoder(dsp::Hertz baud, SoftMemory memory, bool initial)
       last_rise_(-std::numeric_limits<double>::infinity()),
       finder_(memory) {}
 
-std::vector<SoftMessage> SoftDecoder::take(std::span<const Seconds> flips, Seconds known_until) {
-  for (const Seconds flip : flips) {
+std::vector<SoftMessage> SoftDecoder::take(std::span<const Seconds> edges, Seconds known_until) {
+  for (const Seconds edge : edges) {
     level_ = !level_;
     if (!level_) {
-      fall(flip);
+      fall(edge);
     } else if (!burst_.empty()) {
-      burst_.back().rise = last_rise_ = flip;
+      burst_.back().rise = last_rise_ = edge;
     }
   }
   if (level_ && is_paused(known_until, pause_bits)) end_burst();
@@ -91,7 +91,7 @@ void SoftDecoder::take_characters(const std::vector<SoftCharacter>& characters) 
 std::vector<SoftMessage> decode_soft(const dsp::LogicTrace& line, dsp::Hertz baud,
                                      SoftMemory memory) {
   SoftDecoder decoder(baud, memory, line.initial());
-  auto messages = decoder.take(line.flips(), line.end());
+  auto messages = decoder.take(line.edges(), line.end());
   std::ranges::move(decoder.finish(), std::back_inserter(messages));
   return messages;
 }

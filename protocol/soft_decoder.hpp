@@ -18,8 +18,8 @@ class SoftDecoder {
  public:
   SoftDecoder(dsp::Hertz baud, SoftMemory memory, bool initial = true);
 
-  /// A wire that goes on: its flips since the last call and until when it is known now.
-  std::vector<SoftMessage> take(std::span<const dsp::Seconds> flips, dsp::Seconds known_until);
+  /// A wire that goes on: its edges since the last call and until when it is known now.
+  std::vector<SoftMessage> take(std::span<const dsp::Seconds> edges, dsp::Seconds known_until);
   /// What is left at the wire's end, as if it were idle from there on.
   std::vector<SoftMessage> finish();
 

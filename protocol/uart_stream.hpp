@@ -20,9 +20,9 @@ class UartStream {
   /// given yet.
   std::vector<UartByte> take(const dsp::LogicTrace& wire);
 
-  /// The same of a wire that nobody keeps: its flips since the last call, and until when it is
-  /// known now. Memory is that of the flips since the last character.
-  std::vector<UartByte> take(std::span<const dsp::Seconds> flips, dsp::Seconds known_until);
+  /// The same of a wire that nobody keeps: its edges since the last call, and until when it is
+  /// known now. Memory is that of the edges since the last character.
+  std::vector<UartByte> take(std::span<const dsp::Seconds> edges, dsp::Seconds known_until);
 
  private:
   void forget_before(dsp::Seconds settled);
@@ -30,7 +30,7 @@ class UartStream {
   const UartReceiver* receiver_;
   dsp::Hertz baud_;
   double clock_phase_;
-  std::size_t next_flip_ = 0;  // of the wire, not in the part yet
+  std::size_t next_edge_ = 0;  // of the wire, not in the part yet
   dsp::LogicTrace part_;       // the wire since what was settled
 };
 

@@ -35,8 +35,8 @@ openssl/.*           sim/(page|trace)/.*[.]cpp
 '
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
-sim_order='threads text picture noise counting scenario parts link loading trial result capture engine columns section
-           listening arena guard exchange location trace report page serial check node serve command'
+sim_order='threads text picture noise counting scenario components link loading trial result capture engine columns section
+           false_accepts arena guard shared_link location trace report page serial check node serve command'
 
 # shellcheck disable=SC2016 # the $ are those of awk
 find dsp channel protocol sim -name '*.[ch]pp' -print | sort | xargs -r -d '\n' \

@@ -49,14 +49,14 @@ Seconds longest_frame_of(const std::vector<Sender>& senders) {
 std::vector<LightTrack> light_tracks(const Scenario& s, const Arena& arena,
                                      const Workers& workers) {
   const Seconds step(channel::gain_step / s.simulation.sample_rate_hz);
-  ParallelRuns<LightTrack> sharing({.runs = static_cast<std::uint32_t>(arena.senders.size()),
-                                    .most_at_once = 1,
-                                    .workers = workers},
-                                   [&](std::uint32_t sender, int, const std::atomic<bool>* over) {
-                                     return light_track(s, arena.senders[sender], arena.way,
-                                                        arena.end, step, over);
-                                   });
-  return sharing();
+  ParallelRuns<LightTrack> parallel({.runs = static_cast<std::uint32_t>(arena.senders.size()),
+                                     .most_at_once = 1,
+                                     .workers = workers},
+                                    [&](std::uint32_t sender, int, const std::atomic<bool>* over) {
+                                      return light_track(s, arena.senders[sender], arena.way,
+                                                         arena.end, step, over);
+                                    });
+  return parallel();
 }
 
 void set_module(Arena& arena, const Scenario& s) {
@@ -108,7 +108,7 @@ Arena make_arena(const Scenario& scenario, const Workers& workers) {
   add_lights(arena, s);
   arena.receiver_baud = dsp::Hertz(s.device.baud * (1 + s.uart.clock_error_ppm * 1e-6));
   arena.uart = protocol::find_uart_receiver(s.uart.receiver);
-  arena.outside = outside_validity(scenario, arena);
+  arena.validity_flags = validity_flags_of(scenario, arena);
   arena.seed = static_cast<std::uint64_t>(s.simulation.seed);
   arena.point = point_hash(scenario);
   return arena;

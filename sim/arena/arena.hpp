@@ -31,7 +31,7 @@ struct Arena {
   // Receiver.
   dsp::Hertz receiver_baud{};
   const protocol::UartReceiver* uart = nullptr;
-  std::uint64_t outside = 0;  // of sim/link/validity, for any sender where it is in reach
+  std::uint64_t validity_flags = 0;  // of sim/link/validity, for any sender where it is in reach
   // Randomness.
   std::uint64_t seed = 0;
   std::uint32_t point = 0;  // hash of the point's canonical text

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/columns/outside_column.hpp"
+#include "sim/columns/validity_column.hpp"
 
 namespace sim {
 namespace {
@@ -156,7 +156,7 @@ Columns<ArenaPoint> arena_variables() {
 const Columns<ArenaPoint>& arena_columns() {
   static const Columns<ArenaPoint> columns = [] {
     Columns<ArenaPoint> all = arena_variables();
-    add_outside(all);
+    add_validity_flags(all);
     return all;
   }();
   return columns;

@@ -45,7 +45,7 @@ void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs
   point.heard = runs.heard;
   point.duration_s = arena.duration.value;
   point.reach_mw_per_m2 = arena.reach_mw_per_m2;
-  point.outside = arena.outside;
+  point.validity_flags = arena.validity_flags;
 }
 
 bool fits_arena(const Arena& arena, const ArenaRuns& runs) {

@@ -23,7 +23,7 @@ struct ArenaPoint {
   std::vector<HeardFrame> heard{};
   double duration_s = 0;
   double reach_mw_per_m2 = 0;
-  std::uint64_t outside = 0;  // of sim/link/validity
+  std::uint64_t validity_flags = 0;  // of sim/link/validity
 
   bool reached() const { return tally.n_runs > 0; }
 };

@@ -97,8 +97,8 @@ ShareBars shares_of(const Dataset& data, const std::vector<CountedKind>& losses)
 }
 
 /// Of a sweep its curves come first.
-void add_maps(ReportSection& part, const StoredDataset& stored) {
-  std::vector<PageSection>& sections = stored.data.axes.empty() ? part.first : part.sections;
+void add_maps(ReportSection& report, const StoredDataset& stored) {
+  std::vector<PageSection>& sections = stored.data.axes.empty() ? report.first : report.sections;
   std::vector<std::size_t> points = measured_points(stored.data);
   const std::size_t all = points.size();
   points.resize(std::min(all, most_maps));
@@ -108,14 +108,14 @@ void add_maps(ReportSection& part, const StoredDataset& stored) {
         "\nOf {} points the first {} have a map; --set chooses others.", all, most_maps);
 }
 
-void add_arena_charts(ReportSection& part, const Dataset& data) {
-  add_charts(part, data, drawn_columns(arena_columns()));
+void add_arena_charts(ReportSection& report, const Dataset& data) {
+  add_charts(report, data, drawn_columns(arena_columns()));
   const DatasetCells loss(data, "total_frame_loss");
   std::vector<MapValue> ratios;
   for (std::size_t i = 0; i < count_points(data.axes); ++i)
     ratios.push_back({loss[i], loss.text(i)});
   for (const HeatMap& map : swept_maps(data.axes, ratios, "Map of frame loss", "frame loss ratio"))
-    part.sections.push_back(map_section("frame-loss-map", map));
+    report.sections.push_back(map_section("frame-loss-map", map));
 }
 
 std::vector<DatasetColumn> device_table_columns() {
@@ -166,23 +166,24 @@ ReportSection section_of_messages(const std::string& name, StoredDataset stored,
                                   const MessageTables& tables) {
   Dataset& data = stored.data;
   add_message_sums(data);
-  ReportSection part{name, data.title, size_of(data)};
-  part.summary += extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) +
-                  first_heard(data) + missing_points(stored);
-  add_arena_charts(part, data);
-  add_maps(part, stored);
-  part.sections.push_back(shares_section("fates", shares_of(data, tables.losses)));
-  part.sections.push_back({.heading = "All devices", .table = dataset_table(data, tables.devices)});
-  add_closing(part, data, tables.points);
-  return part;
+  ReportSection report{name, data.title, size_of(data)};
+  report.summary += extremes(data, "total_frame_loss", "Frame loss") + causes_of(data) +
+                    first_heard(data) + missing_points(stored);
+  add_arena_charts(report, data);
+  add_maps(report, stored);
+  report.sections.push_back(shares_section("fates", shares_of(data, tables.losses)));
+  report.sections.push_back(
+      {.heading = "All devices", .table = dataset_table(data, tables.devices)});
+  add_closing(report, data, tables.points);
+  return report;
 }
 
 ReportSection arena_section(const std::string& name, const StoredDataset& stored) {
-  ReportSection part = section_of_messages(
+  ReportSection report = section_of_messages(
       name, stored, {arena_losses(), device_table_columns(), point_table_columns()});
   if (!stored.data.axes.empty())
-    part.summary += extremes(stored.data, "total_throughput", "Throughput");
-  return part;
+    report.summary += extremes(stored.data, "total_throughput", "Throughput");
+  return report;
 }
 
 }  // namespace sim

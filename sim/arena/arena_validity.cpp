@@ -48,7 +48,7 @@ Scenario link_from(const Sender& sender, const Scenario& arena) {
 
 }  // namespace
 
-std::uint64_t outside_validity(const Scenario& scenario, const Arena& arena) {
+std::uint64_t validity_flags_of(const Scenario& scenario, const Arena& arena) {
   std::uint64_t mask = 0;
   for (std::size_t i = 0; i < arena.senders.size(); ++i) {
     const Distances distances = distances_in_reach(arena, i);
@@ -56,7 +56,7 @@ std::uint64_t outside_validity(const Scenario& scenario, const Arena& arena) {
     Scenario link = link_from(arena.senders[i], scenario);
     for (const double metres : {distances.nearest_m, distances.farthest_m}) {
       link.receiver.range_m = metres;
-      mask |= outside_validity(link, {.irradiance_mw_per_m2 = arena.light[i].highest()});
+      mask |= validity_flags_of(link, {.irradiance_mw_per_m2 = arena.light[i].highest()});
     }
   }
   return mask;

@@ -8,6 +8,6 @@ namespace sim {
 
 /// The limits (sim/link/validity) that the link from any sender leaves where the receiver comes
 /// nearest to it, or is farthest from it, with light in reach.
-std::uint64_t outside_validity(const Scenario& scenario, const Arena& arena);
+std::uint64_t validity_flags_of(const Scenario& scenario, const Arena& arena);
 
 }  // namespace sim

@@ -31,7 +31,7 @@ constexpr std::size_t most_rates = 8;
 constexpr double least_peak = 0.5;  // of the best; a slow sampler rounds times by a third of a bit
 constexpr double nearly = 0.9;      // of the worth of the best reading: about as good
 constexpr std::uint64_t fewest_to_doubt = 4;  // characters
-constexpr double flips_a_character = 10;      // at most
+constexpr double edges_a_character = 10;      // at most
 constexpr double against_pauses = 0.7;        // of the worth
 constexpr double least_worth = 0.5;           // of what is a line
 constexpr std::array standard_rates = {300.0,    600.0,    1200.0,   2400.0,  4800.0,
@@ -40,7 +40,7 @@ constexpr std::array standard_rates = {300.0,    600.0,    1200.0,   2400.0,  48
 
 LogicTrace trace_of(const LineStretch& line, bool inverted) {
   LogicTrace trace(line.initial != inverted);
-  for (const Seconds flip : line.flips) trace.flip_at(flip);
+  for (const Seconds edge : line.edges) trace.add_edge(edge);
   trace.observe_until(line.end);
   return trace;
 }
@@ -61,10 +61,10 @@ Longest longest_of(const LineStretch& line, bool with_ends) {
     double& at_level = level ? longest.high : longest.low;
     at_level = std::max(at_level, (until - since).value);
   };
-  for (const Seconds flip : line.flips) {
-    if (with_ends || !is_first) count(flip);
+  for (const Seconds edge : line.edges) {
+    if (with_ends || !is_first) count(edge);
     is_first = false;
-    since = flip;
+    since = edge;
     level = !level;
   }
   if (with_ends) count(line.end);
@@ -79,12 +79,12 @@ Pulses pulses_of(const LineStretch& line, bool inverted) {
   Pulses pulses;
   const bool idle = line.initial != inverted;
   for (std::size_t fall = idle ? 0 : 1;
-       fall + 2 < line.flips.size() && pulses.light.size() < most_pulses; fall += 2) {
-    pulses.light.push_back((line.flips[fall + 1] - line.flips[fall]).value);
-    pulses.fall_to_fall.push_back((line.flips[fall + 2] - line.flips[fall]).value);
+       fall + 2 < line.edges.size() && pulses.light.size() < most_pulses; fall += 2) {
+    pulses.light.push_back((line.edges[fall + 1] - line.edges[fall]).value);
+    pulses.fall_to_fall.push_back((line.edges[fall + 2] - line.edges[fall]).value);
   }
-  if (pulses.light.empty() && line.flips.size() >= 2 && idle)
-    pulses.light.push_back((line.flips[1] - line.flips[0]).value);
+  if (pulses.light.empty() && line.edges.size() >= 2 && idle)
+    pulses.light.push_back((line.edges[1] - line.edges[0]).value);
   return pulses;
 }
 
@@ -153,7 +153,7 @@ Hertz settled_rate(const LineStretch& line, bool inverted, Hertz found) {
     if (is_near(found, rate)) return Hertz(rate);
   LineStatistics statistics(found, line.initial != inverted);
   const auto bytes = protocol::receive_mid_bit(trace_of(line, inverted), found);
-  statistics.add(line.flips, bytes);
+  statistics.add(line.edges, bytes);
   const auto fit = statistics.fit();
   return fit ? fit->baud : found;
 }
@@ -178,9 +178,9 @@ bool is_of_text(std::uint8_t byte) {
 }
 
 LineReading read_as(LineStretch line, bool inverted, Hertz baud) {
-  if (!line.flips.empty()) line.end = end_of_line(line.flips.back(), line.end, baud);
+  if (!line.edges.empty()) line.end = end_of_line(line.edges.back(), line.end, baud);
   LineReading reading{inverted, baud};
-  reading.flips = line.flips.size();
+  reading.edges = line.edges.size();
   protocol::CosysDecoder cosys;
   protocol::SharedLinkDecoder shared_link;
   std::array<std::uint64_t, 256> of_value{};
@@ -205,10 +205,10 @@ std::optional<std::string> why_none(const LineReading& reading) {
   constexpr double most_errors = 0.25, many_errors = 0.1, most_alike = 0.9;  // of all characters
   if (reading.messages > 0) return std::nullopt;
   if (reading.characters == 0)
-    return fmt::format("its {} edges make no character at any rate that was tried", reading.flips);
+    return fmt::format("its {} edges make no character at any rate that was tried", reading.edges);
   const auto characters = static_cast<double>(reading.characters);
-  if (static_cast<double>(reading.flips) > 2 * flips_a_character * characters)
-    return fmt::format("of {} edges most are in none of {} characters", reading.flips,
+  if (static_cast<double>(reading.edges) > 2 * edges_a_character * characters)
+    return fmt::format("of {} edges most are in none of {} characters", reading.edges,
                        reading.characters);
   if (reading.characters < fewest_to_doubt)
     return fmt::format("{} characters tell no rate", reading.characters);
@@ -250,7 +250,7 @@ std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool
     return baud ? std::vector<Hertz>{*baud} : found_rates(line, idle_low);
   });
   const auto has_messages = [](const LineReading& reading) { return reading.messages > 0; };
-  if (baud || line.flips.empty() || std::ranges::any_of(readings, has_messages)) return readings;
+  if (baud || line.edges.empty() || std::ranges::any_of(readings, has_messages)) return readings;
   const bool any_makes_sense = std::ranges::any_of(readings, makes_sense);
   for (const LineReading& reading :
        readings_at(line, inverted, [&](bool) { return standard_rates_for(line); }))
@@ -258,12 +258,12 @@ std::vector<LineReading> readings_of(const LineStretch& line, std::optional<bool
   return readings;
 }
 
-/// The idle level that the longest stretch tells: between two flips, else before and behind them.
+/// The idle level that the longest stretch tells: between two edges, else before and behind them.
 std::optional<bool> inverted_by_pauses(const LineStretch& line) {
   for (const bool with_ends : {false, true}) {
     const Longest longest = longest_of(line, with_ends);
     const bool are_two = with_ends || (longest.high > 0 && longest.low > 0);
-    if (!line.flips.empty() && are_two && longest.tell()) return longest.tell_low();
+    if (!line.edges.empty() && are_two && longest.tell()) return longest.tell_low();
   }
   return std::nullopt;
 }
@@ -319,8 +319,8 @@ LineFacts::Basis basis_of_polarity(const std::vector<LineReading>& readings,
 
 double LineReading::worth() const {
   if (characters == 0) return 0;
-  const double most_explained = flips_a_character * static_cast<double>(characters),
-               explained = std::min(1.0, most_explained / static_cast<double>(flips));
+  const double most_explained = edges_a_character * static_cast<double>(characters),
+               explained = std::min(1.0, most_explained / static_cast<double>(edges));
   const auto all = static_cast<double>(characters + 1);  // one alone proves little
   const double good = static_cast<double>(characters - framing_errors) / all,
                text = static_cast<double>(of_text) / all;
@@ -329,11 +329,11 @@ double LineReading::worth() const {
 }
 
 std::optional<std::string> why_no_line(const LineFacts& facts) {
-  if (facts.baud_by == LineFacts::Basis::told || facts.reading.flips == 0) return std::nullopt;
+  if (facts.baud_by == LineFacts::Basis::told || facts.reading.edges == 0) return std::nullopt;
   return why_none(facts.reading);
 }
 
-bool makes_sense(const LineReading& reading) { return reading.flips > 0 && !why_none(reading); }
+bool makes_sense(const LineReading& reading) { return reading.edges > 0 && !why_none(reading); }
 
 LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
                       std::optional<Hertz> baud) {
@@ -359,9 +359,9 @@ bool is_standard_rate(Hertz rate) {
                              [&](double standard) { return is_near(rate, standard); });
 }
 
-Seconds end_of_line(std::optional<Seconds> last_flip, Seconds end, Hertz baud) {
-  if (!last_flip || end > *last_flip) return end;
-  return *last_flip + protocol::bits_per_byte * dsp::period(baud);
+Seconds end_of_line(std::optional<Seconds> last_edge, Seconds end, Hertz baud) {
+  if (!last_edge || end > *last_edge) return end;
+  return *last_edge + protocol::bits_per_byte * dsp::period(baud);
 }
 
 std::string reading_text(const LineReading& reading) {

@@ -7,7 +7,7 @@
 // do, and either level may be idle: each such reading is tried, and what decides is whether the
 // characters make sense. Worth most are whole messages (COSYS, SharedLink) with a right checksum;
 // then characters without a framing error, and those of text more than others. A reading is worth
-// less whose idle level is not that of the longest stretch between two flips, where that is at
+// less whose idle level is not that of the longest stretch between two edges, where that is at
 // least twice as long as the longest at the other level (8N1 is never at the start bit's level for
 // more than nine bits, but idles longer). Of readings that are about as good the one is taken whose
 // idle level is that of the longest stretch; then the one of the longest bit. Where no reading
@@ -24,12 +24,12 @@
 
 namespace sim {
 
-/// Flips of a line from its start on; the level before the first of them.
+/// Edges of a line from its start on; the level before the first of them.
 struct LineStretch {
   bool initial = true;
-  std::span<const dsp::Seconds> flips;
+  std::span<const dsp::Seconds> edges;
   dsp::Seconds end;
-  dsp::Seconds resolution{};  // between two samples; 0: flips are exact
+  dsp::Seconds resolution{};  // between two samples; 0: edges are exact
 };
 
 /// One way to read a line, and what it makes of it.
@@ -41,7 +41,7 @@ struct LineReading {
   std::uint64_t messages = 0;    // whole ones, by their checksums
   std::uint64_t most_alike = 0;  // characters of the value that most have
   bool is_against_pauses = false;
-  std::uint64_t flips = 0;  // of the line; a character has ten at most
+  std::uint64_t edges = 0;  // of the line; a character has ten at most
 
   /// From 0 to 1 by its characters; above where there are messages.
   double worth() const;
@@ -70,8 +70,8 @@ bool makes_sense(const LineReading& reading);
 /// error.
 std::optional<std::string> why_no_line(const LineFacts& facts);
 
-/// Flips of a line's beginning that are enough to tell what it is like.
-constexpr std::size_t most_surveyed_flips = 32768;
+/// Edges of a line's beginning that are enough to tell what it is like.
+constexpr std::size_t most_surveyed_edges = 32768;
 
 /// What is told is kept; what is found is at most 1 MBd, and half of the samples a second. A line
 /// that tells nothing is idle high, of 600 Bd. A rate within 2.5 % of a standard one is that.
@@ -80,9 +80,9 @@ LineFacts survey_line(const LineStretch& line, std::optional<bool> inverted,
 
 bool is_standard_rate(dsp::Hertz rate);
 
-/// Until when a line is known: where a capture of changes ends with its last flip, the level goes
+/// Until when a line is known: where a capture of changes ends with its last edge, the level goes
 /// on for the rest of a character.
-dsp::Seconds end_of_line(std::optional<dsp::Seconds> last_flip, dsp::Seconds end, dsp::Hertz baud);
+dsp::Seconds end_of_line(std::optional<dsp::Seconds> last_edge, dsp::Seconds end, dsp::Hertz baud);
 
 /// "idle-high, 600 Bd".
 std::string reading_text(const LineReading& reading);

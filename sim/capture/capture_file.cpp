@@ -257,10 +257,12 @@ void choose_wire(const Format& format, const fs::path& path, const CaptureSettin
 
 std::size_t take_choice(std::span<const ChannelSurvey> surveys, CaptureFacts& facts) {
   const ChannelChoice choice = choice_of_channel(surveys);
-  for (const ChannelSurvey& survey : surveys) facts.channels.push_back({survey.name, survey.edges});
+  for (const ChannelSurvey& survey : surveys)
+    facts.channels.push_back({survey.name, survey.n_edges});
   facts.rival = choice.rival;
-  const auto passed_over = std::ranges::count_if(
-      surveys, [](const ChannelSurvey& survey) { return survey.edges > 0 && !survey.is_surveyed; });
+  const auto passed_over = std::ranges::count_if(surveys, [](const ChannelSurvey& survey) {
+    return survey.n_edges > 0 && !survey.is_surveyed;
+  });
   if (passed_over > 0)
     facts.assumed.push_back(
         fmt::format("no line on the other {} channels with edges", passed_over));

@@ -54,7 +54,7 @@ Hertz carrier_on(const std::deque<Seconds>& edges) {
 
 }  // namespace
 
-CarrierDemodulator::CarrierDemodulator(FlipSource& wire, std::optional<Hertz> carrier)
+CarrierDemodulator::CarrierDemodulator(EdgeSource& wire, std::optional<Hertz> carrier)
     : wire_(wire) {
   if (carrier) {
     carrier_ = *carrier;

@@ -14,10 +14,10 @@
 
 namespace sim {
 
-class CarrierDemodulator : public FlipSource {
+class CarrierDemodulator : public EdgeSource {
  public:
   /// `carrier`: 0 for a wire without; nothing: found on the wire. The wire must outlive it.
-  CarrierDemodulator(FlipSource& wire, std::optional<dsp::Hertz> carrier);
+  CarrierDemodulator(EdgeSource& wire, std::optional<dsp::Hertz> carrier);
 
   /// 0 of a wire that is passed on.
   dsp::Hertz carrier() const { return carrier_; }
@@ -30,7 +30,7 @@ class CarrierDemodulator : public FlipSource {
  private:
   std::optional<dsp::Seconds> next_edge();
 
-  FlipSource& wire_;
+  EdgeSource& wire_;
   dsp::Hertz carrier_{0};
   std::deque<dsp::Seconds> ahead_;  // edges that were read to find the carrier
   // Of the burst under way: its last edge, and the first edge of the next, if that was read.

@@ -276,8 +276,8 @@ ChannelSurvey survey_of_column(const CsvTable& table, const RowClock& clock, std
   const bool moves = !is_constant(table, column);
   if (moves && is_logic(table, column)) {
     LevelsAhead levels(table, clock, column);
-    WireFlips flips(levels, 0);
-    CarrierDemodulator line(flips, hints.carrier);
+    WireEdges edges(levels, 0);
+    CarrierDemodulator line(edges, hints.carrier);
     return survey_of(name, line, hints);
   }
   const auto pace = moves ? pace_of_samples(table, clock) : std::nullopt;

@@ -27,11 +27,11 @@ Point mean_of(std::span<const Point> points) {
 
 }  // namespace
 
-void LineStatistics::add(std::span<const Seconds> flips,
+void LineStatistics::add(std::span<const Seconds> edges,
                          std::span<const protocol::UartByte> bytes) {
-  for (const Seconds flip : flips) {
+  for (const Seconds edge : edges) {
     level_ = !level_;
-    edges_.push_back({flip, level_});
+    edges_.push_back({edge, level_});
   }
   for (const protocol::UartByte& byte : bytes) add_byte(byte);
   const Seconds character = protocol::bits_per_byte * dsp::period(baud_);

@@ -10,7 +10,7 @@
 //   jitter      rms of the residuals, their sum of squares divided by the degrees of freedom:
 //               edges - characters - 2
 // Noise that is wide enough to add or remove edges is in the framing errors and in the frames, not
-// in these. Memory is that of the flips since the last character.
+// in these. Memory is that of the edges since the last character.
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -28,12 +28,12 @@ struct LineFit {
 
 class LineStatistics {
  public:
-  /// `baud` is what the receiver reads with, `initial` the line's level before its first flip (1 is
+  /// `baud` is what the receiver reads with, `initial` the line's level before its first edge (1 is
   /// dark).
   LineStatistics(dsp::Hertz baud, bool initial) : baud_(baud), level_(initial) {}
 
-  /// The flips since the last call, and the characters that were read from all flips so far.
-  void add(std::span<const dsp::Seconds> flips, std::span<const protocol::UartByte> bytes);
+  /// The edges since the last call, and the characters that were read from all edges so far.
+  void add(std::span<const dsp::Seconds> edges, std::span<const protocol::UartByte> bytes);
 
   std::uint64_t characters() const { return characters_; }
   std::uint64_t framing_errors() const { return framing_errors_; }

@@ -7,11 +7,11 @@ namespace sim {
 using dsp::LogicTrace;
 using dsp::Seconds;
 
-WireFlips::WireFlips(LogicCapture& capture, std::size_t wire) : capture_(capture), wire_(wire) {
+WireEdges::WireEdges(LogicCapture& capture, std::size_t wire) : capture_(capture), wire_(wire) {
   read_initial();
 }
 
-void WireFlips::read_initial() {
+void WireEdges::read_initial() {
   while (const auto change = capture_.next()) {
     if (change->wire != wire_) continue;
     level_ = change->level;
@@ -24,20 +24,20 @@ void WireFlips::read_initial() {
   }
 }
 
-std::optional<Seconds> WireFlips::next() {
+std::optional<Seconds> WireEdges::next() {
   while (const auto change = capture_.next()) {
     if (change->wire != wire_ || change->level == level_) continue;
     level_ = change->level;
     if (held_ == change->at) {
       held_.reset();
-    } else if (const auto flip = std::exchange(held_, change->at)) {
-      return flip;
+    } else if (const auto edge = std::exchange(held_, change->at)) {
+      return edge;
     }
   }
   return std::exchange(held_, std::nullopt);
 }
 
-Seconds WireFlips::known_until() const { return held_.value_or(capture_.now()); }
+Seconds WireEdges::known_until() const { return held_.value_or(capture_.now()); }
 
 std::vector<NamedTrace> read_whole(LogicCapture& capture) {
   std::vector<std::optional<LogicTrace>> traces(capture.wires().size());

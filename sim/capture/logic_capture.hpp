@@ -16,7 +16,7 @@ struct WireLevel {
   std::size_t wire = 0;  // its place in wires()
   dsp::Seconds at;       // does not decrease
   bool level = true;
-  bool initial = false;  // the wire was so from the start: no flip
+  bool initial = false;  // the wire was so from the start: no edge
 };
 
 class LogicCapture {
@@ -36,27 +36,27 @@ class LogicCapture {
   virtual dsp::Seconds resolution() const { return {}; }
 };
 
-/// One wire, flip by flip in the order of time; no two flips are at one instant.
-class FlipSource {
+/// One wire, edge by edge in the order of time; no two edges are at one instant.
+class EdgeSource {
  public:
-  FlipSource() = default;
-  FlipSource(const FlipSource&) = delete;
-  FlipSource& operator=(const FlipSource&) = delete;
-  virtual ~FlipSource() = default;
+  EdgeSource() = default;
+  EdgeSource(const EdgeSource&) = delete;
+  EdgeSource& operator=(const EdgeSource&) = delete;
+  virtual ~EdgeSource() = default;
 
   virtual bool initial() const = 0;
   virtual std::optional<dsp::Seconds> next() = 0;
-  /// Every flip before it was given.
+  /// Every edge before it was given.
   virtual dsp::Seconds known_until() const = 0;
-  /// Between two samples; 0 where flips are exact.
+  /// Between two samples; 0 where edges are exact.
   virtual dsp::Seconds resolution() const { return {}; }
 };
 
-/// One wire of a capture. Two flips at one instant cancel.
-class WireFlips : public FlipSource {
+/// One wire of a capture. Two edges at one instant cancel.
+class WireEdges : public EdgeSource {
  public:
   /// The capture must outlive it.
-  WireFlips(LogicCapture& capture, std::size_t wire);
+  WireEdges(LogicCapture& capture, std::size_t wire);
 
   bool initial() const override { return initial_; }
   std::optional<dsp::Seconds> next() override;
@@ -69,7 +69,7 @@ class WireFlips : public FlipSource {
   LogicCapture& capture_;
   std::size_t wire_;
   bool initial_ = true, level_ = true;
-  std::optional<dsp::Seconds> held_;  // a flip that another at its instant may cancel
+  std::optional<dsp::Seconds> held_;  // an edge that another at its instant may cancel
 };
 
 struct NamedTrace {

@@ -163,20 +163,20 @@ void SampledLine::slice(double strength) {
     strong_ = !strong_;
     const Seconds delay = detector_ ? detector_->delay() : Seconds(0);
     const Seconds at = crossed_ * dsp::period(rate_) - delay;
-    flips_.push_back(std::max(at, Seconds(0)));
+    edges_.push_back(std::max(at, Seconds(0)));
   }
   follow(strength);
 }
 
 std::optional<Seconds> SampledLine::next() {
-  while (flips_.empty()) {
+  while (edges_.empty()) {
     const Samples stretch = read_stretch();
     if (stretch.empty()) return std::nullopt;
     for (const double strength : strengths(stretch)) slice(strength);
   }
-  const Seconds flip = flips_.front();
-  flips_.pop_front();
-  return flip;
+  const Seconds edge = edges_.front();
+  edges_.pop_front();
+  return edge;
 }
 
 Seconds SampledLine::known_until() const {

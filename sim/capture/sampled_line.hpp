@@ -1,6 +1,6 @@
 #pragma once
 // SampledLine: the UART line in a capture of samples. Of light it is the envelope of the carrier,
-// light being 0; of a wire's voltage the voltage itself. Flips are where it passes the middle
+// light being 0; of a wire's voltage the voltage itself. Edges are where it passes the middle
 // between its two levels, interpolated between samples; they count once it has gone a tenth of the
 // way on to the other level.
 //
@@ -25,7 +25,7 @@ struct LineKeying {
   std::optional<dsp::Hertz> baud;  // nothing: up to a tenth of the carrier
 };
 
-class SampledLine : public FlipSource {
+class SampledLine : public EdgeSource {
  public:
   /// Reads the first stretch. The capture must outlive it.
   SampledLine(SampleCapture& capture, const LineKeying& keying);
@@ -65,7 +65,7 @@ class SampledLine : public FlipSource {
   std::uint64_t count_ = 0;  // of samples sliced, or skipped
   double last_ = 0;
   double crossed_ = 0;  // the last time that it came to the other side, in samples
-  std::deque<dsp::Seconds> flips_;
+  std::deque<dsp::Seconds> edges_;
 };
 
 }  // namespace sim

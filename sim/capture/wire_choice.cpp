@@ -23,7 +23,7 @@ using dsp::Seconds;
 
 constexpr std::size_t most_levels_ahead = 500'000, most_surveyed_wires = 100, most_listed = 24;
 constexpr std::uint64_t most_levels = 50'000'000;
-constexpr std::size_t most_kept = 8'000'000, most_kept_of_wire = 400'000;  // flips
+constexpr std::size_t most_kept = 8'000'000, most_kept_of_wire = 400'000;  // edges
 constexpr std::uint64_t fewest_to_rival = 4;                               // characters
 constexpr double reads_as_well = 0.9;                                      // of the other's worth
 
@@ -47,7 +47,7 @@ bool is_sent(const ChannelSurvey& channel) {
 }
 
 auto rank_of(const ChannelSurvey& channel) {
-  return std::tuple(channel.edges > 0, is_called_rx(channel.name),
+  return std::tuple(channel.n_edges > 0, is_called_rx(channel.name),
                     channel.facts.reading.messages > 0, !is_sent(channel),
                     channel.facts.reading.worth());
 }
@@ -55,41 +55,41 @@ auto rank_of(const ChannelSurvey& channel) {
 /// Whether `other` is a line of its own that reads as well as `taken`.
 bool is_rival(const ChannelSurvey& other, const ChannelSurvey& taken) {
   const LineReading &its = other.facts.reading, &own = taken.facts.reading;
-  return other.edges > 0 && its.characters >= fewest_to_rival &&
+  return other.n_edges > 0 && its.characters >= fewest_to_rival &&
          is_called_rx(other.name) == is_called_rx(taken.name) && is_sent(other) == is_sent(taken) &&
          (its.messages > 0) == (own.messages > 0) && its.worth() >= reads_as_well * own.worth() &&
-         other.flips != taken.flips;
+         other.edges != taken.edges;
 }
 
-/// The flips of a wire in memory.
-class KeptFlips : public FlipSource {
+/// The edges of a wire in memory.
+class KeptEdges : public EdgeSource {
  public:
-  KeptFlips(bool initial, std::span<const Seconds> flips, Seconds end, Seconds resolution)
-      : initial_(initial), flips_(flips), end_(end), resolution_(resolution) {}
+  KeptEdges(bool initial, std::span<const Seconds> edges, Seconds end, Seconds resolution)
+      : initial_(initial), edges_(edges), end_(end), resolution_(resolution) {}
 
   bool initial() const override { return initial_; }
   std::optional<Seconds> next() override {
-    if (next_ == flips_.size()) return std::nullopt;
-    return flips_[next_++];
+    if (next_ == edges_.size()) return std::nullopt;
+    return edges_[next_++];
   }
   Seconds known_until() const override { return end_; }
   Seconds resolution() const override { return resolution_; }
 
  private:
   bool initial_;
-  std::span<const Seconds> flips_;
+  std::span<const Seconds> edges_;
   Seconds end_, resolution_;
   std::size_t next_ = 0;
 };
 
-/// What is kept of a wire: two flips at one instant cancel.
+/// What is kept of a wire: two edges at one instant cancel.
 struct KeptWire {
   bool initial = true, level = true, has_level = false;
-  bool is_cut = false;  // flips behind the last are not kept
-  std::uint64_t edges = 0;
-  std::vector<Seconds> flips;
+  bool is_cut = false;  // edges behind the last are not kept
+  std::uint64_t n_edges = 0;
+  std::vector<Seconds> edges;
 
-  /// Keeps a flip if there are less than `most`; whether it did.
+  /// Keeps an edge if there are less than `most`; whether it did.
   bool take(const WireLevel& change, std::size_t most) {
     if (!std::exchange(has_level, true) && change.initial) {
       initial = level = change.level;
@@ -97,16 +97,16 @@ struct KeptWire {
     }
     if (change.level == level) return false;
     level = change.level;
-    ++edges;
-    if (!flips.empty() && flips.back() == change.at) {
-      flips.pop_back();
+    ++n_edges;
+    if (!edges.empty() && edges.back() == change.at) {
+      edges.pop_back();
       return false;
     }
-    if (is_cut || flips.size() >= most) {
+    if (is_cut || edges.size() >= most) {
       is_cut = true;
       return false;
     }
-    flips.push_back(change.at);
+    edges.push_back(change.at);
     return true;
   }
 };
@@ -132,15 +132,15 @@ std::vector<ChannelSurvey> surveys_of_kept(const std::vector<std::string>& names
   std::vector<ChannelSurvey> surveys;
   std::vector<std::uint64_t> edges;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    edges.push_back(kept[i].edges);
-    surveys.push_back({.name = names[i], .edges = edges.back()});
+    edges.push_back(kept[i].n_edges);
+    surveys.push_back({.name = names[i], .n_edges = edges.back()});
   }
   for (const std::size_t wire : wires_to_survey(names, edges)) {
     const KeptWire& own = kept[wire];
-    KeptFlips flips(own.initial, own.flips, own.is_cut ? own.flips.back() : end, resolution);
-    CarrierDemodulator line(flips, hints.carrier);
+    KeptEdges kept_edges(own.initial, own.edges, own.is_cut ? own.edges.back() : end, resolution);
+    CarrierDemodulator line(kept_edges, hints.carrier);
     surveys[wire] = survey_of(names[wire], line, hints);
-    surveys[wire].edges = own.edges;
+    surveys[wire].n_edges = own.n_edges;
   }
   return surveys;
 }
@@ -167,15 +167,15 @@ std::string names_to_use(const std::vector<std::string>& names, const std::strin
 
 }  // namespace
 
-ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hints) {
+ChannelSurvey survey_of(std::string name, EdgeSource& line, const LineHints& hints) {
   ChannelSurvey survey{.name = std::move(name), .is_surveyed = true};
-  while (survey.flips.size() < most_surveyed_flips) {
-    const auto flip = line.next();
-    if (!flip) break;
-    survey.flips.push_back(*flip);
+  while (survey.edges.size() < most_surveyed_edges) {
+    const auto edge = line.next();
+    if (!edge) break;
+    survey.edges.push_back(*edge);
   }
-  survey.edges = survey.flips.size();
-  survey.facts = survey_line({line.initial(), survey.flips, line.known_until(), line.resolution()},
+  survey.n_edges = survey.edges.size();
+  survey.facts = survey_line({line.initial(), survey.edges, line.known_until(), line.resolution()},
                              hints.inverted, hints.baud);
   return survey;
 }
@@ -183,7 +183,7 @@ ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hin
 ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels) {
   const auto best = std::ranges::max_element(channels, {}, rank_of);
   ChannelChoice choice{static_cast<std::size_t>(best - channels.begin()), std::nullopt};
-  if (best->edges == 0) return choice;
+  if (best->n_edges == 0) return choice;
   const auto rival = std::ranges::find_if(
       channels, [&](const ChannelSurvey& other) { return is_rival(other, *best); });
   if (rival != channels.end()) choice.rival = static_cast<std::size_t>(rival - channels.begin());
@@ -193,22 +193,22 @@ ChannelChoice choice_of_channel(std::span<const ChannelSurvey> channels) {
 const ChannelSurvey* dead_receiver(std::span<const ChannelSurvey> channels, std::size_t taken) {
   if (is_called_rx(channels[taken].name)) return nullptr;
   const auto dead = std::ranges::find_if(channels, [](const ChannelSurvey& channel) {
-    return channel.edges == 0 && is_called_rx(channel.name);
+    return channel.n_edges == 0 && is_called_rx(channel.name);
   });
   return dead == channels.end() ? nullptr : &*dead;
 }
 
 WireSurveys surveys_of(LogicCapture& capture, const LineHints& hints) {
   std::vector<KeptWire> kept(capture.wires().size());
-  std::size_t flips = 0;
+  std::size_t edges = 0;
   bool is_whole = false;
-  for (std::uint64_t levels = 0; levels < most_levels && flips < 2 * most_kept && !is_whole;
+  for (std::uint64_t levels = 0; levels < most_levels && edges < 2 * most_kept && !is_whole;
        ++levels) {
     const auto level = capture.next();
     is_whole = !level;
     if (level)
-      flips += kept[level->wire].take(*level,
-                                      flips < most_kept ? most_kept_of_wire : most_surveyed_flips)
+      edges += kept[level->wire].take(*level,
+                                      edges < most_kept ? most_kept_of_wire : most_surveyed_edges)
                    ? 1
                    : 0;
   }

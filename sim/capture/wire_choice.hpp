@@ -25,14 +25,14 @@ struct LineHints {
 /// A channel, as far as it was looked at.
 struct ChannelSurvey {
   std::string name;
-  std::uint64_t edges = 0;
+  std::uint64_t n_edges = 0;
   LineFacts facts{};
-  std::vector<dsp::Seconds> flips{};  // by which channels that are one and the same are known
+  std::vector<dsp::Seconds> edges{};  // by which channels that are one and the same are known
   bool is_surveyed = false;           // else edges alone are known
 };
 
-/// Of a channel's line, up to its first 32768 flips.
-ChannelSurvey survey_of(std::string name, FlipSource& line, const LineHints& hints);
+/// Of a channel's line, up to its first 32768 edges.
+ChannelSurvey survey_of(std::string name, EdgeSource& line, const LineHints& hints);
 
 struct ChannelChoice {
   std::size_t channel = 0;

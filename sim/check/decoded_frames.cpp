@@ -29,7 +29,7 @@ using OfDecoders = std::vector<DecodedFrames>;
 
 OfDecoders decode_capture(const JudgedLink& judged, const std::vector<const Decoder*>& decoders,
                           std::uint32_t first, int n, const std::atomic<bool>* stop) {
-  const DelimitedStream line = hear_marked(judged, first, n, stop);
+  const DelimitedStream line = hear_delimited(judged, first, n, stop);
   OfDecoders all;
   for (const Decoder* decoder : decoders)
     all.push_back(is_stopped(stop) ? DecodedFrames{}
@@ -53,14 +53,14 @@ std::vector<DecodedFrames> decode_frames(const JudgedLink& judged,
   assert(first % frames_per_capture == 0);
   const std::uint32_t captures = (n + frames_per_capture - 1) / frames_per_capture;
   const SharedRuns shared{.runs = captures, .most_at_once = 1, .workers = workers};
-  ParallelRuns<OfDecoders> sharing(
+  ParallelRuns<OfDecoders> parallel(
       shared, [&](std::uint32_t capture, int, const std::atomic<bool>* over) {
         const std::uint32_t done = capture * frames_per_capture;
         return decode_capture(judged, decoders, first + done,
                               static_cast<int>(std::min(frames_per_capture, n - done)), over);
       });
   OfDecoders all(decoders.size());
-  for (const OfDecoders& capture : sharing()) append(all, capture);
+  for (const OfDecoders& capture : parallel()) append(all, capture);
   return all;
 }
 

@@ -31,9 +31,9 @@ class LineMaker {
   /// `pin` from then until its end, its times that many times as long.
   void add_pin(const dsp::LogicTrace& pin, dsp::Seconds from, double scale) {
     wire_.set_at(at_, pin.level_at(from));
-    const auto flips = pin.flips();
-    for (auto flip = std::ranges::upper_bound(flips, from); flip != flips.end(); ++flip)
-      wire_.flip_at(at_ + (*flip - from) * scale);
+    const auto edges = pin.edges();
+    for (auto edge = std::ranges::upper_bound(edges, from); edge != edges.end(); ++edge)
+      wire_.add_edge(at_ + (*edge - from) * scale);
     at_ += (pin.end() - from) * scale;
     wire_.set_at(at_, true);
   }
@@ -65,11 +65,11 @@ dsp::Seconds beginning_of_frame(const Link& link, const Transmission& sent) {
 }
 
 std::uint64_t light_of_frame(const dsp::LogicTrace& pin, dsp::Seconds from) {
-  const auto flips = pin.flips();
-  const auto first = std::ranges::upper_bound(flips, from);
+  const auto edges = pin.edges();
+  const auto first = std::ranges::upper_bound(edges, from);
   std::string bytes(1, pin.level_at(from) ? '1' : '0');
-  for (auto flip = first; flip != flips.end(); ++flip) {
-    const double at = flip->value;
+  for (auto edge = first; edge != edges.end(); ++edge) {
+    const double at = edge->value;
     bytes.append(reinterpret_cast<const char*>(&at), sizeof at);
   }
   return hash_of(bytes);
@@ -121,8 +121,8 @@ std::optional<std::uint32_t> number_of_marker(std::string_view message) {
 
 }  // namespace
 
-DelimitedStream hear_marked(const JudgedLink& judged, std::uint32_t first, int n,
-                            const std::atomic<bool>* stop) {
+DelimitedStream hear_delimited(const JudgedLink& judged, std::uint32_t first, int n,
+                               const std::atomic<bool>* stop) {
   constexpr int at_once = 64;
   DelimitedStream line{.wire = dsp::LogicTrace(),
                        .baud = judged.baud,

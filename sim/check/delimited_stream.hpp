@@ -43,8 +43,8 @@ struct DelimitedStream {
 };
 
 /// Trials first ... first + n - 1. Worth nothing once `*stop` is true.
-DelimitedStream hear_marked(const JudgedLink& judged, std::uint32_t first, int n,
-                            const std::atomic<bool>* stop = nullptr);
+DelimitedStream hear_delimited(const JudgedLink& judged, std::uint32_t first, int n,
+                               const std::atomic<bool>* stop = nullptr);
 
 /// A line of one trial's whole pin, between markers of that trial and the next.
 DelimitedStream mark(const JudgedLink& judged, std::uint32_t trial, const dsp::LogicTrace& pin);

@@ -42,12 +42,12 @@ std::vector<bool> pin_bits(const OneFrame& frame, std::size_t character) {
   return bits;
 }
 
-/// The flips within half a bit of `at`.
-std::vector<dsp::Seconds> flips_near(const OneFrame& frame, dsp::Seconds at) {
-  const auto flips = frame.line.wire.flips();
+/// The edges within half a bit of `at`.
+std::vector<dsp::Seconds> edges_near(const OneFrame& frame, dsp::Seconds at) {
+  const auto edges = frame.line.wire.edges();
   const dsp::Seconds reach = frame.frame().bit * 0.5;
-  const auto first = std::ranges::lower_bound(flips, at - reach);
-  const auto last = std::ranges::lower_bound(flips, at + reach);
+  const auto first = std::ranges::lower_bound(edges, at - reach);
+  const auto last = std::ranges::lower_bound(edges, at + reach);
   return {first, last};
 }
 
@@ -61,10 +61,10 @@ std::string edges_text(const OneFrame& frame, std::size_t character) {
   for (std::size_t slot = 0; slot < bits.size(); ++slot) {
     if (bits[slot] != before) {
       const dsp::Seconds at = place.byte_start[character] + place.bit * static_cast<double>(slot);
-      const auto flips = flips_near(frame, at);
+      const auto edges = edges_near(frame, at);
       text += text.empty() ? "" : " ";
-      text += flips.empty() ? "-" : fmt::format("{:+.0f}", (flips.front() - at).value * 1e6);
-      if (flips.size() > 1) text += "*";
+      text += edges.empty() ? "-" : fmt::format("{:+.0f}", (edges.front() - at).value * 1e6);
+      if (edges.size() > 1) text += "*";
     }
     before = bits[slot];
   }
@@ -147,7 +147,7 @@ std::string table_of(const OneFrame& frame, const std::vector<const Decoder*>& d
 OneFrame hear_frame(const JudgedPoint& point, std::uint32_t trial) {
   const std::uint32_t first = trial / frames_per_capture * frames_per_capture;
   JudgedLink judged = judged_link(point);
-  DelimitedStream line = hear_marked(judged, first, static_cast<int>(frames_per_capture));
+  DelimitedStream line = hear_delimited(judged, first, static_cast<int>(frames_per_capture));
   return {std::move(judged), std::move(line), trial - first};
 }
 

@@ -23,7 +23,7 @@ template <class Write>
 void for_each_level(const dsp::LogicTrace& wire, const Write& write) {
   bool level = wire.initial();
   write(0, level);
-  for (const dsp::Seconds flip : wire.flips()) write(std::lround(flip.value * 1e6), level = !level);
+  for (const dsp::Seconds edge : wire.edges()) write(std::lround(edge.value * 1e6), level = !level);
   write(std::lround(wire.end().value * 1e6), level);
 }
 

@@ -31,14 +31,14 @@ std::vector<WirePiece> pieces_of(const OneFrame& frame) {
   return all;
 }
 
-std::span<const dsp::Seconds> flips_inside(const dsp::LogicTrace& wire, const WirePiece& piece) {
-  const auto flips = wire.flips();
-  const auto first = std::ranges::upper_bound(flips, piece.from);
-  return {first, std::ranges::lower_bound(first, flips.end(), piece.to)};
+std::span<const dsp::Seconds> edges_inside(const dsp::LogicTrace& wire, const WirePiece& piece) {
+  const auto edges = wire.edges();
+  const auto first = std::ranges::upper_bound(edges, piece.from);
+  return {first, std::ranges::lower_bound(first, edges.end(), piece.to)};
 }
 
 bool is_disturbed(const dsp::LogicTrace& wire, const WirePiece& piece) {
-  return wire.level_at(piece.from) != piece.sent || !flips_inside(wire, piece).empty();
+  return wire.level_at(piece.from) != piece.sent || !edges_inside(wire, piece).empty();
 }
 
 /// The wire with all but some pieces as they were sent.
@@ -46,18 +46,18 @@ dsp::LogicTrace mended(const OneFrame& frame, const std::vector<WirePiece>& piec
                        const Indices& disturbed) {
   const dsp::LogicTrace& old = frame.line.wire;
   dsp::LogicTrace wire(old.initial());
-  for (const dsp::Seconds flip : old.flips())
-    if (flip < frame.frame().from) wire.flip_at(flip);
+  for (const dsp::Seconds edge : old.edges())
+    if (edge < frame.frame().from) wire.add_edge(edge);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const WirePiece& piece = pieces[i];
     const bool as_it_was = std::ranges::binary_search(disturbed, i);
     wire.set_at(piece.from, as_it_was ? old.level_at(piece.from) : piece.sent);
     if (as_it_was)
-      for (const dsp::Seconds flip : flips_inside(old, piece)) wire.flip_at(flip);
+      for (const dsp::Seconds edge : edges_inside(old, piece)) wire.add_edge(edge);
   }
   wire.set_at(frame.frame().to, true);
-  for (const dsp::Seconds flip : old.flips())
-    if (flip > frame.frame().to) wire.flip_at(flip);
+  for (const dsp::Seconds edge : old.edges())
+    if (edge > frame.frame().to) wire.add_edge(edge);
   wire.observe_until(old.end());
   return wire;
 }
@@ -97,7 +97,7 @@ std::string level_text(const dsp::LogicTrace& wire, const WirePiece& piece) {
     from = to;
     level = !level;
   };
-  for (const dsp::Seconds flip : flips_inside(wire, piece)) add(flip);
+  for (const dsp::Seconds edge : edges_inside(wire, piece)) add(edge);
   add(piece.to);
   return text;
 }
@@ -117,9 +117,9 @@ std::string place_text(const Minimised& least, std::size_t index) {
 std::string vector_text(const Minimised& least) {
   const FrameOnLine& place = least.frame.frame();
   std::vector<long> changes;
-  for (const dsp::Seconds flip : least.frame.line.wire.flips())
-    if (flip >= place.from && flip <= place.to)
-      changes.push_back(std::lround((flip - place.from).value * 1e6));
+  for (const dsp::Seconds edge : least.frame.line.wire.edges())
+    if (edge >= place.from && edge <= place.to)
+      changes.push_back(std::lround((edge - place.from).value * 1e6));
   std::string numbers;
   for (std::size_t i = 0; i < changes.size(); ++i)
     numbers += fmt::format("{}{}", i == 0 ? "    " : i % 12 == 0 ? ",\n    " : ", ", changes[i]);

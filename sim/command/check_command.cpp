@@ -127,9 +127,9 @@ ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
   if (setup.baseline != nullptr && setup.baseline->name() != setup.candidate.name())
     decoders.insert(decoders.begin(), setup.baseline);
   if (request.explain) {
-    const std::string story = frame_trace(frame, decoders);
+    const std::string trace = frame_trace(frame, decoders);
     if (stopping) return end_interrupted();
-    print(point.name + ", " + story);
+    print(point.name + ", " + trace);
     return ExitCode::done;
   }
   const Decoder& other = must_run(setup.baseline, baseline.decoder);

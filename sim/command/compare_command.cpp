@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "sim/check/decoder_comparison.hpp"
-#include "sim/check/listening_comparison.hpp"
+#include "sim/check/false_accept_comparison.hpp"
 #include "sim/check/program_decoder.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/command/judging.hpp"
@@ -29,8 +29,8 @@ bool any_failed(const std::vector<DecoderComparisonPoint>& points) {
   return false;
 }
 
-bool any_failed(const std::vector<ListeningComparisonPoint>& points) {
-  for (const ListeningComparisonPoint& point : points)
+bool any_failed(const std::vector<FalseAcceptComparisonPoint>& points) {
+  for (const FalseAcceptComparisonPoint& point : points)
     for (const Accepts& accepts : point.accepts)
       if (accepts.fault) return true;
   return false;
@@ -64,17 +64,17 @@ ExitCode compare_losses(const CompareRequest& request, const std::vector<JudgedP
 ExitCode compare_accepts(const CompareRequest& request,
                          const std::vector<LoadedScenario>& scenarios, const Decoders& decoders,
                          const Workers& workers) {
-  std::vector<ListeningComparisonPoint> comparisons;
+  std::vector<FalseAcceptComparisonPoint> comparisons;
   std::size_t all = 0;
   for (const LoadedScenario& scenario : scenarios) all += count_points(scenario.sweep);
   for (const LoadedScenario& scenario : scenarios)
     for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
-      comparisons.push_back(listening_comparison(scenario, i, decoders, workers));
+      comparisons.push_back(false_accept_comparison(scenario, i, decoders, workers));
       if (workers.interrupted()) return end_interrupted();
       show_progress(request.quiet, "compare", comparisons.size(), all);
     }
-  return print_and_end(request.json ? listening_comparison_json(comparisons, decoders)
-                                    : listening_comparison_text(comparisons, decoders),
+  return print_and_end(request.json ? false_accept_comparison_json(comparisons, decoders)
+                                    : false_accept_comparison_text(comparisons, decoders),
                        any_failed(comparisons));
 }
 
@@ -93,16 +93,16 @@ bool all_listen(const std::vector<LoadedScenario>& scenarios) {
 ExitCode compare_command(const CompareRequest& request) {
   std::vector<LoadedScenario> scenarios;
   for (const auto& path : request.scenarios) scenarios.push_back(load_with(request.options, path));
-  const bool listening = all_listen(scenarios);
-  if (!listening)
+  const bool setup = all_listen(scenarios);
+  if (!setup)
     for (const LoadedScenario& scenario : scenarios) refuse_other_than_link(scenario, "compare");
-  const auto points = listening ? std::vector<JudgedPoint>{} : judged_points(scenarios);
+  const auto points = setup ? std::vector<JudgedPoint>{} : judged_points(scenarios);
   const auto owned = decoders_of(request);
   Decoders decoders;
   for (const auto& decoder : owned) decoders.push_back(decoder.get());
   const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
-  return listening ? compare_accepts(request, scenarios, decoders, workers)
-                   : compare_losses(request, points, decoders, workers);
+  return setup ? compare_accepts(request, scenarios, decoders, workers)
+               : compare_losses(request, points, decoders, workers);
 }
 
 }  // namespace sim

@@ -17,19 +17,19 @@ namespace {
 using dsp::Hertz;
 using dsp::Seconds;
 
-constexpr std::size_t flips_at_once = most_surveyed_flips;
+constexpr std::size_t edges_at_once = most_surveyed_edges;
 
-/// The next flips of a line; fewer than a batch at its end alone.
-std::vector<Seconds> next_flips(FlipSource& line, const DecodeListener& listener) {
-  constexpr std::size_t told = 1024;  // of so many flips the last: they may be far apart
-  std::vector<Seconds> flips;
-  while (flips.size() < flips_at_once) {
-    const auto flip = line.next();
-    if (!flip) break;
-    flips.push_back(*flip);
-    if (flips.size() % told == 0) listener.reached(*flip);
+/// The next edges of a line; fewer than a batch at its end alone.
+std::vector<Seconds> next_edges(EdgeSource& line, const DecodeListener& listener) {
+  constexpr std::size_t told = 1024;  // of so many edges the last: they may be far apart
+  std::vector<Seconds> edges;
+  while (edges.size() < edges_at_once) {
+    const auto edge = line.next();
+    if (!edge) break;
+    edges.push_back(*edge);
+    if (edges.size() % told == 0) listener.reached(*edge);
   }
-  return flips;
+  return edges;
 }
 
 /// A line's characters and messages as it goes on.
@@ -43,9 +43,9 @@ class CapturedLineDecoder {
         statistics_(decoded.line.baud, initial),
         frames_(wire_protocol(request.protocol).decoder()) {}
 
-  void take(std::span<const Seconds> flips, Seconds known_until) {
-    const auto bytes = uart_.take(flips, known_until);
-    statistics_.add(flips, bytes);
+  void take(std::span<const Seconds> edges, Seconds known_until) {
+    const auto bytes = uart_.take(edges, known_until);
+    statistics_.add(edges, bytes);
     for (const protocol::UartByte& byte : bytes) tell(frames_->push(byte));
   }
 
@@ -79,20 +79,20 @@ std::optional<Hertz> hertz(const std::optional<double>& rate) {
   return rate ? std::optional(Hertz(*rate)) : std::nullopt;
 }
 
-void decode_line(FlipSource& line, const DecodeRequest& request, const DecodeListener& listener,
+void decode_line(EdgeSource& line, const DecodeRequest& request, const DecodeListener& listener,
                  DecodedCapture& decoded) {
-  std::vector<Seconds> flips = next_flips(line, listener);
-  decoded.line = survey_line({line.initial(), flips, line.known_until(), line.resolution()},
+  std::vector<Seconds> edges = next_edges(line, listener);
+  decoded.line = survey_line({line.initial(), edges, line.known_until(), line.resolution()},
                              told_inverted(request), hertz(request.baud));
   listener.chosen(decoded);
   CapturedLineDecoder decoder(request, listener, line.initial() != decoded.line.inverted, decoded);
   std::optional<Seconds> last;
-  for (; flips.size() == flips_at_once; flips = next_flips(line, listener)) {
-    last = flips.back();
-    decoder.take(flips, *last);
+  for (; edges.size() == edges_at_once; edges = next_edges(line, listener)) {
+    last = edges.back();
+    decoder.take(edges, *last);
   }
-  if (!flips.empty()) last = flips.back();
-  decoder.take(flips, end_of_line(last, line.known_until(), decoded.line.baud));
+  if (!edges.empty()) last = edges.back();
+  decoder.take(edges, end_of_line(last, line.known_until(), decoded.line.baud));
   decoder.end();
 }
 
@@ -124,7 +124,7 @@ DecodedCapture decode_capture(const std::filesystem::path& path, const DecodeReq
   decoded.file = path.string();
   decoded.read = capture.facts;
   if (capture.logic) {
-    WireFlips wire(*capture.logic, capture.wire);
+    WireEdges wire(*capture.logic, capture.wire);
     CarrierDemodulator line(wire, hints.carrier);
     decoded.carrier = line.carrier();
     decode_line(line, request, listener, decoded);

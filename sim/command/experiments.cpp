@@ -9,18 +9,14 @@
 #include "sim/arena/arena_keys.hpp"
 #include "sim/arena/arena_report.hpp"
 #include "sim/arena/arena_section.hpp"
-#include "sim/exchange/exchange_check.hpp"
-#include "sim/exchange/exchange_keys.hpp"
-#include "sim/exchange/exchange_report.hpp"
-#include "sim/exchange/exchange_section.hpp"
+#include "sim/false_accepts/false_accept_experiment.hpp"
+#include "sim/false_accepts/false_accept_keys.hpp"
+#include "sim/false_accepts/false_accept_report.hpp"
+#include "sim/false_accepts/false_accept_section.hpp"
 #include "sim/guard/guard_check.hpp"
 #include "sim/guard/guard_keys.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "sim/guard/guard_section.hpp"
-#include "sim/listening/listening_experiment.hpp"
-#include "sim/listening/listening_keys.hpp"
-#include "sim/listening/listening_report.hpp"
-#include "sim/listening/listening_section.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_keys.hpp"
 #include "sim/location/location_sections.hpp"
@@ -28,6 +24,10 @@
 #include "sim/report/link_run.hpp"
 #include "sim/report/point_run.hpp"
 #include "sim/section/columns_section.hpp"
+#include "sim/shared_link/shared_link_check.hpp"
+#include "sim/shared_link/shared_link_keys.hpp"
+#include "sim/shared_link/shared_link_report.hpp"
+#include "sim/shared_link/shared_link_section.hpp"
 
 namespace sim {
 namespace {
@@ -38,14 +38,14 @@ constexpr const ExperimentEngine* engine = &experiment_engine<measurement, repor
 constexpr std::array shipped{
     Experiment{&arena_kind, engine<arena_measurement, arena_report>, check_arena, arena_section},
     Experiment{&guard_kind, engine<guard_measurement, guard_report>, check_guard, guard_section},
-    Experiment{&exchange_kind, engine<exchange_measurement, exchange_report>, check_exchange,
-               exchange_section},
+    Experiment{&shared_link_kind, engine<shared_link_measurement, shared_link_report>,
+               check_shared_link, shared_link_section},
     Experiment{&presence_kind, engine<presence_measurement, presence_report>, nullptr,
                presence_section},
     Experiment{&location_kind, engine<location_measurement, location_report>, nullptr,
                location_section},
-    Experiment{&listening_kind, engine<listening_measurement, listening_report>, check_listening,
-               listening_section},
+    Experiment{&false_accept_kind, engine<false_accept_measurement, false_accept_report>,
+               check_false_accepts, false_accept_section},
 };
 
 /// Its kind is known from the start; its reports are not made of a Dataset.

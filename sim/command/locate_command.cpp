@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "sim/command/commands.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/location/locate.hpp"
 #include "sim/location/location_report.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/location/readings_file.hpp"
-#include "sim/parts/parts.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {

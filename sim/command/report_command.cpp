@@ -77,9 +77,9 @@ ReportSection link_section_of(const fs::path& path, const ReportRequest& request
 ReportSection section_of(const fs::path& path, const ReportRequest& request) {
   if (filetype_of(path) != experiment_result_type) return link_section_of(path, request);
   const StoredDataset stored = read_dataset(path);
-  ReportSection part = report_of(name_of(path, request.results), stored);
-  part.settings = settings_of(stored.scenario);
-  return part;
+  ReportSection report = report_of(name_of(path, request.results), stored);
+  report.settings = settings_of(stored.scenario);
+  return report;
 }
 
 /// "-" means that to other programs; a file of this name nobody wants.
@@ -128,11 +128,11 @@ ExitCode report_command(const ReportRequest& request) {
   refuse_twice(request.results);
   check_place(request.output, {is_page, "a report of cosys-sim"});
   require_tools(request.pictures);
-  std::vector<ReportSection> parts;
+  std::vector<ReportSection> reports;
   const std::atomic<bool>& stopping = heed_stop_signals();
-  for (const fs::path& path : request.results) parts.push_back(section_of(path, request));
+  for (const fs::path& path : request.results) reports.push_back(section_of(path, request));
   if (stopping) return end_interrupted();
-  const Page page = page_of(std::move(parts));
+  const Page page = page_of(std::move(reports));
   auto files = picture_files(page, request.pictures);
   if (!files) return end_interrupted();
   refuse_same_place(*files, request.output);

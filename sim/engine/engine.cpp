@@ -56,7 +56,7 @@ PointResult as_point(const GroupResult& sum, StopReason stop, const Link& link, 
           .elapsed_s = elapsed_s,
           .simulated_s = sum.simulated_s,
           .n_samples = sum.n_samples,
-          .outside = link.outside,
+          .validity_flags = link.validity_flags,
           .profile = sum.profile};
 }
 

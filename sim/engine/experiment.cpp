@@ -21,7 +21,7 @@ bool is_finished(const PointResult& point) {
 
 void describe(PointResult& point, const Link& link) {
   point.operating = link.operating;
-  point.outside = link.outside;
+  point.validity_flags = link.validity_flags;
   point.alarms = own_alarms(point);
 }
 

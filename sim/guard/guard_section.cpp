@@ -183,11 +183,11 @@ std::vector<DatasetColumn> point_table_columns(const Dataset& data) {
 
 ReportSection guard_section(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportSection part = section_of_messages(
+  ReportSection report = section_of_messages(
       name, stored, {guard_losses(), device_table_columns(stored), point_table_columns(data)});
-  part.summary += known_of(data) + ages_of(data) + oldest_of(data) + least_known_of(data);
-  add_chart(part, swept_chart(data, drawn_column(guard_columns(), "age_mean_s")));
-  return part;
+  report.summary += known_of(data) + ages_of(data) + oldest_of(data) + least_known_of(data);
+  add_chart(report, swept_chart(data, drawn_column(guard_columns(), "age_mean_s")));
+  return report;
 }
 
 }  // namespace sim

@@ -166,7 +166,7 @@ Link make_link(const Scenario& scenario) {
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);
   link.point = point_hash(scenario);
   link.operating = operating_point(s, light);
-  link.outside = outside_validity(scenario, link.operating);
+  link.validity_flags = validity_flags_of(scenario, link.operating);
   if (fidelity_of(s.simulation) == Fidelity::envelope)
     link.envelope = make_envelope_link(link, light);
   if (const auto matched =

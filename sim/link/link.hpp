@@ -46,7 +46,7 @@ struct Link {
   std::uint32_t point = 0;  // hash of the point's canonical text
 
   OperatingPoint operating;
-  std::uint64_t outside = 0;  // of the models' validity, as sim/link/validity has it
+  std::uint64_t validity_flags = 0;  // of the models' validity, as sim/link/validity has it
 };
 
 /// The carrier's true frequency, as the chain has it.

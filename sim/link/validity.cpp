@@ -188,7 +188,7 @@ constexpr std::array limits{
 
 std::span<const ValidityLimit> validity_limits() { return limits; }
 
-std::uint64_t outside_validity(const Scenario& scenario, const OperatingPoint& at) {
+std::uint64_t validity_flags_of(const Scenario& scenario, const OperatingPoint& at) {
   std::uint64_t mask = 0;
   for (std::size_t i = 0; i < limits.size(); ++i)
     if (limits[i].left(scenario, at)) mask |= std::uint64_t{1} << i;

@@ -19,9 +19,9 @@ struct ValidityLimit {
 std::span<const ValidityLimit> validity_limits();
 
 /// Marks them in tables.
-constexpr const char* outside_sign = "!";
+constexpr const char* validity_sign = "!";
 
 /// The limits that a point leaves.
-std::uint64_t outside_validity(const Scenario& scenario, const OperatingPoint& at);
+std::uint64_t validity_flags_of(const Scenario& scenario, const OperatingPoint& at);
 
 }  // namespace sim

@@ -8,11 +8,11 @@
 #include <set>
 #include <utility>
 
+#include "sim/components/part_axis.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/parsed_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/parts/part_axis.hpp"
-#include "sim/parts/parts.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/interval_file.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/parts/parts.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/scenario/axis.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"

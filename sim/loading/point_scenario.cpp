@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/components/part_slot.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/loading/fidelity_check.hpp"
-#include "sim/parts/part_slot.hpp"
 #include "sim/scenario/fidelity.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/method.hpp"

@@ -206,39 +206,40 @@ struct HeldShare {
   std::string of() const { return of_region ? "region" : "ellipse"; }
 };
 
-void add_location_charts(ReportSection& part, const Dataset& data) {
-  add_chart(part, swept_chart(data, drawn_column(location_columns(), "rmse_m")));
+void add_location_charts(ReportSection& report, const Dataset& data) {
+  add_chart(report, swept_chart(data, drawn_column(location_columns(), "rmse_m")));
   const HeldShare held(data);
-  add_chart(part, swept_chart(data, {held.variable(),
-                                     {"Truth in the " + held.of(), "share of the located ones"}}));
+  add_chart(report,
+            swept_chart(data, {held.variable(),
+                               {"Truth in the " + held.of(), "share of the located ones"}}));
 }
 
 }  // namespace
 
 ReportSection location_section(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportSection part{name, data.title, size_of_location(data)};
+  ReportSection report{name, data.title, size_of_location(data)};
   const HeldShare held(data);
-  part.summary +=
+  report.summary +=
       extremes(data, "rmse_m", "The rms error of the located ones", " m") +
       extremes(data, "error_over_bound",
                "That error over its Cramer-Rao bound, the least of any unbiased estimate,") +
       extremes(data, held.variable(), "The coverage of the 95 % " + held.of()) +
       missing_points(stored);
-  part.first.push_back(map_of(stored));
-  add_location_charts(part, data);
-  part.sections.push_back(shares_section("outcomes", outcomes_of(data)));
-  part.sections.push_back(
+  report.first.push_back(map_of(stored));
+  add_location_charts(report, data);
+  report.sections.push_back(shares_section("outcomes", outcomes_of(data)));
+  report.sections.push_back(
       {.heading = "Readings",
        .table = dataset_table(data, {{"irradiance_mw_per_m2", "light [mW/m2]"},
                                      {"sigma_mw_per_m2", "deviation [mW/m2]"}})});
-  add_closing(part, data,
+  add_closing(report, data,
               {{"n_trials", "trials"},
                {"rmse_m", "rms error [m]"},
                {"bound_m", "Cramer-Rao bound [m]"},
                {"error_over_bound", "error over bound"},
                {held.variable(), "truth in the " + held.of()}});
-  return part;
+  return report;
 }
 
 }  // namespace sim

@@ -121,40 +121,40 @@ std::string roc_note(const Dataset& data) {
   return fmt::format("Of more than {} points no ROC is drawn; --set chooses some.", most_curves);
 }
 
-void add_presence_charts(ReportSection& part, const Dataset& data) {
+void add_presence_charts(ReportSection& report, const Dataset& data) {
   const DrawnVariable detection = drawn_column(presence_columns(), "p_detection");
   const std::optional<Chart> swept = swept_chart(data, detection);
-  part.summary += detection_words(data, swept);
-  add_chart(part, swept);
+  report.summary += detection_words(data, swept);
+  add_chart(report, swept);
   if (measured_points(data).size() > most_curves) return;
   DrawnVariable roc = detection;
   roc.how.title = "Receiver operating characteristic (ROC)";
-  add_chart(part, dimension_chart(data, roc));
+  add_chart(report, dimension_chart(data, roc));
 }
 
 }  // namespace
 
 ReportSection presence_section(const std::string& name, const StoredDataset& stored) {
   const Dataset& data = stored.data;
-  ReportSection part{name, data.title, size_of_presence(data)};
-  add_presence_charts(part, data);
-  part.summary += missing_points(stored);
-  part.sections.push_back({.heading = "Detections and false alarms",
-                           .text = roc_note(data),
-                           .table = dataset_table(data, {{"p_detection", "detected"},
-                                                         {"p_detection_theory", "in theory"},
-                                                         {"p_false_alarm", "false alarms"},
-                                                         {"n_detections", "windows detected"},
-                                                         {"n_false_alarms", "falsely"},
-                                                         {"threshold", "threshold [noise]"}})});
-  add_closing(part, data,
+  ReportSection report{name, data.title, size_of_presence(data)};
+  add_presence_charts(report, data);
+  report.summary += missing_points(stored);
+  report.sections.push_back({.heading = "Detections and false alarms",
+                             .text = roc_note(data),
+                             .table = dataset_table(data, {{"p_detection", "detected"},
+                                                           {"p_detection_theory", "in theory"},
+                                                           {"p_false_alarm", "false alarms"},
+                                                           {"n_detections", "windows detected"},
+                                                           {"n_false_alarms", "falsely"},
+                                                           {"threshold", "threshold [noise]"}})});
+  add_closing(report, data,
               {{"n_trials", "windows"},
                {"irradiance_mw_per_m2", "irradiance [mW/m2]"},
                {"photocurrent_na", "photocurrent [nA]"},
                {"signal", "statistic of the light [noise]"},
                {"noise_in_steps", "noise [steps of the ADC]"},
                {"clipped", "samples clipped"}});
-  return part;
+  return report;
 }
 
 }  // namespace sim

@@ -11,14 +11,14 @@
 namespace sim {
 namespace {
 
-/// How much later than `at` the flip to that level is that is nearest to `at`, in seconds.
+/// How much later than `at` the edge to that level is that is nearest to `at`, in seconds.
 std::optional<double> delay_of(const dsp::LogicTrace& pin, double at_s, bool level, double most_s) {
-  const auto flips = pin.flips();
-  const auto from = std::ranges::lower_bound(flips, at_s - most_s, {}, &dsp::Seconds::value);
+  const auto edges = pin.edges();
+  const auto from = std::ranges::lower_bound(edges, at_s - most_s, {}, &dsp::Seconds::value);
   std::optional<double> nearest;
-  for (auto flip = from; flip != flips.end() && flip->value < at_s + most_s; ++flip) {
-    const double delay = flip->value - at_s;
-    if (pin.level_at(*flip) == level && (!nearest || std::abs(delay) < std::abs(*nearest)))
+  for (auto edge = from; edge != edges.end() && edge->value < at_s + most_s; ++edge) {
+    const double delay = edge->value - at_s;
+    if (pin.level_at(*edge) == level && (!nearest || std::abs(delay) < std::abs(*nearest)))
       nearest = delay;
   }
   return nearest;
@@ -66,15 +66,15 @@ FrameStatistics look_at_frames(const Scenario& scenario, const TrialRange& count
   FrameStatistics frames{.are_all = trials == all};
   if (trials == 0) return frames;
   const auto begin = static_cast<std::uint32_t>(counted.first);
-  ParallelRuns<std::vector<TracedTrial>> sharing(
+  ParallelRuns<std::vector<TracedTrial>> parallel(
       {.runs = trials,
        .most_at_once = static_cast<std::uint32_t>(channel::trials_at_once()),
        .workers = workers},
       [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
         return wires_of(link, hear_trials(link, begin + first, n, over));
       });
-  for (const std::vector<TracedTrial>& lot : sharing())
-    for (const TracedTrial& trial : lot) add_trial(frames, link, trial);
+  for (const std::vector<TracedTrial>& batch : parallel())
+    for (const TracedTrial& trial : batch) add_trial(frames, link, trial);
   if (frames.first_misread) *frames.first_misread += begin;
   return frames;
 }
@@ -83,10 +83,10 @@ void add_delays(EdgeDelays& delays, const TracedTrial& trial) {
   const TracedMessage message = message_of(trial);
   if (message.sent.empty()) return;
   const double half_bit_s = message.character_s / protocol::bits_per_byte / 2;
-  for (const dsp::Seconds flip : trial.tx.flips()) {
-    if (flip.value < message.start_s(0) - half_bit_s || flip.value > message.end_s()) continue;
-    const bool level = trial.tx.level_at(flip);
-    const double expected_s = flip.value + trial.delay.value;
+  for (const dsp::Seconds edge : trial.tx.edges()) {
+    if (edge.value < message.start_s(0) - half_bit_s || edge.value > message.end_s()) continue;
+    const bool level = trial.tx.level_at(edge);
+    const double expected_s = edge.value + trial.delay.value;
     if (const auto late = delay_of(trial.rx, expected_s, level, half_bit_s))
       (level ? delays.rising_us : delays.falling_us).push_back((trial.delay.value + *late) * 1e6);
     else

@@ -13,31 +13,31 @@ namespace {
 constexpr std::size_t few = 4;  // links that are named one by one
 
 /// "led.current_ma = 20 mA (between 2 and 3 m)", of a few that stand equal all, of more how many.
-std::string standing_at(const std::vector<LinkRange>& reaches, double merit) {
+std::string standing_at(const std::vector<LinkRange>& ranges, double merit) {
   std::vector<std::string> equal;
-  for (const LinkRange& reach : reaches)
-    if (reach.merit == merit) equal.push_back(fmt::format("{} ({})", reach.link, reach.words));
+  for (const LinkRange& range : ranges)
+    if (range.merit == merit) equal.push_back(fmt::format("{} ({})", range.link, range.words));
   if (equal.size() <= few) return fmt::format("{}", fmt::join(equal, ", "));
-  const LinkRange& one = *std::ranges::find(reaches, merit, &LinkRange::merit);
+  const LinkRange& one = *std::ranges::find(ranges, merit, &LinkRange::merit);
   return fmt::format("{} of them ({})", equal.size(), one.words);
 }
 
 /// "5 links", or "5 links that are counted far enough (of 17)".
-std::string links_of(const std::vector<LinkRange>& reaches) {
-  const auto told = std::ranges::count(reaches, true, &LinkRange::is_told);
-  if (told == std::ssize(reaches)) return fmt::format("{} links", told);
-  return fmt::format("{} links that are counted far enough (of {})", told, reaches.size());
+std::string links_of(const std::vector<LinkRange>& ranges) {
+  const auto told = std::ranges::count(ranges, true, &LinkRange::is_told);
+  if (told == std::ssize(ranges)) return fmt::format("{} links", told);
+  return fmt::format("{} links that are counted far enough (of {})", told, ranges.size());
 }
 
 /// The two ends of their order; empty where all stand equal.
-std::string ends_of(std::vector<LinkRange> reaches) {
-  const std::string links = links_of(reaches);
-  std::erase_if(reaches, [](const LinkRange& reach) { return !reach.is_told; });
-  if (reaches.empty()) return "";
-  const auto [worst, best] = std::ranges::minmax(reaches, {}, &LinkRange::merit);
+std::string ends_of(std::vector<LinkRange> ranges) {
+  const std::string links = links_of(ranges);
+  std::erase_if(ranges, [](const LinkRange& range) { return !range.is_told; });
+  if (ranges.empty()) return "";
+  const auto [worst, best] = std::ranges::minmax(ranges, {}, &LinkRange::merit);
   if (worst.merit == best.merit) return "";
-  return fmt::format("First of {}: {}; last: {}. ", links, standing_at(reaches, best.merit),
-                     standing_at(reaches, worst.merit));
+  return fmt::format("First of {}: {}; last: {}. ", links, standing_at(ranges, best.merit),
+                     standing_at(ranges, worst.merit));
 }
 
 }  // namespace
@@ -46,30 +46,30 @@ std::string link_range_heading(const std::string& along) {
   return along == "receiver.range_m" ? "How far each reaches" : "Where each fails";
 }
 
-std::string link_range_line(const std::vector<LinkRange>& reaches,
+std::string link_range_line(const std::vector<LinkRange>& ranges,
                             const std::vector<std::string>& first) {
-  const std::string along = reaches.front().along;
-  if (reaches.size() <= few) {
+  const std::string along = ranges.front().along;
+  if (ranges.size() <= few) {
     std::vector<std::string> each;
-    for (const LinkRange& reach : reaches) each.push_back(reach.link + ": " + reach.words);
+    for (const LinkRange& range : ranges) each.push_back(range.link + ": " + range.words);
     return fmt::format("Frame loss passes 1 % along {} at: {}.\n", along, fmt::join(each, "; "));
   }
   const std::string listed = link_range_heading(along) + " is listed below.\n";
   if (first.empty()) {
-    const std::string ends = ends_of(reaches);
-    return (ends.empty() ? fmt::format("{} links. ", reaches.size()) : ends) + listed;
+    const std::string ends = ends_of(ranges);
+    return (ends.empty() ? fmt::format("{} links. ", ranges.size()) : ends) + listed;
   }
-  return fmt::format("Of {} {} come{} first. {}", links_of(reaches), fmt::join(first, ", "),
+  return fmt::format("Of {} {} come{} first. {}", links_of(ranges), fmt::join(first, ", "),
                      first.size() == 1 ? "s" : "", listed);
 }
 
-PageSection link_range_section(std::vector<LinkRange> reaches) {
-  std::ranges::stable_sort(reaches, std::greater<>(), &LinkRange::merit);
-  const std::string along = reaches.front().along;
+PageSection link_range_section(std::vector<LinkRange> ranges) {
+  std::ranges::stable_sort(ranges, std::greater<>(), &LinkRange::merit);
+  const std::string along = ranges.front().along;
   PageTable table{
       .head = {"link", "frame loss passes 1 % at " + along}, .rows = {}, .is_answer = true};
-  for (LinkRange& reach : reaches)
-    table.rows.push_back({std::move(reach.link), std::move(reach.words)});
+  for (LinkRange& range : ranges)
+    table.rows.push_back({std::move(range.link), std::move(range.words)});
   return {.heading = link_range_heading(along), .table = std::move(table)};
 }
 

@@ -12,10 +12,10 @@ std::string link_range_heading(const std::string& along);
 
 /// A line: of a few links how far each reaches, of more which come first, or if that is not known
 /// the two ends of their order. At least one, all along one key.
-std::string link_range_line(const std::vector<LinkRange>& reaches,
+std::string link_range_line(const std::vector<LinkRange>& ranges,
                             const std::vector<std::string>& first);
 
 /// The same as a table, best first.
-PageSection link_range_section(std::vector<LinkRange> reaches);
+PageSection link_range_section(std::vector<LinkRange> ranges);
 
 }  // namespace sim

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "sim/columns/outside_column.hpp"
+#include "sim/columns/validity_column.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/page/numbers_section.hpp"
 #include "sim/result/crossing_text.hpp"
@@ -33,17 +33,17 @@ std::string crossing_of(const ExperimentResult& result, const Ranking& ranking,
 std::string reach_words(const ExperimentResult& result, const Ranking& ranking,
                         const RowCrossing& row) {
   std::string words = crossing_of(result, ranking, row);
-  if (row.outside == 0) return words;
-  return fmt::format("{}, {}: {}", words, outside_words,
-                     raised_names(validity_limits(), row.outside));
+  if (row.validity_flags == 0) return words;
+  return fmt::format("{}, {}: {}", words, validity_words,
+                     raised_names(validity_limits(), row.validity_flags));
 }
 
 /// In a table, with its mark.
 std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
                        const RowCrossing& row) {
   std::string words = crossing_of(result, ranking, row);
-  if (row.outside == 0) return words;
-  return words + "  " + raised_mark(validity_limits(), row.outside, outside_sign);
+  if (row.validity_flags == 0) return words;
+  return words + "  " + raised_mark(validity_limits(), row.validity_flags, validity_sign);
 }
 
 std::string link_of(const ExperimentResult& result, const Ranking& ranking,
@@ -56,12 +56,12 @@ std::string link_of(const ExperimentResult& result, const Ranking& ranking,
 }  // namespace
 
 std::vector<LinkRange> link_ranges_of(const ExperimentResult& result, const Ranking& ranking) {
-  std::vector<LinkRange> reaches;
+  std::vector<LinkRange> ranges;
   for (const RowCrossing& row : ranking.rows)
-    reaches.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
-                       reach_words(result, ranking, row), row.merit,
-                       row.crossing.kind != Crossing::Kind::unfinished});
-  return reaches;
+    ranges.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
+                      reach_words(result, ranking, row), row.merit,
+                      row.crossing.kind != Crossing::Kind::unfinished});
+  return ranges;
 }
 
 PageSection link_range_section(const ExperimentResult& result, const Ranking& ranking) {

@@ -87,15 +87,15 @@ bool hide_each_other(const Chart& chart) {
   return chart.curves.size() > curve_hues + static_cast<std::size_t>(theories);
 }
 
-void add_maps(ReportSection& part, const ExperimentResult& result) {
-  const bool come_first = std::ranges::any_of(part.charts, hide_each_other);
+void add_maps(ReportSection& report, const ExperimentResult& result) {
+  const bool come_first = std::ranges::any_of(report.charts, hide_each_other);
   for (const HeatMap& map : result_maps(result))
-    (come_first ? part.first : part.sections).push_back(map_section("frame-loss-map", map));
+    (come_first ? report.first : report.sections).push_back(map_section("frame-loss-map", map));
 }
 
-void add_ranking(ReportSection& part, const ExperimentResult& result, const Ranking& ranking) {
-  part.reaches = link_ranges_of(result, ranking);
-  if (ranking.rows.size() > 1) part.first.push_back(link_range_section(result, ranking));
+void add_ranking(ReportSection& report, const ExperimentResult& result, const Ranking& ranking) {
+  report.link_ranges = link_ranges_of(result, ranking);
+  if (ranking.rows.size() > 1) report.first.push_back(link_range_section(result, ranking));
 }
 
 PageSection trial_section(const ExperimentResult& result, const ShownTrial& shown) {
@@ -118,49 +118,51 @@ PageSection trial_section(const ExperimentResult& result, const ShownTrial& show
       .table = characters_table(trial)};
 }
 
-void add_wrong_bits(ReportSection& part, const FrameStatistics& frames) {
+void add_wrong_bits(ReportSection& report, const FrameStatistics& frames) {
   if (frames.wrong.bursts.empty()) return;
-  part.sections.push_back(map_section("wrong-bits", wrong_bits_map(frames)));
-  part.sections.push_back(chart_section(settling_chart(frames)));
-  part.sections.push_back(bursts_section(frames));
+  report.sections.push_back(map_section("wrong-bits", wrong_bits_map(frames)));
+  report.sections.push_back(chart_section(settling_chart(frames)));
+  report.sections.push_back(bursts_section(frames));
 }
 
-void add_frames(ReportSection& part, const FrameStatistics& frames) {
-  add_wrong_bits(part, frames);
+void add_frames(ReportSection& report, const FrameStatistics& frames) {
+  add_wrong_bits(report, frames);
   if (frames.delays.falling_us.empty() || frames.delays.rising_us.empty()) return;
-  part.sections.push_back(chart_section(jitter_chart(frames)));
-  part.sections.back().text = delays_text(frames);
+  report.sections.push_back(chart_section(jitter_chart(frames)));
+  report.sections.back().text = delays_text(frames);
 }
 
-void add_shown_trial(ReportSection& part, const ExperimentResult& result, const ShownTrial& shown) {
-  part.sections.push_back(trial_section(result, shown));
+void add_shown_trial(ReportSection& report, const ExperimentResult& result,
+                     const ShownTrial& shown) {
+  report.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
-    part.sections.push_back(
+    report.sections.push_back(
         {.heading = "Eye diagram", .picture = eye_picture(shown), .table = eye_table(shown.trial)});
-  part.sections.push_back(chart_section(spectrum_chart(shown)));
+  report.sections.push_back(chart_section(spectrum_chart(shown)));
 }
 
 }  // namespace
 
 ReportSection link_section(const LinkReport& link) {
   const ExperimentResult& result = link.result;
-  ReportSection part{
+  ReportSection report{
       link.name, result.title,
       setup_words(link.settings) + summary_of(result, link.ablations) + marked_points(result)};
-  part.settings = link.settings;
-  part.scenario = scenario_section(result.command, result.scenario_toml);
+  report.settings = link.settings;
+  report.scenario = scenario_section(result.command, result.scenario_toml);
   const Ranking ranking = rank(result);
-  add_ranking(part, result, ranking);
+  add_ranking(report, result, ranking);
   const ExperimentResult drawn = best_first(result, ranking);
-  part.charts = result_charts(drawn);
-  add_maps(part, drawn);
-  part.sections.push_back(fates_section(result));
-  part.sections.back().text += link.why_no_trial;
-  if (link.ablations.ablations.size() > 1) part.sections.push_back(limits_section(link.ablations));
-  if (link.trial) add_shown_trial(part, result, *link.trial);
-  add_frames(part, link.frames);
-  part.sections.push_back(numbers_section(result));
-  return part;
+  report.charts = result_charts(drawn);
+  add_maps(report, drawn);
+  report.sections.push_back(fates_section(result));
+  report.sections.back().text += link.why_no_trial;
+  if (link.ablations.ablations.size() > 1)
+    report.sections.push_back(limits_section(link.ablations));
+  if (link.trial) add_shown_trial(report, result, *link.trial);
+  add_frames(report, link.frames);
+  report.sections.push_back(numbers_section(result));
+  return report;
 }
 
 }  // namespace sim

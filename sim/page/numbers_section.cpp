@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "sim/columns/estimate_text.hpp"
-#include "sim/columns/outside_column.hpp"
 #include "sim/columns/text_table.hpp"
+#include "sim/columns/validity_column.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/result/point_loss.hpp"
@@ -66,11 +66,11 @@ PageSection numbers_section(const ExperimentResult& result) {
 
 std::string marked_points(const ExperimentResult& result) {
   const auto outside = std::ranges::count_if(
-      result.points, [](const PointResult& point) { return point.outside != 0; });
+      result.points, [](const PointResult& point) { return point.validity_flags != 0; });
   const auto alarming = std::ranges::count_if(
       result.points, [](const PointResult& point) { return point.alarms != 0; });
   std::vector<std::string> marks;
-  if (outside > 0) marks.push_back(fmt::format("{} {}", outside, outside_words));
+  if (outside > 0) marks.push_back(fmt::format("{} {}", outside, validity_words));
   if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));
   return marked_line(result.points.size(), marks);
 }

@@ -17,16 +17,16 @@ bool are_alike(const Chart& a, const Chart& b) {
 }
 
 /// Charts that one result alone has say whose they are.
-void name_lone_charts(std::vector<ReportSection>& parts) {
+void name_lone_charts(std::vector<ReportSection>& reports) {
   std::vector<std::pair<Chart*, std::string>> lone;
-  for (ReportSection& part : parts)
-    for (Chart& chart : part.charts) {
+  for (ReportSection& report : reports)
+    for (Chart& chart : report.charts) {
       const auto has_alike = [&](const ReportSection& other) {
-        return &other != &part && std::ranges::any_of(other.charts, [&](const Chart& another) {
+        return &other != &report && std::ranges::any_of(other.charts, [&](const Chart& another) {
           return are_alike(chart, another);
         });
       };
-      if (std::ranges::none_of(parts, has_alike)) lone.emplace_back(&chart, part.name);
+      if (std::ranges::none_of(reports, has_alike)) lone.emplace_back(&chart, report.name);
     }
   for (const auto& [chart, name] : lone) chart->title = name + ": " + chart->title;
 }
@@ -60,53 +60,53 @@ void name_section(PageSection& section, const std::string& name) {
   if (section.trial) name_picture(section.trial->still);
 }
 
-void say_whose(ReportSection& part) {
+void say_whose(ReportSection& report) {
   std::string summary;
-  std::istringstream lines(part.summary);
-  for (std::string line; std::getline(lines, line);) summary += part.name + ": " + line + "\n";
-  part.summary = summary;
-  part.scenario.heading = part.name + ": " + part.scenario.heading;
-  for (auto* sections : {&part.first, &part.sections})
-    for (PageSection& section : *sections) name_section(section, part.name);
-  for (Chart& chart : part.charts)
-    for (ChartCurve& curve : chart.curves) curve.name = part.name + ", " + curve.name;
+  std::istringstream lines(report.summary);
+  for (std::string line; std::getline(lines, line);) summary += report.name + ": " + line + "\n";
+  report.summary = summary;
+  report.scenario.heading = report.name + ": " + report.scenario.heading;
+  for (auto* sections : {&report.first, &report.sections})
+    for (PageSection& section : *sections) name_section(section, report.name);
+  for (Chart& chart : report.charts)
+    for (ChartCurve& curve : chart.curves) curve.name = report.name + ", " + curve.name;
 }
 
 /// Of a single result what its scenario calls itself.
-std::string title_of(const std::vector<ReportSection>& parts) {
-  if (parts.size() == 1 && !parts.front().title.empty()) return parts.front().title;
+std::string title_of(const std::vector<ReportSection>& reports) {
+  if (reports.size() == 1 && !reports.front().title.empty()) return reports.front().title;
   std::string names;
-  for (const ReportSection& part : parts) names += (names.empty() ? "" : ", ") + part.name;
+  for (const ReportSection& report : reports) names += (names.empty() ? "" : ", ") + report.name;
   return names;
 }
 
-std::vector<NamedSettings> named_settings(const std::vector<ReportSection>& parts) {
+std::vector<NamedSettings> named_settings(const std::vector<ReportSection>& reports) {
   std::vector<NamedSettings> all;
-  for (const ReportSection& part : parts) all.push_back({part.name, part.settings});
+  for (const ReportSection& report : reports) all.push_back({report.name, report.settings});
   return all;
 }
 
 /// All links of all results, named by their results too; none where there is nothing to compare, as
 /// one result alone has some, or they have not one abscissa.
-std::vector<LinkRange> compared_reaches(const std::vector<ReportSection>& parts) {
-  const auto has_some = [](const ReportSection& part) { return !part.reaches.empty(); };
-  if (std::ranges::count_if(parts, has_some) < 2) return {};
+std::vector<LinkRange> compared_ranges(const std::vector<ReportSection>& reports) {
+  const auto has_some = [](const ReportSection& report) { return !report.link_ranges.empty(); };
+  if (std::ranges::count_if(reports, has_some) < 2) return {};
   std::vector<LinkRange> all;
-  for (const ReportSection& part : parts)
-    for (LinkRange reach : part.reaches) {
-      reach.link = part.name + (reach.link.empty() ? "" : ", " + reach.link);
-      if (!all.empty() && all.front().along != reach.along) return {};
-      all.push_back(std::move(reach));
+  for (const ReportSection& report : reports)
+    for (LinkRange range : report.link_ranges) {
+      range.link = report.name + (range.link.empty() ? "" : ", " + range.link);
+      if (!all.empty() && all.front().along != range.along) return {};
+      all.push_back(std::move(range));
     }
   return all;
 }
 
-void compare(Page& page, const std::vector<ReportSection>& parts) {
-  if (std::vector<LinkRange> reaches = compared_reaches(parts); !reaches.empty()) {
-    page.summary += link_range_line(reaches, {});
-    page.sections.push_back(link_range_section(std::move(reaches)));
+void compare(Page& page, const std::vector<ReportSection>& reports) {
+  if (std::vector<LinkRange> link_ranges = compared_ranges(reports); !link_ranges.empty()) {
+    page.summary += link_range_line(link_ranges, {});
+    page.sections.push_back(link_range_section(std::move(link_ranges)));
   }
-  page.sections.push_back(differences_section(named_settings(parts)));
+  page.sections.push_back(differences_section(named_settings(reports)));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ std::string size_of(const ExperimentResult& result) {
 /// "TSSP4056 (between 12 and 14 m)": those that reach farthest, where all are compared with each
 /// other.
 std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking,
-                                 const std::vector<LinkRange>& reaches) {
+                                 const std::vector<LinkRange>& link_ranges) {
   std::vector<std::string> names;
   const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
   if (!ranking.best_first || !std::ranges::all_of(ranking.others, is_text)) return names;
@@ -61,7 +61,7 @@ std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& 
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < ranking.others.size(); ++i)
       texts.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
-    names.push_back(fmt::format("{} ({})", fmt::join(texts, " with "), reaches[place].words));
+    names.push_back(fmt::format("{} ({})", fmt::join(texts, " with "), link_ranges[place].words));
   }
   return names;
 }
@@ -70,10 +70,10 @@ std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& 
 std::string reach_of(const ExperimentResult& result) {
   const Ranking ranking = rank(result);
   if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
-  const std::vector<LinkRange> reaches = link_ranges_of(result, ranking);
-  std::vector<std::string> best = best_of(result, ranking, reaches);
+  const std::vector<LinkRange> link_ranges = link_ranges_of(result, ranking);
+  std::vector<std::string> best = best_of(result, ranking, link_ranges);
   if (best.size() == ranking.rows.size()) best.clear();
-  return link_range_line(reaches, best);
+  return link_range_line(link_ranges, best);
 }
 
 /// "1.5 [0.3, 4.3] %"

@@ -103,13 +103,13 @@ function seenWire(trial, [from, to]) {
   let level = trial.wire_begins ? 1 : 0;
   const x = [from], y = [];
   const inside = [];
-  for (const flip of trial.wire_flips_s) {
-    if (flip > from && flip < to) inside.push(flip);
-    if (flip <= from) level = 1 - level;
+  for (const edge of trial.wire_edges_s) {
+    if (edge > from && edge < to) inside.push(edge);
+    if (edge <= from) level = 1 - level;
   }
   y.push(level);
-  for (const flip of inside) {
-    x.push(flip, flip);
+  for (const edge of inside) {
+    x.push(edge, edge);
     y.push(level, 1 - level);
     level = 1 - level;
   }

@@ -82,8 +82,8 @@ std::string quantised(const std::vector<float>& values, float least, float great
 void add_wire(TrialView& view, const dsp::LogicTrace& rx, double zero_s, double from_s,
               double to_s) {
   view.wire_begins = rx.level_at(dsp::Seconds(from_s));
-  for (const dsp::Seconds flip : rx.flips())
-    if (flip.value > from_s && flip.value < to_s) view.wire_flips_s.push_back(flip.value - zero_s);
+  for (const dsp::Seconds edge : rx.edges())
+    if (edge.value > from_s && edge.value < to_s) view.wire_edges_s.push_back(edge.value - zero_s);
 }
 
 void add_characters(TrialView& view, const TracedMessage& message) {
@@ -177,7 +177,7 @@ std::string view_json(const TrialView& view) {
                   {"detail_first_s", view.detail_first_s},
                   {"taps", taps},
                   {"wire_begins", view.wire_begins},
-                  {"wire_flips_s", view.wire_flips_s},
+                  {"wire_edges_s", view.wire_edges_s},
                   {"sent", marks_json(view.sent)},
                   {"read", marks_json(view.read)},
                   {"bits", marks_json(view.bits)},

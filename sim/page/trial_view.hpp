@@ -29,7 +29,7 @@ struct TrialView {
   double detail_first_s = 0;         // of the detail
   std::vector<TapValues> taps;
   bool wire_begins = true;           // level of the pin at first
-  std::vector<double> wire_flips_s;  // of the pin
+  std::vector<double> wire_edges_s;  // of the pin
   std::vector<ViewMark> sent, read;  // characters, at their middles
   std::vector<ViewMark> bits;        // at the middle of each that was sent, the pin's level for it
   double delay_s = 0;                // how much later the pin has it

@@ -50,13 +50,13 @@ std::string by_column(const SampledWave& wave, const Scale& x, const Scale& y) {
 }  // namespace
 
 std::string wire_path(const dsp::LogicTrace& wire, const Scale& x, const Scale& y) {
-  const auto flips = wire.flips();
+  const auto edges = wire.edges();
   bool level = wire.level_at(dsp::Seconds(x.from));
   std::string path = fmt::format("M{:.2f} {:.2f}", x(x.from), y(level ? 1 : 0));
-  const auto first = std::ranges::upper_bound(flips, dsp::Seconds(x.from));
-  for (auto flip = first; flip != flips.end() && flip->value < x.to; ++flip) {
+  const auto first = std::ranges::upper_bound(edges, dsp::Seconds(x.from));
+  for (auto edge = first; edge != edges.end() && edge->value < x.to; ++edge) {
     level = !level;
-    path += fmt::format("H{:.2f}V{:.2f}", x(flip->value), y(level ? 1 : 0));
+    path += fmt::format("H{:.2f}V{:.2f}", x(edge->value), y(level ? 1 : 0));
   }
   return path + fmt::format("H{:.2f}", x(std::min(x.to, std::max(x.from, wire.end().value))));
 }

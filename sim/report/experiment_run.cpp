@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/columns/outside_column.hpp"
+#include "sim/columns/validity_column.hpp"
 #include "sim/report/closing_lines.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/text/standard_output.hpp"
@@ -49,7 +49,7 @@ void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
   rows.check();
   if (run.json) return print_json(dataset_json(data) + "\n");
   if (run.plot) print(plots(data, drawn));
-  print(missing + outside_notes(data));
+  print(missing + validity_notes(data));
   if (!details.empty()) print("\n" + details);
   print(shards_note(data.shards));
   print(fmt::format("{}: digest {}\n", run.output.string(), dataset_digest(data)));

@@ -34,7 +34,7 @@ std::string profile_of(const ExperimentResult& result) {
 }
 
 /// Sums of weights depend in their last digits on the order: it is that of the trials.
-ExperimentResult sum_of(const std::vector<std::filesystem::path>& paths) {
+ExperimentResult sum_of_files(const std::vector<std::filesystem::path>& paths) {
   std::vector<ExperimentResult> all;
   for (const std::filesystem::path& path : paths) all.push_back(read_result(path).result);
   std::ranges::sort(all, comes_before,
@@ -68,8 +68,8 @@ class LinkRun : public ReadyRun {
 
  private:
   ExperimentResult before_the_run() const {
-    ExperimentResult result =
-        run_.counts_nothing ? sum_of(run_.counted_in) : unfinished(run_.scenario, run_.command);
+    ExperimentResult result = run_.counts_nothing ? sum_of_files(run_.counted_in)
+                                                  : unfinished(run_.scenario, run_.command);
     result.command = run_.command;
     if (run_.counts_nothing) return result;
     result.shards = run_.shards;

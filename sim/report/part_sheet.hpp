@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "channel/curve.hpp"
-#include "sim/parts/digitised_curve.hpp"
-#include "sim/parts/parts.hpp"
+#include "sim/components/digitised_curve.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/scenario/figures.hpp"
 
 namespace sim {

@@ -103,7 +103,7 @@ nlohmann::ordered_json json_point(const ExperimentResult& result, const PointRes
   for (std::size_t i = 0; i < result.axes.size(); ++i) {
     point[result.axes[i].key] = json_coordinate(result.axes[i], p.coordinates[i]);
   }
-  point["outside"] = raised_json(validity_limits(), p.outside);
+  point["outside"] = raised_json(validity_limits(), p.validity_flags);
   point["alarm_names"] = raised_json(alarms(), p.alarms);
   for (const LinkColumn* column : columns_of(result))
     point[column->name] = json_value(*column, p, result.ci_level);

@@ -104,17 +104,18 @@ std::string theory_text(double ber) {
 }
 
 std::string closing_text(const PointResult& point) {
-  return stop_reason_name(point.stop) + mark(validity_limits(), point.outside, outside_sign) +
+  return stop_reason_name(point.stop) +
+         mark(validity_limits(), point.validity_flags, validity_sign) +
          mark(alarms(), point.alarms, alarm_sign);
 }
 
 std::string mark_notes(const ExperimentResult& result) {
-  std::uint64_t outside = 0, alarming = 0;
+  std::uint64_t validity_flags = 0, alarming = 0;
   for (const PointResult& p : result.points) {
-    outside |= p.outside;
+    validity_flags |= p.validity_flags;
     alarming |= p.alarms;
   }
-  return raised_notes(validity_limits(), outside, outside_sign) +
+  return raised_notes(validity_limits(), validity_flags, validity_sign) +
          raised_notes(alarms(), alarming, alarm_sign) + target_note(result) + theory_note(result);
 }
 

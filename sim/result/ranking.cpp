@@ -57,9 +57,9 @@ std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
   return rows;
 }
 
-std::uint64_t outside_of(const ExperimentResult& line) {
+std::uint64_t validity_flags_of(const ExperimentResult& line) {
   std::uint64_t all = 0;
-  for (const PointResult& p : line.points) all |= p.outside;
+  for (const PointResult& p : line.points) all |= p.validity_flags;
   return all;
 }
 
@@ -114,7 +114,7 @@ struct Standing {
 
 Standing standing_of(const ExperimentResult& result, const Ranking& ranking,
                      const RowCrossing& row) {
-  Standing standing{{}, row.merit, row.outside != 0};
+  Standing standing{{}, row.merit, row.validity_flags != 0};
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& axis = result.axes[ranking.others[i]];
     if (axis.is_text()) continue;
@@ -140,7 +140,8 @@ void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
 
 /// What the table marks at points of the row.
 std::string mark(const RowCrossing& row) {
-  return row.outside == 0 ? "" : "  ! " + raised_names(validity_limits(), row.outside);
+  return row.validity_flags == 0 ? ""
+                                 : "  ! " + raised_names(validity_limits(), row.validity_flags);
 }
 
 /// A column of the list: the name of an axis above its values.
@@ -215,7 +216,7 @@ Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   for (Row& row : rows_of(result, ranking)) {
     if (is_weighted(row.line)) continue;  // fits are to counts
     const Crossing crossing = frame_loss_crossing(row.line, question.flr);
-    ranking.rows.push_back({std::move(row.others), crossing, outside_of(row.line),
+    ranking.rows.push_back({std::move(row.others), crossing, validity_flags_of(row.line),
                             merit(crossing, ranking.more_is_better)});
   }
   if (ranking.best_first) sort_best_first(result, ranking);

@@ -15,9 +15,9 @@ namespace sim {
 struct RowCrossing {
   std::vector<double> others;  // their coordinates, in the order of Ranking::others
   Crossing crossing;
-  std::uint64_t outside;  // limits of validity that any of its points leaves
-  double merit = 0;       // larger is better, also between rankings along one key
-  std::size_t place = 0;  // from 1, the same for equals; 0: none, not sorted or unfinished
+  std::uint64_t validity_flags;  // limits of validity that any of its points leaves
+  double merit = 0;              // larger is better, also between rankings along one key
+  std::size_t place = 0;         // from 1, the same for equals; 0: none, not sorted or unfinished
 };
 
 /// What is asked: along which axis the loss passes which level.

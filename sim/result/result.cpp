@@ -122,7 +122,7 @@ const std::array column_table{
     LinkColumn{"ber_sampled", "1", "the same of the samples of its waveform",
                operating<&OperatingPoint::ber_sampled>},
     LinkColumn{"outside_validity", "1", "limits of the models' validity that the point leaves",
-               &PointResult::outside},
+               &PointResult::validity_flags},
     LinkColumn{"alarms", "1", "why the counts are to be distrusted", &PointResult::alarms},
     LinkColumn{"stop_reason", "1", "why the point stopped", &PointResult::stop},
     LinkColumn{"elapsed_s", "s", "wall-clock time", cost<&PointResult::elapsed_s>},

@@ -23,13 +23,13 @@ struct PointResult {
   OperatingPoint operating{};
   Tally tally{};
   StopReason stop = StopReason::max_frames;
-  StopRule rule{};              // of its scenario
-  double elapsed_s = 0;         // wall clock
-  double simulated_s = 0;       // of the link's own time
-  std::uint64_t n_samples = 0;  // waveform samples simulated
-  std::uint64_t outside = 0;    // of the models' validity: bits of sim/link/validity
-  std::uint64_t alarms = 0;     // bits of sim/result/alarms
-  Profile profile{};            // where somebody asked for it; not kept in files
+  StopRule rule{};                   // of its scenario
+  double elapsed_s = 0;              // wall clock
+  double simulated_s = 0;            // of the link's own time
+  std::uint64_t n_samples = 0;       // waveform samples simulated
+  std::uint64_t validity_flags = 0;  // of the models' validity: bits of sim/link/validity
+  std::uint64_t alarms = 0;          // bits of sim/result/alarms
+  Profile profile{};                 // where somebody asked for it; not kept in files
 };
 
 struct ExperimentResult {

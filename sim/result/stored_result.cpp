@@ -34,7 +34,7 @@ struct ColumnReader {
   }
   /// Flags and alarms follow from the rest too; old files have fewer of them.
   bool operator()(std::uint64_t PointResult::*count) const {
-    if (count == &PointResult::outside || count == &PointResult::alarms) return true;
+    if (count == &PointResult::validity_flags || count == &PointResult::alarms) return true;
     return each([=](PointResult& p, std::int64_t value) {
       p.*count = static_cast<std::uint64_t>(value);
       return true;

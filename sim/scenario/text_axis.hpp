@@ -22,7 +22,7 @@ bool is_text_list(std::string_view text);
 std::vector<std::string> parse_texts(std::string_view text);
 
 /// The axis of a part or choice: at least one text, none twice. "*" in an axis of parts stays as it
-/// is, for only the folders of parts can tell what it is (sim/parts/part_axis).
+/// is, for only the folders of parts can tell what it is (sim/components/part_axis).
 Axis make_text_axis(const Key& key, const std::vector<std::string>& texts,
                     const std::string& place);
 

@@ -61,13 +61,13 @@ std::string heading_of(const Dataset& data, const std::vector<std::string>& dime
   return capitalised(heading);
 }
 
-void add_drawn(ReportSection& part, const Dataset& data, const ColumnFacts& column) {
+void add_drawn(ReportSection& report, const Dataset& data, const ColumnFacts& column) {
   if (!column.is_stored() || !column.drawing) return;
   const std::string unit = unit_text(column.facts.unit);
   if (column.over.empty())
-    part.summary +=
+    report.summary +=
         extremes(data, column.facts.name, column.drawing->title, unit.empty() ? "" : " " + unit);
-  add_chart(part, swept_chart(data, {column.facts.name, *column.drawing}));
+  add_chart(report, swept_chart(data, {column.facts.name, *column.drawing}));
 }
 
 }  // namespace
@@ -75,15 +75,15 @@ void add_drawn(ReportSection& part, const Dataset& data, const ColumnFacts& colu
 ReportSection columns_section(const std::string& name, const StoredDataset& stored,
                               const std::vector<ColumnFacts>& columns) {
   const Dataset& data = stored.data;
-  ReportSection part{name, data.title, fmt::format("The result is of {}.\n", runs_text(data))};
-  for (const ColumnFacts& column : columns) add_drawn(part, data, column);
-  part.summary += missing_points(stored);
+  ReportSection report{name, data.title, fmt::format("The result is of {}.\n", runs_text(data))};
+  for (const ColumnFacts& column : columns) add_drawn(report, data, column);
+  report.summary += missing_points(stored);
   for (const std::vector<std::string>& dimensions : combinations(columns))
     if (const auto table = table_columns(data, columns, dimensions); !table.empty())
-      part.sections.push_back(
+      report.sections.push_back(
           {.heading = heading_of(data, dimensions), .table = dataset_table(data, table)});
-  add_closing(part, data, table_columns(data, columns, {}));
-  return part;
+  add_closing(report, data, table_columns(data, columns, {}));
+  return report;
 }
 
 }  // namespace sim

@@ -13,13 +13,14 @@
 namespace sim {
 
 /// Adds a chart, if there is one with a curve.
-void add_chart(ReportSection& part, std::optional<Chart> chart);
+void add_chart(ReportSection& report, std::optional<Chart> chart);
 
 /// Adds those of a dataset's drawn columns that it has.
-void add_charts(ReportSection& part, const Dataset& data, const std::vector<DrawnVariable>& drawn);
+void add_charts(ReportSection& report, const Dataset& data,
+                const std::vector<DrawnVariable>& drawn);
 
 /// The last sections: all numbers of the points, with marks where one leaves the range of a model,
 /// and the scenario.
-void add_closing(ReportSection& part, const Dataset& data, std::vector<DatasetColumn> columns);
+void add_closing(ReportSection& report, const Dataset& data, std::vector<DatasetColumn> columns);
 
 }  // namespace sim

@@ -19,11 +19,11 @@ struct LinkRange {
 };
 
 struct ReportSection {
-  std::string name;                  // of its file
-  std::string title;                 // of its scenario; may be empty
-  std::string summary;               // a paragraph a line
-  PageSection scenario{};            // its text, and the command that repeats it
-  std::vector<LinkRange> reaches{};  // of links
+  std::string name;                      // of its file
+  std::string title;                     // of its scenario; may be empty
+  std::string summary;                   // a paragraph a line
+  PageSection scenario{};                // its text, and the command that repeats it
+  std::vector<LinkRange> link_ranges{};  // of links
   std::vector<PageSection> first{};
   /// Those of several results that have one title and one lower axis are drawn into one picture.
   std::vector<Chart> charts{};

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/components/parts.hpp"
 #include "sim/link/link.hpp"
-#include "sim/parts/parts.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {

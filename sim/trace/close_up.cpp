@@ -30,8 +30,8 @@ CloseUp at_pin(double edge_s, double cycle_s, const std::string& of) {
 /// Of the pin, between two instants.
 std::optional<double> last_edge(const dsp::LogicTrace& pin, double from_s, double to_s) {
   std::optional<double> last;
-  for (const dsp::Seconds flip : pin.flips())
-    if (flip.value > from_s && flip.value <= to_s) last = flip.value;
+  for (const dsp::Seconds edge : pin.edges())
+    if (edge.value > from_s && edge.value <= to_s) last = edge.value;
   return last;
 }
 

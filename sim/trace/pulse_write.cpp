@@ -20,7 +20,7 @@ std::vector<long> edges_of(const dsp::LogicTrace& wire) {
     }
   };
   if (!wire.initial()) add(0);
-  for (const dsp::Seconds flip : wire.flips()) add(microsecond_of(flip));
+  for (const dsp::Seconds edge : wire.edges()) add(microsecond_of(edge));
   if (edges.size() % 2 == 1) add(microsecond_of(wire.end()));
   return edges;
 }

@@ -14,8 +14,8 @@ struct VcdWire {
   const dsp::LogicTrace* trace = nullptr;
 };
 
-/// From time 0 to `duration`. Flips are rounded to the nearest microsecond; of several in one
-/// microsecond the level after the last is kept. A flip at 0 becomes the initial level. At the end
+/// From time 0 to `duration`. Edges are rounded to the nearest microsecond; of several in one
+/// microsecond the level after the last is kept. An edge at 0 becomes the initial level. At the end
 /// the levels stand once more, as some readers end at the last one.
 void write_vcd(std::ostream& out, std::span<const VcdWire> wires, dsp::Seconds duration);
 

@@ -43,11 +43,11 @@ bool append_changes(std::vector<Change>& changes, const LogicTrace& trace, std::
   bool at_zero = trace.initial();
   bool written = at_zero;
   bool level = at_zero;
-  const auto flips = trace.flips();
-  for (std::size_t i = 0; i < flips.size(); ++i) {
+  const auto edges = trace.edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
     level = !level;
-    const std::int64_t tick = tick_of(flips[i]);
-    const bool last_of_tick = i + 1 == flips.size() || tick_of(flips[i + 1]) > tick;
+    const std::int64_t tick = tick_of(edges[i]);
+    const bool last_of_tick = i + 1 == edges.size() || tick_of(edges[i + 1]) > tick;
     if (!last_of_tick || level == written) continue;
     written = level;
     if (tick > 0) {

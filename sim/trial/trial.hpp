@@ -9,7 +9,7 @@
 //   4 light       LED pattern, direct + floor (once a point)      irradiance           T
 //   5 noise       shot (signal, ambient), thermal                 irradiance           T
 //   6 module      limiter, band-pass, threshold, integrator       pin level            Mask<T>
-//   7 flips       changes of the pin                              level over time      LogicTrace
+//   7 edges       changes of the pin                              level over time      LogicTrace
 //   8 UART        a decoder on its own clock                      bytes, framing flags UartByte
 //   9 frames      COSYS decode                                    frame or a reason    CosysFrame
 //  10 count       sent against heard                              counters             Tally

@@ -26,7 +26,7 @@ dsp::LogicTrace wire_of(std::uint32_t trial) {
 
 void print(const char* name, const dsp::LogicTrace& pin) {
   std::printf("%s", name);
-  for (const dsp::Seconds flip : pin.flips()) std::printf(" %.0f", flip.value * sample_rate.value);
+  for (const dsp::Seconds edge : pin.edges()) std::printf(" %.0f", edge.value * sample_rate.value);
   std::printf("\n");
 }
 

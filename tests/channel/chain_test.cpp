@@ -69,8 +69,8 @@ TEST(ChainDeterminism, RecordingChangesNothingAndHasEverySample) {
     EXPECT_EQ(tap->size(), samples);
 }
 
-// The pin flips at the end of the very sample that fills or empties the integrator.
-TEST(ChainDeterminism, FlipsAreAtTheSamplesThatMakeThem) {
+// The pin changes at the end of the very sample that fills or empties the integrator.
+TEST(ChainDeterminism, EdgesAreAtTheSamplesThatMakeThem) {
   std::mt19937 random(6);
   const dsp::LogicTrace wire = random_wire(random, 60);
   Recording taps;
@@ -82,7 +82,7 @@ TEST(ChainDeterminism, FlipsAreAtTheSamplesThatMakeThem) {
     if (taps.integrator[i] == top) expected.set_at(end, false);
     if (taps.integrator[i] == 0) expected.set_at(end, true);
   }
-  EXPECT_GT(pin.flips().size(), 10u);
+  EXPECT_GT(pin.edges().size(), 10u);
   EXPECT_EQ(pin, expected);
 }
 
@@ -101,9 +101,9 @@ TEST(Chain, ClearLinkIsTheIdentityPlusADelay) {
     const dsp::LogicTrace wire = random_wire(random, 200);
     const ChainInput input{&wire, static_cast<std::uint32_t>(random()), {1, 2, 3, 4}};
     const dsp::LogicTrace pin = propagate(design, {&input, 1}).front();
-    ASSERT_EQ(pin.flips().size(), wire.flips().size());
-    for (std::size_t i = 0; i < pin.flips().size(); ++i) {
-      const dsp::Seconds late = pin.flips()[i] - wire.flips()[i] - nominal_delay(bench.module);
+    ASSERT_EQ(pin.edges().size(), wire.edges().size());
+    for (std::size_t i = 0; i < pin.edges().size(); ++i) {
+      const dsp::Seconds late = pin.edges()[i] - wire.edges()[i] - nominal_delay(bench.module);
       EXPECT_LT(std::fabs(late.value) * 56e3, 4) << i;  // cycles
     }
   }

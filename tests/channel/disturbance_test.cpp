@@ -148,7 +148,7 @@ TEST(Remote, IsAttenuatedByTheBandPass) {
 dsp::LogicTrace random_drive(std::mt19937& random, double seconds) {
   dsp::LogicTrace drive(true);
   std::uniform_real_distribution<double> u(2e-4, 5e-3);
-  for (double at = -u(random); at < seconds; at += u(random)) drive.flip_at(dsp::Seconds(at));
+  for (double at = -u(random); at < seconds; at += u(random)) drive.add_edge(dsp::Seconds(at));
   return drive;
 }
 
@@ -193,7 +193,7 @@ TEST(DisturbanceDeterminism, ManyTogetherAreEachAlone) {
   const ChainDesign design = disturbed_design();
   const auto together = propagate(design, inputs);
   for (std::size_t i = 0; i < trials; ++i) {
-    EXPECT_GT(together[i].flips().size(), 10u);
+    EXPECT_GT(together[i].edges().size(), 10u);
     EXPECT_EQ(together[i], propagate_alone(design, inputs[i])) << "lane " << i;
   }
   for (const InstructionSet set : {InstructionSet::v3, InstructionSet::baseline})

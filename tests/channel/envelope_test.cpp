@@ -38,7 +38,7 @@ struct Chains {
 /// `n` bursts of a length, as far apart, from 20 ms on.
 dsp::LogicTrace train(int n, dsp::Seconds length) {
   dsp::LogicTrace drive(true);
-  for (int i = 0; i < 2 * n; ++i) drive.flip_at(dsp::Seconds(20e-3) + i * length);
+  for (int i = 0; i < 2 * n; ++i) drive.add_edge(dsp::Seconds(20e-3) + i * length);
   drive.observe_until(dsp::Seconds(30e-3) + 2 * n * length);
   return drive;
 }
@@ -72,7 +72,7 @@ TEST(Envelope, LanesAreTrialsAlone) {
   const auto pins = propagate_envelopes(chains.envelope, inputs, steps);
   EXPECT_NE(pins[0], pins[1]);
   for (std::size_t i = 0; i < pins.size(); ++i) {
-    EXPECT_GT(pins[i].flips().size(), 0u);
+    EXPECT_GT(pins[i].edges().size(), 0u);
     EXPECT_EQ(pins[i], propagate_envelope(chains.envelope, inputs[i], steps)) << i;
   }
 }
@@ -98,15 +98,15 @@ TEST(Envelope, FewerTrialsThanLanesAreTheSame) {
   for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i], all[i]);
 }
 
-/// Mean delay of the pin's flips behind those of the drive, in carrier cycles: of falls (light) or
+/// Mean delay of the pin's edges behind those of the drive, in carrier cycles: of falls (light) or
 /// rises.
 double mean_delay(const dsp::LogicTrace& drive, const std::vector<dsp::LogicTrace>& pins,
                   std::size_t kind) {
   double sum = 0, n = 0;
   for (const dsp::LogicTrace& pin : pins) {
-    EXPECT_EQ(pin.flips().size(), drive.flips().size());
-    for (std::size_t i = kind; i < std::min(pin.flips().size(), drive.flips().size()); i += 2) {
-      sum += (pin.flips()[i] - drive.flips()[i]).value * 59e3;
+    EXPECT_EQ(pin.edges().size(), drive.edges().size());
+    for (std::size_t i = kind; i < std::min(pin.edges().size(), drive.edges().size()); i += 2) {
+      sum += (pin.edges()[i] - drive.edges()[i]).value * 59e3;
       ++n;
     }
   }
@@ -145,12 +145,12 @@ TEST(Envelope, EdgesAreThoseOfTheWaveform) {
   }
 }
 
-// Without noise a dark stretch may be left out: the gain is what it would be, and so are flips.
+// Without noise a dark stretch may be left out: the gain is what it would be, and so are edges.
 TEST(Envelope, DarkThatIsLeftOutIsTheSameWithoutNoise) {
   const Chains chains(ModuleData{}, light_of(20, 0));
   dsp::LogicTrace drive = train(20, dsp::Seconds(1.7e-3));
   const dsp::Seconds later(drive.end() + dsp::Seconds(50e-3));
-  for (int i = 0; i < 40; ++i) drive.flip_at(later + i * dsp::Seconds(1.7e-3));
+  for (int i = 0; i < 40; ++i) drive.add_edge(later + i * dsp::Seconds(1.7e-3));
   drive.observe_until(later + dsp::Seconds(90e-3));
   auto inputs = trials(drive);
   const auto all = propagate_envelopes(chains.envelope, inputs, whole(drive, chains.envelope));
@@ -159,10 +159,10 @@ TEST(Envelope, DarkThatIsLeftOutIsTheSameWithoutNoise) {
   const std::vector<std::int32_t> steps{blocks_of(85e-3 * 59e3), blocks_of(90e-3 * 59e3)};
   const auto parts = propagate_envelopes(chains.envelope, inputs, steps);
   for (std::size_t lane = 0; lane < all.size(); ++lane) {
-    ASSERT_EQ(parts[lane].flips().size(), all[lane].flips().size());
-    EXPECT_GT(all[lane].flips().size(), 40u);
-    for (std::size_t i = 0; i < all[lane].flips().size(); ++i)
-      EXPECT_NEAR(parts[lane].flips()[i].value, all[lane].flips()[i].value, 0.05 / 59e3);
+    ASSERT_EQ(parts[lane].edges().size(), all[lane].edges().size());
+    EXPECT_GT(all[lane].edges().size(), 40u);
+    for (std::size_t i = 0; i < all[lane].edges().size(); ++i)
+      EXPECT_NEAR(parts[lane].edges()[i].value, all[lane].edges()[i].value, 0.05 / 59e3);
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Envelope, IsStoppedWithinAStretch) {
   input.design = &chains.envelope.unit.design;
   input.steps = &steps;
   input.n_stretches = 1;
-  input.on_flip = [](void*, int, std::size_t, double) {};
+  input.on_edge = [](void*, int, std::size_t, double) {};
   input.stopped = [](void* context) { return ++*static_cast<int*>(context) == 3; };
   input.context = &asked;
   run_envelopes_baseline(input);
@@ -201,26 +201,26 @@ TEST(Envelope, IntegratorSwitchesWhereAFineSteppedOneDoes) {
   std::mt19937 draw(1);
   for (const int top : {128, 150, 512}) {
     EnvelopeIntegrator<float> integrator(static_cast<float>(top) / 64);
-    int level = 0, flips = 0;
+    int level = 0, edges = 0;
     bool light = false, on = false;
     for (int step = 0; step < 20000; ++step) {
       if (draw() % 16 == 0) light = !light;
       const Lit64 lit = lit_part(draw, light);
       const bool before = on;
-      int flip = 0;
+      int edge = 0;
       for (int i = 0; i < 64; ++i) {
         const bool was = on;
         level = std::clamp(level + (i < lit.end || i >= lit.begin ? 1 : -1), 0, top);
         on = level == top || (on && level > 0);
-        if (on != was) flip = i + 1;
+        if (on != was) edge = i + 1;
       }
       ASSERT_EQ(integrator({static_cast<float>(lit.end) / 64, static_cast<float>(lit.begin) / 64}),
                 on);
       if (on == before) continue;
-      ++flips;
-      EXPECT_EQ(integrator.flip() * 64, static_cast<float>(flip)) << lit.end << ' ' << lit.begin;
+      ++edges;
+      EXPECT_EQ(integrator.edge() * 64, static_cast<float>(edge)) << lit.end << ' ' << lit.begin;
     }
-    EXPECT_GT(flips, 100);
+    EXPECT_GT(edges, 100);
   }
 }
 

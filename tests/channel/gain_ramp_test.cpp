@@ -44,7 +44,7 @@ dsp::LogicTrace random_drive(std::mt19937& random) {
   dsp::LogicTrace drive(true);
   std::uniform_real_distribution<double> u(2e-4, 8e-3);
   for (double at = -u(random); at < length().value; at += u(random))
-    drive.flip_at(dsp::Seconds(at));
+    drive.add_edge(dsp::Seconds(at));
   return drive;
 }
 
@@ -105,7 +105,7 @@ TEST(GainRamp, AGainOfOneIsNone) {
   EXPECT_EQ(recorded(one, drive, &pin_of_one).irradiance,
             recorded(none, drive, &pin_of_none).irradiance);
   EXPECT_EQ(pin_of_one, pin_of_none);
-  EXPECT_GT(pin_of_one.flips().size(), 10u);
+  EXPECT_GT(pin_of_one.edges().size(), 10u);
 }
 
 TEST(GainRamp, LightsAddUp) {
@@ -146,7 +146,7 @@ TEST(GainRampDeterminism, ManyTogetherAreEachAlone) {
   }
   const auto together = propagate(design, inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    EXPECT_GT(together[i].flips().size(), 10u);
+    EXPECT_GT(together[i].edges().size(), 10u);
     EXPECT_EQ(together[i], propagate_alone(design, inputs[i])) << "lane " << i;
   }
   for (const InstructionSet set : {InstructionSet::v3, InstructionSet::baseline})

@@ -117,9 +117,9 @@ TEST(IdealReceiver, ClearLinkIsTheIdentityOneBitLate) {
   const Sent sent = random_bits(random, 200);
   for (const auto statistic : {Statistic::in_phase, Statistic::envelope}) {
     const auto pin = heard(sent, design_of(59e3, 3e5, 0), receiver(statistic, 0.5), 12345u << 8);
-    ASSERT_EQ(pin.flips().size(), sent.wire.flips().size());
-    for (std::size_t i = 0; i < pin.flips().size(); ++i)
-      EXPECT_DOUBLE_EQ(pin.flips()[i].value, (sent.wire.flips()[i] + bit).value);
+    ASSERT_EQ(pin.edges().size(), sent.wire.edges().size());
+    for (std::size_t i = 0; i < pin.edges().size(); ++i)
+      EXPECT_DOUBLE_EQ(pin.edges()[i].value, (sent.wire.edges()[i] + bit).value);
     EXPECT_EQ(pin.end(), sent.wire.end() + bit);
   }
 }
@@ -134,10 +134,10 @@ void expect_full_amplitude(double carrier_hz, double rate_hz, Statistic statisti
   for (int round = 0; round < 4; ++round) {
     const Sent sent = random_bits(random, 60);
     const auto phase = static_cast<std::uint32_t>(random());
-    EXPECT_EQ(heard(sent, design, receiver(statistic, 0.985), phase).flips().size(),
-              sent.wire.flips().size())
+    EXPECT_EQ(heard(sent, design, receiver(statistic, 0.985), phase).edges().size(),
+              sent.wire.edges().size())
         << carrier_hz << " Hz at " << rate_hz;
-    EXPECT_EQ(heard(sent, design, receiver(statistic, 1.015), phase).flips().size(), 0u)
+    EXPECT_EQ(heard(sent, design, receiver(statistic, 1.015), phase).edges().size(), 0u)
         << carrier_hz << " Hz at " << rate_hz;
   }
 }

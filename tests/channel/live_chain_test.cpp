@@ -42,7 +42,7 @@ ChainDesign design() {
 }
 
 void append(dsp::LogicTrace& whole, const dsp::LogicTrace& part) {
-  for (const dsp::Seconds flip : part.flips()) whole.flip_at(flip);
+  for (const dsp::Seconds edge : part.edges()) whole.add_edge(edge);
 }
 
 /// What is keyed on one chain, stretch by stretch.
@@ -99,7 +99,7 @@ void expect_same_pins(InstructionSet set, std::size_t n) {
   }
   const auto pins = propagate(chain, whole, nullptr, InstructionSet::baseline);
   for (std::size_t i = 0; i < n; ++i) {
-    const auto now = live.pin(i).flips(), then = pins[i].flips();
+    const auto now = live.pin(i).edges(), then = pins[i].edges();
     ASSERT_GT(now.size(), 20U) << "something was heard";
     ASSERT_LE(now.size(), then.size());
     for (std::size_t f = 0; f < now.size(); ++f) ASSERT_EQ(now[f], then[f]) << i << " " << f;

@@ -31,8 +31,8 @@ struct Scene {
   MarginWindow margin{first, n, margins.data()};
 
   Scene() {
-    drive.flip_at(dsp::Seconds(1.5e-3));
-    drive.flip_at(dsp::Seconds(4.5e-3));
+    drive.add_edge(dsp::Seconds(1.5e-3));
+    drive.add_edge(dsp::Seconds(4.5e-3));
     drive.observe_until(dsp::Seconds(8e-3));
   }
   ChainInput input(std::uint32_t seed) {

@@ -48,11 +48,11 @@ fs::path written(std::string_view bytes) {
   return folder.file("capture.sigmf-meta");
 }
 
-void read_line(sim::FlipSource& line) {
-  std::vector<dsp::Seconds> flips;
-  while (const auto flip = line.next())
-    if (flips.size() < 1000) flips.push_back(*flip);
-  sim::survey_line({line.initial(), flips, line.known_until()}, {}, {});
+void read_line(sim::EdgeSource& line) {
+  std::vector<dsp::Seconds> edges;
+  while (const auto edge = line.next())
+    if (edges.size() < 1000) edges.push_back(*edge);
+  sim::survey_line({line.initial(), edges, line.known_until()}, {}, {});
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const sim::Capture capture =
         sim::open_capture(written({reinterpret_cast<const char*>(data), size}), settings);
     if (capture.logic) {
-      sim::WireFlips wire(*capture.logic, capture.wire);
+      sim::WireEdges wire(*capture.logic, capture.wire);
       sim::CarrierDemodulator line(wire, {});
       read_line(line);
     } else {

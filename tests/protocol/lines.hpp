@@ -37,11 +37,11 @@ inline dsp::LogicTrace send(const Bytes& bytes, dsp::Hertz rate,
 template <class Bend>
 dsp::LogicTrace bend_pulses(const dsp::LogicTrace& line, const Bend& bend) {
   dsp::LogicTrace bent(line.initial(), line.end());
-  const auto flips = line.flips();
-  for (std::size_t i = 0; i + 1 < flips.size(); i += 2) {
-    const auto [fall, rise] = bend(flips[i], flips[i + 1]);
-    bent.flip_at(fall);
-    bent.flip_at(rise);
+  const auto edges = line.edges();
+  for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+    const auto [fall, rise] = bend(edges[i], edges[i + 1]);
+    bent.add_edge(fall);
+    bent.add_edge(rise);
   }
   return bent;
 }

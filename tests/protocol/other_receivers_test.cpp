@@ -35,10 +35,10 @@ TEST(UartSoftwareSerial, HearsRatesUpToHalfABitInEightAndAHalf) {
 /// 0xFF with the pin low for 2 us around `at`, in bits from the fall.
 std::uint8_t with_a_dip(double at) {
   LogicTrace line;
-  line.flip_at(Seconds(0));
-  line.flip_at(bit);
-  line.flip_at(at * bit - Seconds(1e-6));
-  line.flip_at(at * bit + Seconds(1e-6));
+  line.add_edge(Seconds(0));
+  line.add_edge(bit);
+  line.add_edge(at * bit - Seconds(1e-6));
+  line.add_edge(at * bit + Seconds(1e-6));
   line.observe_until(20 * bit);
   return read_software_serial(line, baud).bytes.front().value;
 }
@@ -55,8 +55,8 @@ TEST(UartSoftwareSerial, ReadsEachBitOnceInItsMiddle) {
 /// Two characters of which the second falls so many bits behind the first.
 std::size_t characters_at(double second_fall) {
   LogicTrace both;
-  both.flip_at(Seconds(0));
-  both.flip_at(bit);
+  both.add_edge(Seconds(0));
+  both.add_edge(bit);
   send_byte(both, 0xFF, second_fall * bit, baud);
   both.observe_until(40 * bit);
   return read_software_serial(both, baud).bytes.size();
@@ -69,8 +69,8 @@ TEST(UartSoftwareSerial, ListensAgainAQuarterIntoTheStopBit) {
 
 TEST(UartSoftwareSerial, APulseThatIsGoneBeforeThePinIsReadStartsNothing) {
   LogicTrace line;
-  line.flip_at(Seconds(0.01));
-  line.flip_at(Seconds(0.01) + Seconds(4e-6));
+  line.add_edge(Seconds(0.01));
+  line.add_edge(Seconds(0.01) + Seconds(4e-6));
   const Seconds start(0.01 + 20e-6);
   send_byte(line, 'x', start, baud);
   line.observe_until(Seconds(0.1));
@@ -97,10 +97,10 @@ TEST(UartEdgeTiming, HearsRatesUpToHalfABitInTheLongestPulse) {
 TEST(UartEdgeTiming, ForgetsPulsesOfLessThanHalfABitAndKeepsTheRestOfTheCharacter) {
   const auto heard = [](double width) {
     LogicTrace bent;
-    bent.flip_at(Seconds(0));  // a start bit, and a pulse in what is 0xFF otherwise
-    bent.flip_at(bit);
-    bent.flip_at(5 * bit);
-    bent.flip_at((5 + width) * bit);
+    bent.add_edge(Seconds(0));  // a start bit, and a pulse in what is 0xFF otherwise
+    bent.add_edge(bit);
+    bent.add_edge(5 * bit);
+    bent.add_edge((5 + width) * bit);
     bent.observe_until(30 * bit);
     return read_edge_timing(bent, baud).bytes;
   };

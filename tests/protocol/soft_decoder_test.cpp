@@ -142,8 +142,8 @@ TEST(SoftDecoder, MeasuredDeliversMoreThanPlainOnesAndAcceptsNoMoreWrongMessages
 /// The decoder without what tells holes from flashes.
 Messages heard_evenly(const LogicTrace& line) {
   std::vector<LightPulse> light;
-  for (std::size_t i = 0; i + 1 < line.flips().size(); i += 2)
-    light.push_back({line.flips()[i], line.flips()[i + 1]});
+  for (std::size_t i = 0; i + 1 < line.edges().size(); i += 2)
+    light.push_back({line.edges()[i], line.edges()[i + 1]});
   const BitTiming timing = estimate_bit_timing(light, bit_time);
   const auto characters =
       parse_characters(without_lengthening(light, timing.lengthening), timing.period);
@@ -219,14 +219,14 @@ TEST(SoftDecoder, MeasuredNeverRepeatsTheOldMessageWhereACharacterChanged) {
   EXPECT_GT(repeated, 100);
 }
 
-/// A wire that flips by chance.
+/// A wire that changes by chance.
 LogicTrace noise(double mean_dark, double mean_light, Seconds length, Random& random) {
   LogicTrace line;
   for (Seconds t(0); t < length;) {
     t += -std::log1p(-uniform(random, 0, 1)) * mean_dark * bit_time;
-    line.flip_at(t);
+    line.add_edge(t);
     t += -std::log1p(-uniform(random, 0, 1)) * mean_light * bit_time;
-    line.flip_at(t);
+    line.add_edge(t);
   }
   return line;
 }
@@ -270,9 +270,9 @@ TEST(SoftDecoder, HearsTheSameOfAWireThatComesInPieces) {
   const auto add = [&](std::vector<SoftMessage> more) {
     heard.insert(heard.end(), more.begin(), more.end());
   };
-  for (std::size_t i = 0; i < line.flips().size();) {
-    const std::size_t n = std::min<std::size_t>(random() % 50, line.flips().size() - i);
-    const auto piece = line.flips().subspan(i, n);
+  for (std::size_t i = 0; i < line.edges().size();) {
+    const std::size_t n = std::min<std::size_t>(random() % 50, line.edges().size() - i);
+    const auto piece = line.edges().subspan(i, n);
     i += n;
     add(decoder.take(piece, n == 0 ? Seconds(0) : piece.back()));
   }
@@ -304,9 +304,9 @@ TEST(SoftDecoder, KeepsNoMoreThanSomeThousandPulsesOfAWireWithoutPauses) {
   std::size_t known = 0, said = 0, most_kept = 0, sent = 0;
   for (; sent < 2000; ++sent) {
     sender.send("IND 011111 OK");
-    const auto flips = sender.line().flips().subspan(known);
-    known += flips.size();
-    said += decoder.take(flips, sender.line().end()).size();
+    const auto edges = sender.line().edges().subspan(known);
+    known += edges.size();
+    said += decoder.take(edges, sender.line().end()).size();
     most_kept = std::max(most_kept, sent + 1 - said);
   }
   said += decoder.finish().size();

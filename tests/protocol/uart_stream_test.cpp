@@ -21,9 +21,9 @@ dsp::LogicTrace random_wire(Random& random) {
       at = send_byte(line, byte, at + uniform(random, 0, 0.5) * dsp::period(baud), baud);
     at += dsp::Seconds(uniform(random, 0, 0.12));
     if (random() % 2 == 0) {  // a pulse of noise
-      line.flip_at(at);
+      line.add_edge(at);
       at += dsp::Seconds(uniform(random, 1e-5, 3e-3));
-      line.flip_at(at);
+      line.add_edge(at);
       at += dsp::Seconds(uniform(random, 0, 0.01));
     }
   }
@@ -58,8 +58,8 @@ dsp::LogicTrace busy_wire(Random& random) {
 /// The wire as it is known at `t`.
 dsp::LogicTrace until(const dsp::LogicTrace& wire, dsp::Seconds t) {
   dsp::LogicTrace part(wire.initial());
-  for (const dsp::Seconds flip : wire.flips())
-    if (flip <= t) part.flip_at(flip);
+  for (const dsp::Seconds edge : wire.edges())
+    if (edge <= t) part.add_edge(edge);
   part.observe_until(t);
   return part;
 }
@@ -97,7 +97,7 @@ dsp::LogicTrace glitchy_wire(Random& random) {
   dsp::LogicTrace line;
   dsp::Seconds at(0.002);
   for (int i = 0; i < 600; ++i) {
-    line.flip_at(at);
+    line.add_edge(at);
     at += uniform(random, 0.005, 0.12) * dsp::period(baud);
   }
   line.observe_until(at + dsp::Seconds(0.05));
@@ -115,10 +115,10 @@ TEST(UartStream, MeasuredForgetsNoLevelThatASampleSaw) {
 }
 
 const UartReceiver* counted = nullptr;
-std::size_t flips_read = 0;
+std::size_t edges_read = 0;
 
 UartReading read_counted(const dsp::LogicTrace& line, dsp::Hertz rate, double phase) {
-  flips_read += line.flips().size();
+  edges_read += line.edges().size();
   return counted->read(line, rate, phase);
 }
 
@@ -128,16 +128,16 @@ std::size_t times_read(double longest_pulse, double longest_pause) {
   const UartReceiver counting{"counting", true, read_counted};
   UartStream stream(counting, baud, 0);
   dsp::LogicTrace wire;
-  flips_read = 0;
-  for (dsp::Seconds at(0.002); wire.flips().size() < 20000; stream.take(wire))
+  edges_read = 0;
+  for (dsp::Seconds at(0.002); wire.edges().size() < 20000; stream.take(wire))
     for (const double longest : {longest_pulse, longest_pause}) {
-      wire.flip_at(at);
+      wire.add_edge(at);
       at += uniform(random, longest / 300, longest) * dsp::period(baud);
     }
-  return flips_read / wire.flips().size();
+  return edges_read / wire.edges().size();
 }
 
-// What begins with all of the wire each time would read each flip thousands of times.
+// What begins with all of the wire each time would read each edge thousands of times.
 TEST(UartStream, ReadsAWireThatIsNeverIdleAFewTimesOnly) {
   for (const UartReceiver& receiver : uart_receivers()) {
     counted = &receiver;

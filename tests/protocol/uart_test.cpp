@@ -27,8 +27,8 @@ LogicTrace pulses(std::initializer_list<std::pair<double, double>> low_and_width
                   double end_in_bits) {
   LogicTrace line;
   for (const auto& [low, width] : low_and_width) {
-    line.flip_at(low * bit);
-    line.flip_at((low + width) * bit);
+    line.add_edge(low * bit);
+    line.add_edge((low + width) * bit);
   }
   line.observe_until(end_in_bits * bit);
   return line;
@@ -132,8 +132,8 @@ TEST(UartReceivers, ACharacterCutOffByTheEndIsDropped) {
     const LogicTrace whole = send({'A', 'B'}, baud, Seconds(0));
     for (double slots = 10; slots <= 20; slots += 0.05) {
       LogicTrace cut;
-      for (const Seconds flip : whole.flips()) {
-        if (flip <= slots * bit) cut.flip_at(flip);
+      for (const Seconds edge : whole.edges()) {
+        if (edge <= slots * bit) cut.add_edge(edge);
       }
       cut.observe_until(slots * bit);
       const std::size_t bytes = row.receive(cut, baud, 0.1).size();
@@ -150,13 +150,13 @@ double shortest_character(const UartReceiver& receiver) {
   return receiver.reads_stop_bits ? 9.4 : 9.2;
 }
 
-TEST(UartReceivers, RandomFlipsNeverBreakTheRules) {
+TEST(UartReceivers, RandomEdgesNeverBreakTheRules) {
   Random random(2);
   for (int round = 0; round < 200; ++round) {
     LogicTrace line(random() % 2 == 0);
     const double mean = std::array{0.02, 0.3, 1.0, 5.0}[random() % 4];
     Seconds t;
-    for (int i = 0; i < 300; ++i) line.flip_at(t += test::uniform(random, 0, 2 * mean) * bit);
+    for (int i = 0; i < 300; ++i) line.add_edge(t += test::uniform(random, 0, 2 * mean) * bit);
     line.observe_until(t + test::uniform(random, 0, 12) * bit);
     for (const auto& row : uart_receivers()) {
       Seconds free(-1);

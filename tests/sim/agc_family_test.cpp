@@ -7,7 +7,7 @@
 
 #include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
-#include "sim/parts/parts.hpp"
+#include "sim/components/parts.hpp"
 
 namespace sim {
 namespace {

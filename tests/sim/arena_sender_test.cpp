@@ -284,9 +284,9 @@ TEST(ArenaSilence, IsDark) {
   const SentFrames sent = sent_by(sender, 60);
   std::size_t silent = 0;
   for (const SentFrame& frame : sent.frames) {
-    const auto flips = std::ranges::count_if(
-        sent.drive.flips(), [&](Seconds t) { return t >= frame.start && t < frame.end; });
-    EXPECT_EQ(flips == 0, frame.silent);
+    const auto edges = std::ranges::count_if(
+        sent.drive.edges(), [&](Seconds t) { return t >= frame.start && t < frame.end; });
+    EXPECT_EQ(edges == 0, frame.silent);
     silent += frame.silent;
   }
   EXPECT_GT(silent, 10u);

@@ -16,7 +16,7 @@ using test::Random;
 using test::uniform;
 
 LineFacts facts_of(const LogicTrace& line, bool inverted) {
-  return survey_line({line.initial() != inverted, line.flips(), line.end()}, {}, {});
+  return survey_line({line.initial() != inverted, line.edges(), line.end()}, {}, {});
 }
 
 TEST(Autobaud, FindsPolarityAndRateOfAnyLine) {
@@ -54,7 +54,7 @@ TEST(Autobaud, TakesAStandardRateThatIsNear) {
 TEST(Autobaud, KeepsWhatIsTold) {
   Random random(33);
   const LogicTrace line = test::bent_line(random, 3, 600, {});
-  const LineFacts told = survey_line({true, line.flips(), line.end()}, true, Hertz(1234));
+  const LineFacts told = survey_line({true, line.edges(), line.end()}, true, Hertz(1234));
   EXPECT_TRUE(told.inverted);
   EXPECT_EQ(told.baud, Hertz(1234));
 }
@@ -67,7 +67,7 @@ TEST(Autobaud, SilenceIsAnIdleLineOf600Baud) {
   }
 }
 
-TEST(Autobaud, AnyFlipsAtAllGiveARate) {
+TEST(Autobaud, AnyEdgesAtAllGiveARate) {
   Random random(34);
   for (int trial = 0; trial < 200; ++trial) {
     const LogicTrace line = test::random_trace(random, trial % 2 == 0, random() % 60);
@@ -91,7 +91,7 @@ TEST(Autobaud, TellsNoiseFromLines) {
 LogicTrace pulses_before(int pulses, double pulse_s) {
   LogicTrace line;
   Seconds at(0.05);
-  for (int i = 0; i < 2 * pulses; ++i, at = at + Seconds(pulse_s)) line.flip_at(at);
+  for (int i = 0; i < 2 * pulses; ++i, at = at + Seconds(pulse_s)) line.add_edge(at);
   at = at + Seconds(0.1);
   for (int message = 0; message < 2; ++message)
     for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
@@ -114,8 +114,8 @@ TEST(Autobaud, FindsALineAmongGlitches) {
   Seconds at(0.05);
   for (int message = 0; message < 4; ++message, at = at + Seconds(0.2)) {
     for (int glitch = 0; glitch < 8; ++glitch, at = at + Seconds(7e-3)) {
-      line.flip_at(at);
-      line.flip_at(at + Seconds(100e-6));
+      line.add_edge(at);
+      line.add_edge(at + Seconds(100e-6));
     }
     for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
       at = protocol::send_byte(line, byte, at, Hertz(600));
@@ -145,7 +145,7 @@ TEST(Autobaud, FindsMessagesBehindTextAtAnotherRate) {
 TEST(Autobaud, FindsTextBehindABurst) {
   LogicTrace line;
   Seconds at(0.01);
-  for (int i = 0; i < 2000; ++i, at = at + Seconds(2.5e-6 + 1e-6 * (i % 3))) line.flip_at(at);
+  for (int i = 0; i < 2000; ++i, at = at + Seconds(2.5e-6 + 1e-6 * (i % 3))) line.add_edge(at);
   at = at + Seconds(0.01);
   for (int i = 0; i < 5; ++i)
     for (const char c : std::string("HELLO! BOOT0 is starting, and says much of what it does\r\n"))
@@ -203,22 +203,22 @@ TEST(Autobaud, FindsNoRateThatTheSamplesCannotCarry) {
     LogicTrace noise;
     Seconds at(1e-3);
     for (int i = 0; i < 400; ++i, at = at + Seconds(1e-6 * static_cast<double>(1 + random() % 20)))
-      noise.flip_at(at);
+      noise.add_edge(at);
     noise.observe_until(at);
-    const LineFacts facts = survey_line({true, noise.flips(), noise.end(), Seconds(1e-5)}, {}, {});
+    const LineFacts facts = survey_line({true, noise.edges(), noise.end(), Seconds(1e-5)}, {}, {});
     EXPECT_LE(facts.baud.value, 50e3) << trial;
   }
 }
 
-// Between two flips there is one level alone, which tells nothing.
+// Between two edges there is one level alone, which tells nothing.
 TEST(Autobaud, OnePulseOnALineThatIsLowTellsThatItIdlesLow) {
-  const std::vector<Seconds> flips{Seconds(0.1), Seconds(0.1016)};
-  EXPECT_TRUE(survey_line({false, flips, Seconds(1)}, {}, Hertz(600)).inverted);
+  const std::vector<Seconds> edges{Seconds(0.1), Seconds(0.1016)};
+  EXPECT_TRUE(survey_line({false, edges, Seconds(1)}, {}, Hertz(600)).inverted);
 }
 
 TEST(Autobaud, AClockIsNoLine) {
   LogicTrace clock;
-  for (int i = 1; i < 400; ++i) clock.flip_at(Seconds(i / 9600.0));
+  for (int i = 1; i < 400; ++i) clock.add_edge(Seconds(i / 9600.0));
   EXPECT_TRUE(why_no_line(facts_of(clock, false)));
 }
 
@@ -227,7 +227,7 @@ TEST(Autobaud, AClockThatSlipsIsNoLine) {
   LogicTrace clock;
   Seconds at(0.01);
   for (int i = 1; i < 2000; ++i, at = at + Seconds((i % 190 == 0 ? 1.5 : 1) / 9600.0))
-    clock.flip_at(at);
+    clock.add_edge(at);
   const auto why = why_no_line(facts_of(clock, false));
   EXPECT_TRUE(why.value_or("").ends_with("as those of a clock")) << why.value_or("none");
 }
@@ -237,8 +237,8 @@ TEST(Autobaud, EdgesThatAreInNoCharacterMakeNoLine) {
   Seconds at(0.05);
   for (const char c : std::string("glitches")) {
     for (int i = 0; i < 200; ++i, at = at + Seconds(1e-3 + 1e-6 * (i % 7))) {
-      line.flip_at(at);
-      line.flip_at(at + Seconds(0.1e-6));
+      line.add_edge(at);
+      line.add_edge(at + Seconds(0.1e-6));
     }
     at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(9600));
   }
@@ -253,7 +253,7 @@ TEST(Autobaud, FewCharactersTellNoRate) {
     at = protocol::send_byte(line, static_cast<std::uint8_t>(c), at, Hertz(9600));
   line.observe_until(at + Seconds(0.05));
   EXPECT_TRUE(why_no_line(facts_of(line, false)));
-  EXPECT_FALSE(why_no_line(survey_line({true, line.flips(), line.end()}, {}, Hertz(9600))));
+  EXPECT_FALSE(why_no_line(survey_line({true, line.edges(), line.end()}, {}, Hertz(9600))));
 }
 
 /// Of the line read with a clock of 600 Bd.
@@ -261,12 +261,12 @@ LineStatistics statistics_of(const LogicTrace& line, std::size_t batch) {
   LineStatistics statistics(Hertz(600), line.initial());
   const auto bytes = protocol::receive_mid_bit(line, Hertz(600));
   std::size_t given = 0;
-  for (std::size_t i = 0; i < line.flips().size(); i += batch) {
-    const auto flips = line.flips().subspan(i, std::min(batch, line.flips().size() - i));
+  for (std::size_t i = 0; i < line.edges().size(); i += batch) {
+    const auto edges = line.edges().subspan(i, std::min(batch, line.edges().size() - i));
     std::size_t whole = given;
-    while (whole < bytes.size() && bytes[whole].start + Seconds(10 / 600.0) <= flips.back())
+    while (whole < bytes.size() && bytes[whole].start + Seconds(10 / 600.0) <= edges.back())
       ++whole;
-    statistics.add(flips, std::span(bytes).subspan(given, whole - given));
+    statistics.add(edges, std::span(bytes).subspan(given, whole - given));
     given = whole;
   }
   statistics.add({}, std::span(bytes).subspan(given));

@@ -6,8 +6,8 @@
 
 namespace {
 
+using sim::test::edges_us;
 using sim::test::failure_of;
-using sim::test::flips_us;
 
 const std::string vcd_text =
     "$timescale 1 us $end $var wire 1 ! rx $end $enddefinitions $end #0 1! #5 0! #9 1! #20";
@@ -22,8 +22,8 @@ class CaptureFile : public CommandLine {
                 const sim::CaptureSettings& settings = {}) const {
     std::ofstream(path(name), std::ios::binary) << text;
     const auto wires = sim::read_whole(*sim::open_capture(path(name), settings).logic);
-    const auto flips = flips_us(wires.at(0).trace);
-    return flips.at(1) - flips.at(0);
+    const auto edges = edges_us(wires.at(0).trace);
+    return edges.at(1) - edges.at(0);
   }
   std::string refusal(const std::string& name, const std::string& text,
                       const sim::CaptureSettings& settings = {}) const {

@@ -8,8 +8,8 @@ namespace {
 using dsp::Hertz;
 using dsp::LogicTrace;
 using dsp::Seconds;
+using test::edges_us;
 using test::failure_of;
-using test::flips_us;
 using test::Random;
 
 // --- one wire in each format
@@ -35,7 +35,7 @@ std::string as_changes(const LogicTrace& wire) {
   text.precision(12);
   bool level = wire.initial();
   text << "Time [s],Channel 0\r\n0.000000000," << level << "\r\n";
-  for (const Seconds flip : wire.flips()) text << flip.value << ',' << (level = !level) << "\r\n";
+  for (const Seconds edge : wire.edges()) text << edge.value << ',' << (level = !level) << "\r\n";
   text << wire.end().value << ',' << level << "\r\n";
   return text.str();
 }
@@ -44,8 +44,8 @@ std::string as_vcd(const LogicTrace& wire) {
   std::string text = "$timescale 1 us $end $var wire 1 ! rx $end $enddefinitions $end\n#0\n";
   bool level = wire.initial();
   text += level ? "1!\n" : "0!\n";
-  for (const long flip : flips_us(wire))
-    text += "#" + std::to_string(flip) + ((level = !level) ? "\n1!\n" : "\n0!\n");
+  for (const long edge : edges_us(wire))
+    text += "#" + std::to_string(edge) + ((level = !level) ? "\n1!\n" : "\n0!\n");
   return text + "#" + std::to_string(std::lround(wire.end().value * 1e6)) + "\n";
 }
 
@@ -63,13 +63,13 @@ TEST_F(CaptureFormat, GivesBackWhatWasWritten) {
     for (const Written& written : all_formats) {
       const auto back = wires(written.text(wire), written.format).at(0).trace;
       EXPECT_EQ(back.initial(), wire.initial()) << written.format;
-      EXPECT_EQ(flips_us(back), flips_us(wire)) << written.format;
+      EXPECT_EQ(edges_us(back), edges_us(wire)) << written.format;
       EXPECT_NEAR(back.end().value, wire.end().value, 2e-6) << written.format;
     }
   }
 }
 
-TEST_F(CaptureFormat, OneWireFlipByFlipIsThatWireOfTheWhole) {
+TEST_F(CaptureFormat, OneWireEdgeByEdgeIsThatWireOfTheWhole) {
   Random random(42);
   for (int trial = 0; trial < 60; ++trial) {
     std::string samples;
@@ -78,28 +78,28 @@ TEST_F(CaptureFormat, OneWireFlipByFlipIsThatWireOfTheWhole) {
     ASSERT_EQ(whole.size(), 8U);
     for (std::size_t wire = 0; wire < 8; ++wire) {
       const Capture capture = open(samples, "bin", std::to_string(wire));
-      WireFlips line(*capture.logic, wire);
+      WireEdges line(*capture.logic, wire);
       LogicTrace trace(line.initial());
-      while (const auto flip = line.next()) trace.flip_at(*flip);
+      while (const auto edge = line.next()) trace.add_edge(*edge);
       trace.observe_until(line.known_until());
       EXPECT_TRUE(trace == whole[wire].trace) << wire;
     }
   }
 }
 
-TEST_F(CaptureFormat, FlipsAtOneInstantCancel) {
+TEST_F(CaptureFormat, EdgesAtOneInstantCancel) {
   const std::string vcd =
       "$timescale 1 us $end $var wire 1 ! rx $end $enddefinitions $end\n"
       "#0 1! #5 0! 1! #9 0! #9 1! 0! #12 1! #12 0! #20";
   const Capture capture = open(vcd, "vcd");
-  WireFlips line(*capture.logic, 0);
+  WireEdges line(*capture.logic, 0);
   LogicTrace trace(line.initial());
-  while (const auto flip = line.next()) {
-    EXPECT_TRUE(trace.flips().empty() || trace.end() < *flip);
-    trace.flip_at(*flip);
+  while (const auto edge = line.next()) {
+    EXPECT_TRUE(trace.edges().empty() || trace.end() < *edge);
+    trace.add_edge(*edge);
   }
-  EXPECT_EQ(flips_us(trace), (std::vector<long>{9}));
-  EXPECT_EQ(flips_us(wires(vcd, "vcd").at(0).trace), (std::vector<long>{9}));
+  EXPECT_EQ(edges_us(trace), (std::vector<long>{9}));
+  EXPECT_EQ(edges_us(wires(vcd, "vcd").at(0).trace), (std::vector<long>{9}));
 }
 
 bool begins(const std::vector<long>& whole, const std::vector<long>& part) {
@@ -116,9 +116,9 @@ TEST_F(CaptureFormat, CutAnywhereIsShorterOrRefused) {
       const std::string failure = failure_of([&] {
         const auto back = wires(text.substr(0, size), written.format);
         // The last number may have lost digits.
-        auto flips = back.empty() ? std::vector<long>{} : flips_us(back.at(0).trace);
-        if (!flips.empty()) flips.pop_back();
-        EXPECT_TRUE(begins(flips_us(wire), flips)) << written.format << ' ' << size;
+        auto edges = back.empty() ? std::vector<long>{} : edges_us(back.at(0).trace);
+        if (!edges.empty()) edges.pop_back();
+        EXPECT_TRUE(begins(edges_us(wire), edges)) << written.format << ' ' << size;
       });
       ++(failure == "no failure" ? read : refused);
     }
@@ -160,9 +160,9 @@ TEST_F(CaptureFormat, PulsesAreLightOnAnIdleLine) {
   const auto wire = wires(pulse_text, "ook").at(0);
   EXPECT_EQ(wire.name, "rx");
   EXPECT_TRUE(wire.trace.initial());
-  const auto flips = flips_us(wire.trace);
-  const long start = flips.at(0);
-  EXPECT_EQ(flips, (std::vector<long>{start, start + 1667, start + 5000, start + 10000}));
+  const auto edges = edges_us(wire.trace);
+  const long start = edges.at(0);
+  EXPECT_EQ(edges, (std::vector<long>{start, start + 1667, start + 5000, start + 10000}));
   EXPECT_NEAR(wire.trace.end().value, static_cast<double>(start + 30000) * 1e-6, 1e-9);
 }
 
@@ -231,8 +231,8 @@ TEST_F(CaptureFormat, CsvKeepsWiresAndChannelsApart) {
   const auto both = wires(rows, "csv");
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].name + both[1].name, "txrx");
-  EXPECT_EQ(flips_us(both[0].trace), (std::vector<long>{10}));
-  EXPECT_EQ(flips_us(both[1].trace), (std::vector<long>{30}));
+  EXPECT_EQ(edges_us(both[0].trace), (std::vector<long>{10}));
+  EXPECT_EQ(edges_us(both[1].trace), (std::vector<long>{30}));
   EXPECT_EQ(open(rows, "csv").samples, nullptr);
   EXPECT_NE(open(rows, "csv", "volts").samples, nullptr);
 }

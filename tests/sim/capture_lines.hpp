@@ -27,21 +27,21 @@ inline double normal(Random& random) {
   return sum;
 }
 
-/// Flips on a grid of whole microseconds, after 0 and before the end.
-inline dsp::LogicTrace random_trace(Random& random, bool initial, std::size_t flips) {
+/// Edges on a grid of whole microseconds, after 0 and before the end.
+inline dsp::LogicTrace random_trace(Random& random, bool initial, std::size_t edges) {
   dsp::LogicTrace trace(initial);
   double at_us = 0;
-  for (std::size_t i = 0; i < flips; ++i) {
+  for (std::size_t i = 0; i < edges; ++i) {
     at_us += 1 + static_cast<double>(random() % 1000);
-    trace.flip_at(dsp::Seconds(at_us * 1e-6));
+    trace.add_edge(dsp::Seconds(at_us * 1e-6));
   }
   trace.observe_until(dsp::Seconds((at_us + 10) * 1e-6));
   return trace;
 }
 
-inline std::vector<long> flips_us(const dsp::LogicTrace& trace) {
+inline std::vector<long> edges_us(const dsp::LogicTrace& trace) {
   std::vector<long> times;
-  for (const dsp::Seconds flip : trace.flips()) times.push_back(std::lround(flip.value * 1e6));
+  for (const dsp::Seconds edge : trace.edges()) times.push_back(std::lround(edge.value * 1e6));
   return times;
 }
 
@@ -69,9 +69,9 @@ inline dsp::LogicTrace bent_line(Random& random, int messages, double baud, Line
   }
   dsp::LogicTrace bent;
   bool rising = false;
-  for (const dsp::Seconds flip : sent.flips()) {
+  for (const dsp::Seconds edge : sent.edges()) {
     const double shift = (rising ? faults.distortion_s : 0) + faults.jitter_s * normal(random);
-    bent.flip_at(std::max(bent.end(), flip + dsp::Seconds(shift)));
+    bent.add_edge(std::max(bent.end(), edge + dsp::Seconds(shift)));
     rising = !rising;
   }
   bent.observe_until(at);

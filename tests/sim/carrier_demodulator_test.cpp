@@ -14,13 +14,13 @@ using dsp::Seconds;
 using test::Random;
 using test::uniform;
 
-class Recorded : public FlipSource {
+class Recorded : public EdgeSource {
  public:
   explicit Recorded(LogicTrace trace) : trace_(std::move(trace)) {}
   bool initial() const override { return trace_.initial(); }
   std::optional<Seconds> next() override {
-    if (next_ == trace_.flips().size()) return std::nullopt;
-    return trace_.flips()[next_++];
+    if (next_ == trace_.edges().size()) return std::nullopt;
+    return trace_.edges()[next_++];
   }
   Seconds known_until() const override { return next_ == 0 ? Seconds(0) : trace_.end(); }
 
@@ -44,10 +44,10 @@ LogicTrace keyed(const LogicTrace& line, double carrier, double rate, bool idle)
 
 LogicTrace line_of(CarrierDemodulator& wire) {
   LogicTrace line(wire.initial());
-  while (const auto flip = wire.next()) {
+  while (const auto edge = wire.next()) {
     EXPECT_LE(wire.known_until(), Seconds(1e3));
-    line.flip_at(*flip);
-    EXPECT_GE(wire.known_until(), *flip);
+    line.add_edge(*edge);
+    EXPECT_GE(wire.known_until(), *edge);
   }
   line.observe_until(wire.known_until());
   return line;
@@ -63,9 +63,9 @@ TEST(CarrierDemodulator, BurstsAreLight) {
     EXPECT_NEAR(wire.carrier() / Hertz(carrier), 1, 0.01) << trial;
     const LogicTrace line = line_of(wire);
     EXPECT_TRUE(line.initial());
-    ASSERT_EQ(line.flips().size(), sent.flips().size()) << trial;
-    for (std::size_t i = 0; i < line.flips().size(); ++i)
-      EXPECT_NEAR(line.flips()[i].value, sent.flips()[i].value, 1 / carrier + 1 / rate);
+    ASSERT_EQ(line.edges().size(), sent.edges().size()) << trial;
+    for (std::size_t i = 0; i < line.edges().size(); ++i)
+      EXPECT_NEAR(line.edges()[i].value, sent.edges()[i].value, 1 / carrier + 1 / rate);
     EXPECT_EQ(line.end(), sent.end());
   }
 }
@@ -75,15 +75,15 @@ TEST(CarrierDemodulator, AToldCarrierIsTaken) {
   const LogicTrace sent = test::bent_line(random, 1, 600, {});
   Recorded slow(keyed(sent, 10e3, 1e6, false)), same(keyed(sent, 59e3, 1e6, false));
   CarrierDemodulator told(slow, Hertz(10e3)), without(same, Hertz(0));
-  EXPECT_EQ(line_of(told).flips().size(), sent.flips().size());
-  EXPECT_GT(line_of(without).flips().size(), 50 * sent.flips().size());
+  EXPECT_EQ(line_of(told).edges().size(), sent.edges().size());
+  EXPECT_GT(line_of(without).edges().size(), 50 * sent.edges().size());
 }
 
 // A clock for a moment, as at a start, and then a line: its edges are far from each other.
 TEST(CarrierDemodulator, ABurstBeforeALineIsNoCarrier) {
   LogicTrace wire;
   Seconds at(0.01);
-  for (int i = 0; i < 2000; ++i, at = at + Seconds(5e-6)) wire.flip_at(at);
+  for (int i = 0; i < 2000; ++i, at = at + Seconds(5e-6)) wire.add_edge(at);
   at = at + Seconds(0.1);
   for (const std::uint8_t byte : protocol::cosys_encode("IND 011111 OK"))
     at = protocol::send_byte(wire, byte, at, Hertz(600));
@@ -103,7 +103,7 @@ TEST(CarrierDemodulator, AnyOtherWireIsPassedOn) {
   for (const bool initial : {false, true}) {
     Recorded none(LogicTrace(initial, Seconds(1)));
     CarrierDemodulator wire(none, {});
-    EXPECT_TRUE(line_of(wire).flips().empty());
+    EXPECT_TRUE(line_of(wire).edges().empty());
     EXPECT_EQ(wire.initial(), initial);
   }
 }

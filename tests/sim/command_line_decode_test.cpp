@@ -260,7 +260,7 @@ TEST_F(CommandLine, MeasuredDecodeRefusesMoreVariablesThanMemoryMayHold) {
   }
 }
 
-TEST_F(CommandLine, MeasuredDecodeReadsAsManyFlipsAsThereAre) {
+TEST_F(CommandLine, MeasuredDecodeReadsAsManyEdgesAsThereAre) {
   std::ofstream out(path("many.ook"));
   out << ";pulse data\n;version 1\n;timescale 1us\n";
   for (int i = 0; i < 1'000'000; ++i) out << "60 40\n";  // too short for any character

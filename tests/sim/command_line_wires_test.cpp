@@ -11,7 +11,7 @@
 namespace {
 
 /// A VCD of microseconds: a message on each of these wires, later by a millisecond than on the one
-/// before, and `others` that flip twice.
+/// before, and `others` that edge twice.
 std::string dump_of_wires(const std::vector<std::string>& wires, int others) {
   std::string text = "$timescale 1 us $end\n";
   std::multimap<long, std::string> changes;
@@ -25,9 +25,9 @@ std::string dump_of_wires(const std::vector<std::string>& wires, int others) {
   for (std::size_t i = 0; i < wires.size(); ++i) {
     const std::string code = add(wires[i]);
     bool level = true;
-    for (const dsp::Seconds flip : line.flips()) {
+    for (const dsp::Seconds edge : line.edges()) {
       level = !level;
-      changes.emplace(std::lround(flip.value * 1e6) + 1000 * static_cast<long>(i),
+      changes.emplace(std::lround(edge.value * 1e6) + 1000 * static_cast<long>(i),
                       (level ? "1" : "0") + code);
     }
   }
@@ -46,7 +46,7 @@ TEST_F(CommandLine, DecodeKnowsAVectorOfOneBit) {
   const Outcome o = program({"decode", "t.vcd"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_NE(o.out.find(fmt::format("channel RX[0:0] ({0} edges), not a ({0});",
-                                   message_line(600).flips().size())),
+                                   message_line(600).edges().size())),
             std::string::npos)
       << o.out;
   EXPECT_EQ(program({"decode", "t.vcd", "--wire", "rx"}).out, o.out);
@@ -114,9 +114,9 @@ TEST_F(CommandLine, DecodeLooksPastAClock) {
   for (int i = 0; i < 600'000; ++i) text += fmt::format("#{} {}c\n", 10 * i, i % 2);
   const dsp::LogicTrace line = message_line(600);
   bool level = true;
-  for (const dsp::Seconds flip : line.flips()) {
+  for (const dsp::Seconds edge : line.edges()) {
     level = !level;
-    text += fmt::format("#{:.0f} {}l\n", 6e6 + flip.value * 1e9, level ? 1 : 0);
+    text += fmt::format("#{:.0f} {}l\n", 6e6 + edge.value * 1e9, level ? 1 : 0);
   }
   write("t.vcd", text);
   const Outcome o = program({"decode", "t.vcd"});
@@ -138,9 +138,9 @@ TEST_F(CommandLine, DecodeFindsALineThroughChangesThatTakeNoTime) {
   const dsp::LogicTrace line = message_line(1100);
   for (int i = 1; i < 200; ++i) text += fmt::format("#{} {}a\n", 104 * i, (i + 1) % 2);
   bool level = true;
-  for (const dsp::Seconds flip : line.flips()) {
+  for (const dsp::Seconds edge : line.edges()) {
     level = !level;
-    text += fmt::format("#{0:.0f} {1}b {2}b {1}b\n", 30000 + flip.value * 1e6, level ? 1 : 0,
+    text += fmt::format("#{0:.0f} {1}b {2}b {1}b\n", 30000 + edge.value * 1e6, level ? 1 : 0,
                         level ? 0 : 1);
   }
   write("t.vcd", text + "#400000\n");

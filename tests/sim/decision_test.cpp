@@ -50,7 +50,7 @@ TEST(DecisionDeterminism, AGroupIsItsTrialsEachAloneAndDecoded) {
 /// The wire of the LED one bit late: what is heard of it without a wrong bit.
 dsp::LogicTrace right_pin(const Link& link, const Transmission& sent) {
   dsp::LogicTrace pin(true);
-  for (const dsp::Seconds flip : sent.line.flips()) pin.flip_at(flip + link.delay);
+  for (const dsp::Seconds edge : sent.line.edges()) pin.add_edge(edge + link.delay);
   pin.observe_until(sent.line.end() + link.delay);
   return pin;
 }

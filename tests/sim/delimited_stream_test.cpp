@@ -77,7 +77,7 @@ JudgedLink judged(const std::vector<std::string>& set) { return {link_of(set), d
 
 std::vector<FrameOutcome> decoded(const JudgedLink& link, const std::string& decoder,
                                   std::uint32_t first, int n) {
-  const DelimitedStream line = hear_marked(link, first, n);
+  const DelimitedStream line = hear_delimited(link, first, n);
   return outcomes_between_markers(make_built_in_decoder(decoder)->decode(line).accepted,
                                   link.link.message, first, static_cast<std::size_t>(n));
 }
@@ -110,15 +110,15 @@ std::vector<std::uint64_t> light(const DelimitedStream& line) {
 
 TEST(DelimitedStream, HashesTheLightOfEachFrameWhateverIsBesideIt) {
   const JudgedLink link = judged({"receiver.range_m=2.1"});
-  const auto many = light(hear_marked(link, 8, 16)), few = light(hear_marked(link, 16, 3));
+  const auto many = light(hear_delimited(link, 8, 16)), few = light(hear_delimited(link, 16, 3));
   EXPECT_EQ(std::vector(many.begin() + 8, many.begin() + 11), few);
   EXPECT_NE(many[0], many[1]);
-  EXPECT_NE(light(hear_marked(judged({"receiver.range_m=2.11"}), 16, 3)), few);
+  EXPECT_NE(light(hear_delimited(judged({"receiver.range_m=2.11"}), 16, 3)), few);
 }
 
 TEST(DelimitedStream, SaysWhereEachCharacterIs) {
   const JudgedLink link = judged(clear_link({"uart.clock_error_ppm=20000"}));
-  const DelimitedStream line = hear_marked(link, 0, 3);
+  const DelimitedStream line = hear_delimited(link, 0, 3);
   for (const FrameOnLine& frame : line.frames) {
     ASSERT_EQ(frame.byte_start.size(), link.link.bytes.size());
     for (std::size_t i = 0; i < frame.byte_start.size(); ++i)

@@ -192,7 +192,7 @@ TEST(Envelope, MakesNoSamples) {
   EXPECT_NE(profile_lines(point.profile, 0).find("\n  envelope "), std::string::npos);
   const Scenario scenario = point_scenario(loaded("", keys()), {});
   EXPECT_TRUE(trace_trial(scenario, 3).taps.irradiance.empty());
-  EXPECT_GT(trace_trial(scenario, 3).rx.flips().size(), 0u);
+  EXPECT_GT(trace_trial(scenario, 3).rx.edges().size(), 0u);
 }
 
 TEST(Envelope, IsRefusedWhereItWasNotCompared) {

@@ -4,7 +4,7 @@
 
 #include "experiment_report.hpp"
 #include "page_tables.hpp"
-#include "sim/listening/listening_section.hpp"
+#include "sim/false_accepts/false_accept_section.hpp"
 #include "sim/loading/load_scenario.hpp"
 
 namespace sim {
@@ -91,7 +91,7 @@ TEST_F(ExperimentAnswer, OfPresenceAtOneRangeComparesDetectors) {
 }
 
 /// Of an hour of line with so many messages of a device.
-std::string listening_answer(double hours, std::int64_t frames, std::int64_t undetected) {
+std::string false_accept_answer(double hours, std::int64_t frames, std::int64_t undetected) {
   StoredDataset stored{parse_scenario("experiment = \"listening\"\nlistening.runs = 1\n", "x.toml",
                                       {}, {COSYS_SOURCE_DIR "/scenarios"}),
                        dataset_of({}, "c")};
@@ -109,20 +109,20 @@ std::string listening_answer(double hours, std::int64_t frames, std::int64_t und
   add("false_per_hour", 0.0);
   add("false_per_hour_ci_low", 0.0);
   add("false_per_hour_ci_high", 3.7 / hours);
-  return listening_section("x", stored).summary;
+  return false_accept_section("x", stored).summary;
 }
 
-TEST(ListeningAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {
-  EXPECT_EQ(listening_answer(1, 0, 0),
+TEST(FalseAcceptAnswer, SaysHowOftenErrorsAreUndetectedWhereADeviceSends) {
+  EXPECT_EQ(false_accept_answer(1, 0, 0),
             "1 hour of line was listened to; 0 messages were accepted though the device itself "
             "sent none.\n"
             "The rate of false accepts is < 3.7 an hour.\n");
-  EXPECT_EQ(listening_answer(1, 900, 21),
+  EXPECT_EQ(false_accept_answer(1, 900, 21),
             "1 hour of line was listened to; 0 messages were accepted though the device itself "
             "sent none, and "
             "21 though it sent another.\nThe rate of undetected errors is 21 [13, 32] an hour.\n"
             "The rate of false accepts is < 3.7 an hour.\n");
-  EXPECT_EQ(listening_answer(0.5, 0, 0).find("0.5 hours of line were listened to;"), 0U);
+  EXPECT_EQ(false_accept_answer(0.5, 0, 0).find("0.5 hours of line were listened to;"), 0U);
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ TEST_F(ExperimentReport, OfLocationDrawsTheEllipses) {
   expect_has(content(path("p/outcomes.svg")), ">located</text>");
 }
 
-TEST_F(ExperimentReport, OfListeningSaysHowOftenSomethingWasAccepted) {
+TEST_F(ExperimentReport, OfFalseAcceptSaysHowOftenSomethingWasAccepted) {
   const Json counted = run("n",
                            "experiment = \"listening\"\n[receiver]\nmodule = \"TSSP4056\"\n"
                            "[listening]\ndevice_sends = false\nduration_s = 10\nruns = 1\n"

@@ -7,8 +7,8 @@
 #include "channel/photodiode.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/loading/load_scenario.hpp"
-#include "sim/parts/parts.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/scenario/keys.hpp"
 

@@ -64,7 +64,7 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
 
 TEST(Report, ComparesReachesOfSeveralResultsAlone) {
   ReportSection links{"links", "", ""}, arena{"arena", "", ""};
-  links.reaches = {LinkRange{}, LinkRange{}};
+  links.link_ranges = {LinkRange{}, LinkRange{}};
   EXPECT_EQ(page_of({links, arena}).sections[0].heading, "Differences");
   EXPECT_NE(page_of({links, links}).sections[0].heading, "Differences");
 }
@@ -99,7 +99,7 @@ TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
 TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
   ExperimentResult result =
       sweep_of({point_of(1, 10, 0), point_of(2, 10, 10), point_of(3, 10, 10)});
-  result.points[0].outside = 1;
+  result.points[0].validity_flags = 1;
   result.points[0].operating.ber_theory = 0.25;
   result.points[1].alarms = result.points[2].alarms = 1;
   const ReportSection part = link_section({"file", result, {}});

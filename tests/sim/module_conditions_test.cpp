@@ -9,7 +9,7 @@
 #include "channel/data_sheet_bench.hpp"
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/parts/parts.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {

@@ -8,8 +8,8 @@
 
 namespace {
 
+using sim::test::edges_us;
 using sim::test::failure_of;
-using sim::test::flips_us;
 using sim::test::Random;
 
 class NetcdfCapture : public CommandLine {
@@ -56,8 +56,8 @@ TEST_F(NetcdfCapture, ReadingUndoesWriting) {
     ASSERT_EQ(wires.size(), 2U);
     EXPECT_EQ(wires[0].name + wires[1].name, "txrx");
     EXPECT_EQ(wires[0].trace.initial(), traced.tx.initial());
-    EXPECT_EQ(flips_us(wires[0].trace), flips_us(traced.tx));
-    EXPECT_EQ(flips_us(wires[1].trace), flips_us(traced.rx));
+    EXPECT_EQ(edges_us(wires[0].trace), edges_us(traced.tx));
+    EXPECT_EQ(edges_us(wires[1].trace), edges_us(traced.rx));
     EXPECT_EQ(wires[1].trace.end().value, (static_cast<double>(rows) + 1) / 1e6);
     for (const sim::Tap& tap : sim::analogue_taps()) {
       const sim::Capture capture = open(bytes, tap.name);

@@ -31,8 +31,8 @@ Numbers joined(const std::vector<Numbers>& batches) {
 TEST(ParallelRuns, GivesEveryRunOnceInOrderHoweverManyThreadsThereAre) {
   for (const std::uint32_t runs : {0U, 1U, 7U, 100U})
     for (const int threads : {1, 2, 16}) {
-      ParallelRuns<Numbers> sharing({runs, 5, {threads}}, numbers_of_batch);
-      EXPECT_EQ(joined(sharing()), numbers(0, static_cast<int>(runs)));
+      ParallelRuns<Numbers> parallel({runs, 5, {threads}}, numbers_of_batch);
+      EXPECT_EQ(joined(parallel()), numbers(0, static_cast<int>(runs)));
     }
 }
 
@@ -46,35 +46,36 @@ TEST(ParallelRuns, DoesNoMoreAtOnceThanAllowedAndLeavesNoThreadWithout) {
 
 TEST(ParallelRuns, KeepsWhatWasFinishedBeforeAStop) {
   std::atomic<bool> stop = false;
-  ParallelRuns<Numbers> sharing({100, 1, {1, &stop}}, [&](std::uint32_t first, int n, Over) {
+  ParallelRuns<Numbers> parallel({100, 1, {1, &stop}}, [&](std::uint32_t first, int n, Over) {
     if (first == 4) stop = true;
     return numbers(first, n);
   });
-  EXPECT_EQ(joined(sharing()), (Numbers{0, 1, 2, 3}));  // of the fifth nobody knows how far it came
+  EXPECT_EQ(joined(parallel()),
+            (Numbers{0, 1, 2, 3}));  // of the fifth nobody knows how far it came
 }
 
 TEST(ParallelRuns, LeavesNoGapWhereALaterBatchWasFinishedFirst) {
   std::atomic<bool> stop = false;
-  ParallelRuns<Numbers> sharing({3, 1, {2, &stop}}, [&](std::uint32_t first, int n, Over) {
+  ParallelRuns<Numbers> parallel({3, 1, {2, &stop}}, [&](std::uint32_t first, int n, Over) {
     while (first == 0 && !stop) std::this_thread::yield();  // while another thread does the second
     if (first == 2) stop = true;
     return numbers(first, n);
   });
-  EXPECT_TRUE(sharing().empty());
+  EXPECT_TRUE(parallel().empty());
 }
 
 // Whoever takes them needs no lock, and has the first before the last is done.
 TEST(ParallelRuns, GivesBatchesInOrderWhileOthersGoOn) {
   std::atomic<bool> first_taken = false;
-  ParallelRuns<Numbers> sharing({.runs = 20, .most_at_once = 2, .workers = {3}, .first = 7},
-                                [&](std::uint32_t first, int n, Over) {
-                                  while (first > 20 && !first_taken) std::this_thread::yield();
-                                  return numbers(first, n);
-                                });
+  ParallelRuns<Numbers> parallel({.runs = 20, .most_at_once = 2, .workers = {3}, .first = 7},
+                                 [&](std::uint32_t first, int n, Over) {
+                                   while (first > 20 && !first_taken) std::this_thread::yield();
+                                   return numbers(first, n);
+                                 });
   Numbers all;
   std::uint32_t runs = 0;
   std::atomic<int> inside = 0;
-  sharing.in_order(
+  parallel.in_order(
       [&](Numbers&& batch, std::uint32_t n) {
         EXPECT_EQ(++inside, 1);
         EXPECT_EQ(batch.size(), n);
@@ -95,12 +96,12 @@ TEST(ParallelRuns, GivesBatchesInOrderWhileOthersGoOn) {
 TEST(ParallelRuns, GivesNoMoreThanAreWantedAndTellsTheOthers) {
   for (const int threads : {1, 2, 5}) {
     Numbers all;
-    ParallelRuns<Numbers> sharing({.runs = 4'000'000'000, .most_at_once = 3, .workers = {threads}},
-                                  [&](std::uint32_t first, int n, Over over) {
-                                    while (first >= 30 && !*over) std::this_thread::yield();
-                                    return numbers(first, n);
-                                  });
-    sharing.in_order([&](Numbers&& batch, std::uint32_t) {
+    ParallelRuns<Numbers> parallel({.runs = 4'000'000'000, .most_at_once = 3, .workers = {threads}},
+                                   [&](std::uint32_t first, int n, Over over) {
+                                     while (first >= 30 && !*over) std::this_thread::yield();
+                                     return numbers(first, n);
+                                   });
+    parallel.in_order([&](Numbers&& batch, std::uint32_t) {
       all.insert(all.end(), batch.begin(), batch.end());
       return all.size() < 30;
     });
@@ -109,10 +110,10 @@ TEST(ParallelRuns, GivesNoMoreThanAreWantedAndTellsTheOthers) {
 }
 
 TEST(ParallelRuns, BeginsAndEndsWithSmallBatches) {
-  ParallelRuns<int> sharing(
+  ParallelRuns<int> parallel(
       {.runs = 1002, .most_at_once = 64, .workers = {2}, .least_at_once = 16, .group = 8},
       size_of_batch);
-  const std::vector<int> sizes = sharing();
+  const std::vector<int> sizes = parallel();
   EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), 0), 1002);
   EXPECT_EQ(sizes.front(), 16);
   EXPECT_EQ(std::ranges::max(sizes), 64);
@@ -121,24 +122,24 @@ TEST(ParallelRuns, BeginsAndEndsWithSmallBatches) {
 }
 
 TEST(ParallelRuns, SharesFewGroupsOut) {
-  ParallelRuns<int> sharing(
+  ParallelRuns<int> parallel(
       {.runs = 30, .most_at_once = 64, .workers = {2}, .least_at_once = 32, .group = 8},
       size_of_batch);
-  EXPECT_EQ(sharing(), (std::vector{16, 14}));
+  EXPECT_EQ(parallel(), (std::vector{16, 14}));
 }
 
 // Results that wait take memory.
 TEST(ParallelRuns, RunsNotFarAheadOfTheFirstThatIsNotDone) {
   std::atomic<std::uint32_t> furthest = 0;
-  ParallelRuns<int> sharing({.runs = 1000, .most_at_once = 1, .workers = {2}},
-                            [&](std::uint32_t first, int, Over) {
-                              furthest = std::max<std::uint32_t>(furthest, first);
-                              if (first == 0)
-                                std::this_thread::sleep_for(std::chrono::milliseconds(200));
-                              return 0;
-                            });
+  ParallelRuns<int> parallel({.runs = 1000, .most_at_once = 1, .workers = {2}},
+                             [&](std::uint32_t first, int, Over) {
+                               furthest = std::max<std::uint32_t>(furthest, first);
+                               if (first == 0)
+                                 std::this_thread::sleep_for(std::chrono::milliseconds(200));
+                               return 0;
+                             });
   std::uint32_t when_first_was_taken = 1000;
-  sharing.in_order([&](int, std::uint32_t) {
+  parallel.in_order([&](int, std::uint32_t) {
     when_first_was_taken = std::min(when_first_was_taken, furthest.load());
     return true;
   });
@@ -147,32 +148,32 @@ TEST(ParallelRuns, RunsNotFarAheadOfTheFirstThatIsNotDone) {
 
 TEST(ParallelRuns, CallsBackWhileABatchTakesLong) {
   std::atomic<int> calls = 0;
-  ParallelRuns<int> sharing({1, 1, {1}}, [&](std::uint32_t, int, Over) {
+  ParallelRuns<int> parallel({1, 1, {1}}, [&](std::uint32_t, int, Over) {
     while (calls < 3) std::this_thread::yield();
     return 0;
   });
-  sharing.in_order([](int, std::uint32_t) { return true; }, [&] { ++calls; });
+  parallel.in_order([](int, std::uint32_t) { return true; }, [&] { ++calls; });
   EXPECT_GE(calls, 3);
 }
 
 TEST(ParallelRuns, EndsSoonWhereABatchIsNotTaken) {
   std::atomic<int> done = 0;
-  ParallelRuns<int> sharing({1000, 1, {2}}, [&](std::uint32_t, int, Over) {
+  ParallelRuns<int> parallel({1000, 1, {2}}, [&](std::uint32_t, int, Over) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return ++done;
   });
   const auto refuse = [](int, std::uint32_t) -> bool { throw std::runtime_error("no more"); };
-  EXPECT_THROW(sharing.in_order(refuse), std::runtime_error);
+  EXPECT_THROW(parallel.in_order(refuse), std::runtime_error);
   EXPECT_LT(done, 1000);
 }
 
 TEST(ParallelRuns, ThrowsWhatAThreadThrewAndDoesNoMore) {
   int done = 0;
-  ParallelRuns<int> sharing({1000, 1, {1}}, [&](std::uint32_t first, int, Over) {
+  ParallelRuns<int> parallel({1000, 1, {1}}, [&](std::uint32_t first, int, Over) {
     if (first == 3) throw std::runtime_error("the fourth");
     return ++done;
   });
-  EXPECT_THROW(sharing(), std::runtime_error);
+  EXPECT_THROW(parallel(), std::runtime_error);
   EXPECT_EQ(done, 3);
 }
 

@@ -5,8 +5,8 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/parts/digitised_curve.hpp"
-#include "sim/parts/parts.hpp"
+#include "sim/components/digitised_curve.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/report/part_sheet.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/text/text_file.hpp"

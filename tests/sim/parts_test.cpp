@@ -1,4 +1,4 @@
-#include "sim/parts/parts.hpp"
+#include "sim/components/parts.hpp"
 
 #include <fmt/format.h>
 

@@ -79,9 +79,9 @@ TEST(SampledPath, GoesFromSampleToSampleWhereThereIsRoom) {
   EXPECT_EQ(sampled_path({samples, 1, 1}, {5, 6, 0, 250}, {0, 1, 10, 0}), "");
 }
 
-TEST(WirePath, BeginsAtItsLevelAndTurnsAtEachFlipOfTheWindow) {
+TEST(WirePath, BeginsAtItsLevelAndTurnsAtEachEdgeOfTheWindow) {
   dsp::LogicTrace wire(true, dsp::Seconds(10));
-  for (const double at : {1.0, 2.0, 4.0, 8.0}) wire.flip_at(dsp::Seconds(at));
+  for (const double at : {1.0, 2.0, 4.0, 8.0}) wire.add_edge(dsp::Seconds(at));
   EXPECT_EQ(wire_path(wire, {1.5, 6.5, 0, 50}, {0, 1, 10, 0}),
             "M0.00 10.00H5.00V0.00H25.00V10.00H50.00");
   EXPECT_EQ(wire_path(wire, {8, 12, 0, 40}, {0, 1, 10, 0}), "M0.00 0.00H20.00");

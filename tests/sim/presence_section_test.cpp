@@ -32,12 +32,12 @@ void expect_answer_has(const std::string& answer, const std::string& text) {
   EXPECT_NE(answer.find(text), std::string::npos) << answer;
 }
 
-TEST(PresencePart, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
+TEST(PresenceSection, NamesNoDetectorWhereAllNoticeTheDeviceAtTheSamePoints) {
   expect_answer_has(answer({0, 1, 0.9, 0, 0, 0.95, 1, 0.89}),
                     "at receiver.range_m from 2 to 3 m, in both cases.\n");
 }
 
-TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
+TEST(PresenceSection, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
   expect_answer_has(answer({0, 0, 1, 1, 1, 1, 0, 0}),
                     "from 3 to 4 m, where the sweep ends (goertzel), but at "
                     "receiver.range_m from 1, where the sweep begins, to 2 m ("
@@ -47,13 +47,13 @@ TEST(PresencePart, SaysWhereEachNoticesItThoughTheirStretchesAreEquallyLong) {
       "from 1, where the sweep begins, to 4 m, where the sweep ends, in both cases.\n");
 }
 
-TEST(PresencePart, NamesTheOneOfThreeThatNoticesItElsewhere) {
+TEST(PresenceSection, NamesTheOneOfThreeThatNoticesItElsewhere) {
   expect_answer_has(answer({1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0},
                            "presence.detector = \"*\"\nreceiver.range_m = [1, 2, 3, 4]\n"),
                     ", but at receiver.range_m from 3 to 4 m, where the sweep ends (");
 }
 
-TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
+TEST(PresenceSection, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
   const std::string detectors = "presence.detector = [\"goertzel\", \"synchronous\"]\n";
   expect_answer_has(answer({0.75, 0.75}, detectors),
                     "the device is noticed in 0.75 of the windows at each of 2 points.\n");
@@ -62,13 +62,13 @@ TEST(PresencePart, SaysOfDetectorsThatNoticeItAsOftenThatTheyDo) {
       "noticed least at presence.detector = synchronous: in 0.5 of the windows, and most ");
 }
 
-TEST(PresencePart, SaysWhichNoticesItAtFewerPoints) {
+TEST(PresenceSection, SaysWhichNoticesItAtFewerPoints) {
   expect_answer_has(answer({1, 1, 1, 0, 1, 0, 0, 0}),
                     "from 1, where the sweep begins, to 3 m (goertzel), but only at "
                     "receiver.range_m = 1 m, where the sweep begins (synchronous).\n");
 }
 
-TEST(PresencePart, SaysHowManyNoticeItNowhere) {
+TEST(PresenceSection, SaysHowManyNoticeItNowhere) {
   expect_answer_has(answer({1, 1, 1, 0, 0, 0, 0, 0}),
                     "from 1, where the sweep begins, to 3 m (goertzel), but nowhere in 1 "
                     "of 2 cases.\n");

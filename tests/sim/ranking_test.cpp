@@ -143,7 +143,7 @@ TEST(Ranking, LeastIsBestWhereMoreHelps) {
 TEST(Ranking, SaysWhatToBuy) {
   auto result = grid(modules({"TSOP4856", "GP1", "TSSP4056"}), range,
                      {{0, 0, 1000, 1000}, {1000, 1000, 1000, 1000}, {0, 0, 0, 0}});
-  result.points[11].outside = 1;
+  result.points[11].validity_flags = 1;
   const std::string text = lines(result);
   const std::string head =
       "receiver.range_m at which frame loss passes 1 %, best first:\n"
@@ -167,7 +167,7 @@ TEST(Ranking, EqualsShareTheirPlace) {
 
 TEST(Ranking, OfEqualsTheOneThatNothingFlagsComesFirst) {
   auto result = grid(modules({"odd", "sound"}), range, {{0, 0, 1000, 1000}, {0, 0, 1000, 1000}});
-  result.points[2].outside = 1;
+  result.points[2].validity_flags = 1;
   EXPECT_EQ(sim::rank(result).rows[0].others, std::vector<double>{1});
   EXPECT_EQ(sim::rank(result).rows[1].place, 1U);
 }

@@ -6,9 +6,9 @@
 
 #include "location_scenes.hpp"
 #include "program.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/failure.hpp"
 #include "sim/location/location_trials.hpp"
-#include "sim/parts/parts.hpp"
 
 namespace {
 

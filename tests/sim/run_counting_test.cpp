@@ -10,11 +10,11 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/arena/arena_columns.hpp"
-#include "sim/exchange/exchange_report.hpp"
+#include "sim/false_accepts/false_accept_report.hpp"
 #include "sim/guard/guard_report.hpp"
-#include "sim/listening/listening_report.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/presence_report.hpp"
+#include "sim/shared_link/shared_link_report.hpp"
 #include "small_experiments.hpp"
 
 namespace sim {
@@ -84,11 +84,12 @@ template <class Check>
 void for_each_experiment(const Check& check) {
   check(arena_measurement, small_scenario("arena", "arena.runs=3"), arena_columns());
   check(guard_measurement, small_scenario("guard", "arena.runs=3"), guard_columns());
-  check(exchange_measurement, small_scenario("sharedlink", "exchange.runs=3"), exchange_columns());
+  check(shared_link_measurement, small_scenario("sharedlink", "exchange.runs=3"),
+        shared_link_columns());
   check(presence_measurement, small_scenario("presence", "presence.trials=50"), presence_columns());
   check(location_measurement, small_scenario("location", "location.trials=50"), location_columns());
-  check(listening_measurement, small_scenario("listening", "listening.runs=3"),
-        listening_columns());
+  check(false_accept_measurement, small_scenario("listening", "listening.runs=3"),
+        false_accept_columns());
 }
 
 TEST(RunParts, AddUpInAnyOrder) {

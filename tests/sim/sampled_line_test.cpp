@@ -57,7 +57,7 @@ Samples light_of(const LogicTrace& line, const Light& light, Random& random) {
 
 protocol::Bytes bytes_of(SampledLine& line, double baud) {
   LogicTrace trace(line.initial());
-  while (const auto flip = line.next()) trace.flip_at(*flip);
+  while (const auto edge = line.next()) trace.add_edge(*edge);
   trace.observe_until(line.known_until());
   protocol::Bytes bytes;
   for (const auto& byte : protocol::receive_mid_bit(trace, Hertz(baud))) {
@@ -88,16 +88,16 @@ TEST(SampledLine, FindsTheCarrierAndReadsTheLight) {
   }
 }
 
-// Flips are those of the light, the envelope's delay taken off: within the window of ten cycles.
-TEST(SampledLine, FlipsWhenTheLightDoes) {
+// Edges are those of the light, the envelope's delay taken off: within the window of ten cycles.
+TEST(SampledLine, HasItsEdgesWhereTheLightHas) {
   Random random(52);
   const LogicTrace sent = test::bent_line(random, 2, 600, {});
   Recorded capture(light_of(sent, {}, random), Hertz(500e3), false);
   SampledLine line(capture, {.carrier = Hertz(59e3), .baud = {}});
-  for (const Seconds flip : sent.flips()) {
+  for (const Seconds edge : sent.edges()) {
     const auto found = line.next();
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->value, flip.value, 1 / 59e3);
+    EXPECT_NEAR(found->value, edge.value, 1 / 59e3);
   }
   EXPECT_FALSE(line.next());
 }
@@ -106,7 +106,7 @@ TEST(SampledLine, WaitsForLightThroughSilence) {
   Random random(53);
   const LogicTrace message = test::bent_line(random, 1, 600, {});
   LogicTrace late;
-  for (const Seconds flip : message.flips()) late.flip_at(flip + Seconds(3));
+  for (const Seconds edge : message.edges()) late.add_edge(edge + Seconds(3));
   late.observe_until(message.end() + Seconds(3));
   for (const bool told : {false, true}) {
     Recorded capture(light_of(late, {.noise = 0.1}, random), Hertz(500e3), false);
@@ -139,7 +139,7 @@ TEST(SampledLine, FindsLightAtTheVeryEnd) {
   const LogicTrace message = test::bent_line(random, 1, 4800, {});
   for (const double silence : {0.6, 5.2}) {
     LogicTrace late;
-    for (const Seconds flip : message.flips()) late.flip_at(flip + Seconds(silence));
+    for (const Seconds edge : message.edges()) late.add_edge(edge + Seconds(silence));
     late.observe_until(message.end() + Seconds(silence));
     Recorded capture(light_of(late, {.noise = 0.05}, random), Hertz(500e3), false);
     SampledLine line(capture, {.carrier = {}, .baud = Hertz(4800)});

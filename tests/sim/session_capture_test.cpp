@@ -5,7 +5,7 @@ namespace sim {
 namespace {
 
 using dsp::Hertz;
-using test::flips_us;
+using test::edges_us;
 
 std::string little_endian(std::uint64_t number, int bytes) {
   std::string text;
@@ -49,12 +49,12 @@ std::string session(const std::string& metadata, const std::string& bytes = leve
 
 class SessionCapture : public CaptureFormat {
  protected:
-  /// Each wire with its flips, in us.
+  /// Each wire with its edges, in us.
   std::string read(const std::string& session) const {
     std::string text;
     for (const NamedTrace& wire : wires(session, "sr")) {
       text += wire.name + ":";
-      for (const long flip : flips_us(wire.trace)) text += " " + std::to_string(flip);
+      for (const long edge : edges_us(wire.trace)) text += " " + std::to_string(edge);
       text += ";";
     }
     return text;

@@ -82,8 +82,8 @@ class SigrokDecoder : public CommandLine {
     for (const char byte : bytes) {
       t = protocol::send_byte(line, static_cast<std::uint8_t>(byte), t, dsp::Hertz(600));
       if (byte != flash_behind) continue;
-      line.flip_at(t + dsp::Seconds(1e-3));
-      line.flip_at(t + dsp::Seconds(1.5e-3));
+      line.add_edge(t + dsp::Seconds(1e-3));
+      line.add_edge(t + dsp::Seconds(1.5e-3));
       t += dsp::Seconds(5e-3);
     }
     line.observe_until(t + dsp::Seconds(0.02));

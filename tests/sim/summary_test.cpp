@@ -138,7 +138,7 @@ TEST(Summary, ComparesLinksThatAreCountedFarEnoughAlone) {
 
 TEST(Summary, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
   ExperimentResult result = modules_of({far, near, near, near, near});
-  result.points[0].outside = 1;
+  result.points[0].validity_flags = 1;
   expect_says(result, "Of 5 links A (between 2 and 3 m, outside of what a model is valid for: " +
                           std::string(validity_limits()[0].name) + ") comes first. ");
 }

@@ -93,18 +93,18 @@ TEST_F(TraceFile, Hdf5HasTheTapsOfTheCsvAndTheirSpectraInEveryReader) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
-// The instants are ends of samples, where the pin flips: the columns lose none of its flips.
-TEST_F(TraceFile, ColumnsKeepEveryFlipOfThePin) {
+// The instants are ends of samples, where the pin changes: the columns lose none of its edges.
+TEST_F(TraceFile, ColumnsKeepEveryEdgeOfThePin) {
   const TracedTrial traced = short_trial();
   const std::vector<double> times = sample_times_s(traced);
   ASSERT_EQ(times.size(), traced.taps.irradiance.size());
   const std::vector<std::uint8_t> levels = levels_at(traced.rx, times);
-  std::vector<double> flips;
+  std::vector<double> edges;
   for (std::size_t i = 1; i < levels.size(); ++i)
-    if (levels[i] != levels[i - 1]) flips.push_back(times[i]);
-  ASSERT_EQ(flips.size(), traced.rx.flips().size());
-  EXPECT_GT(flips.size(), 80u);
-  for (std::size_t i = 0; i < flips.size(); ++i) EXPECT_EQ(flips[i], traced.rx.flips()[i].value);
+    if (levels[i] != levels[i - 1]) edges.push_back(times[i]);
+  ASSERT_EQ(edges.size(), traced.rx.edges().size());
+  EXPECT_GT(edges.size(), 80u);
+  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_EQ(edges[i], traced.rx.edges()[i].value);
 }
 
 TEST_F(TraceFile, LeavesNothingButTheFile) {

@@ -14,7 +14,7 @@
 
 namespace {
 
-using sim::test::flips_us;
+using sim::test::edges_us;
 using sim::test::Random;
 
 const std::string on_the_wire = "IND 011111 OK 46\n";
@@ -36,16 +36,16 @@ TEST(Pulses, ReadingUndoesWriting) {
     sim::write_pulses(text, wire);
     const auto back = sim::read_whole(*sim::open_pulses(text, "t.ook")).at(0).trace;
     ASSERT_TRUE(back.initial());
-    ASSERT_EQ(less_the_first(flips_us(back)), less_the_first(flips_us(wire)));
-    if (wire.flips().empty()) continue;
-    EXPECT_NEAR((back.end() - back.flips()[0]).value, (wire.end() - wire.flips()[0]).value, 1e-9);
+    ASSERT_EQ(less_the_first(edges_us(back)), less_the_first(edges_us(wire)));
+    if (wire.edges().empty()) continue;
+    EXPECT_NEAR((back.end() - back.edges()[0]).value, (wire.end() - wire.edges()[0]).value, 1e-9);
   }
 }
 
 TEST(Pulses, HaveNothingOfWhatRoundingTakes) {
   dsp::LogicTrace wire(false);
   for (const double us : {10.0, 20.0, 20.3, 30.0, 30.2, 40.0, 50.0})
-    wire.flip_at(dsp::Seconds(us * 1e-6));
+    wire.add_edge(dsp::Seconds(us * 1e-6));
   wire.observe_until(dsp::Seconds(60e-6));
   std::ostringstream text;
   sim::write_pulses(text, wire);
@@ -87,8 +87,8 @@ TEST_F(Session, ReadingUndoesWriting) {
     EXPECT_EQ(wires[0].name + wires[1].name, "txrx");
     EXPECT_EQ(wires[0].trace.initial(), traced.tx.initial());
     EXPECT_EQ(wires[1].trace.initial(), traced.rx.initial());
-    EXPECT_EQ(flips_us(wires[0].trace), flips_us(traced.tx));
-    EXPECT_EQ(flips_us(wires[1].trace), flips_us(traced.rx));
+    EXPECT_EQ(edges_us(wires[0].trace), edges_us(traced.tx));
+    EXPECT_EQ(edges_us(wires[1].trace), edges_us(traced.rx));
     for (const sim::Tap& tap : sim::analogue_taps()) {
       if (readings == 0) continue;
       const sim::Capture capture = open(bytes, tap.name);

@@ -14,7 +14,7 @@ namespace {
 /// The wire of the LED as the module's pin would be: the same, late by the constant delay.
 dsp::LogicTrace delayed(const dsp::LogicTrace& line, dsp::Seconds delay) {
   dsp::LogicTrace pin(true);
-  for (const dsp::Seconds flip : line.flips()) pin.flip_at(flip + delay);
+  for (const dsp::Seconds edge : line.edges()) pin.add_edge(edge + delay);
   pin.observe_until(line.end() + delay);
   return pin;
 }

@@ -126,7 +126,7 @@ TEST(TrialView, MarksWhatWasMisread) {
   EXPECT_EQ(std::ranges::count(view.bits, true, &ViewMark::is_wrong), 1)
       << "K and J: the last bit of them";
   EXPECT_TRUE(view.wire_begins);
-  EXPECT_NEAR(view.wire_flips_s.front(), 0.0002, 1e-9);
+  EXPECT_NEAR(view.wire_edges_s.front(), 0.0002, 1e-9);
 }
 
 TEST(TrialView, ShowsTheCyclesWhereTheFirstWrongBitGoesWrong) {

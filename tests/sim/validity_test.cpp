@@ -2,7 +2,7 @@
 #include "sim/link/validity.hpp"
 
 #include "scenarios.hpp"
-#include "sim/parts/parts.hpp"
+#include "sim/components/parts.hpp"
 #include "sim/report/report_table.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/text_file.hpp"
@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 std::string names_at(const std::vector<std::string>& set) {
-  return raised_names(validity_limits(), link_of(set).outside);
+  return raised_names(validity_limits(), link_of(set).validity_flags);
 }
 
 TEST(Validity, TheDefaultsAreInside) { EXPECT_EQ(names_at({}), ""); }
@@ -69,7 +69,7 @@ TEST(Validity, DecisionsEndWhereTheirNormalsDo) {
 
 std::string names_beside(const std::string& disturbance) {
   const LoadedScenario scenario = loaded("[disturbance.other]\nkind = " + disturbance);
-  return raised_names(validity_limits(), make_link(point_scenario(scenario, {})).outside);
+  return raised_names(validity_limits(), make_link(point_scenario(scenario, {})).validity_flags);
 }
 
 TEST(Validity, OtherLightsCount) {
@@ -86,7 +86,7 @@ TEST(Validity, ColoursThatNoSheetShowsAreNamed) {
   const auto names = [](const std::string& module, double nm) {
     Scenario s = loaded("", {"receiver.module=" + module}).base;
     s.emitter.wavelength_nm = nm;
-    return raised_names(validity_limits(), make_link(s).outside);
+    return raised_names(validity_limits(), make_link(s).validity_flags);
   };
   EXPECT_EQ(names("TSOP38256", 950), "");
   EXPECT_EQ(names("TSOP38256", 870), "colour");
@@ -129,13 +129,13 @@ TEST(Validity, TheDocsListEveryLimit) {
 
 TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
   ExperimentResult result;
-  result.points = {{.tally = {.n_frames = 4}, .outside = 3}, {.tally = {.n_frames = 4}}};
+  result.points = {{.tally = {.n_frames = 4}, .validity_flags = 3}, {.tally = {.n_frames = 4}}};
   EXPECT_TRUE(table_row({}, result.points[0], 0.95).ends_with("max_frames  ! near,fringes\n"));
   EXPECT_TRUE(table_row({}, result.points[1], 0.95).ends_with("max_frames\n"));
   EXPECT_EQ(mark_notes(result),
             "! near: nearer than 5 cm LED and module are no points to each other\n"
             "! fringes: direct and mirrored light interfere that far out\n");
-  result.points[0].outside = 0;
+  result.points[0].validity_flags = 0;
   EXPECT_EQ(mark_notes(result), "");
 }
 

@@ -12,11 +12,11 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// The names of wires, and of each the time of its flip.
-std::string names_and_flips(const std::string& text, const std::string& asked = "") {
+/// The names of wires, and of each the time of its edge.
+std::string names_and_edges(const std::string& text, const std::string& asked = "") {
   std::string line;
   for (const NamedTrace& wire : wires_in(text, with_wire(asked)))
-    line += wire.name + "@" + std::to_string(std::lround(flips_to_ns(wire.trace).at(0))) + " ";
+    line += wire.name + "@" + std::to_string(std::lround(edges_to_ns(wire.trace).at(0))) + " ";
   return line;
 }
 
@@ -29,13 +29,13 @@ TEST(VcdNames, AWireHasEachOfItsNames) {
   const std::string text = scoped(
       "$var wire 1 ! uart_line $end $scope module dut $end $var wire 1 ! rx $end "
       "$var wire 1 \" tx $end $upscope $end $var wire 1 # tx_n $end\n");
-  EXPECT_EQ(names_and_flips(text), "uart_line@1 rx@1 tx@2 tx_n@3 ");
-  EXPECT_EQ(names_and_flips(text, "rx"), names_and_flips(text));
-  EXPECT_EQ(names_and_flips(text, "top.dut.rx"), names_and_flips(text) + "top.dut.rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.tx_n"), names_and_flips(text) + "top.tx_n@3 ");
-  EXPECT_EQ(names_and_flips(text, "dut.rx"), names_and_flips(text) + "dut.rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "dut.tx_n"), names_and_flips(text));  // no such wire
-  EXPECT_EQ(names_and_flips(text, "ut.rx"), names_and_flips(text));
+  EXPECT_EQ(names_and_edges(text), "uart_line@1 rx@1 tx@2 tx_n@3 ");
+  EXPECT_EQ(names_and_edges(text, "rx"), names_and_edges(text));
+  EXPECT_EQ(names_and_edges(text, "top.dut.rx"), names_and_edges(text) + "top.dut.rx@1 ");
+  EXPECT_EQ(names_and_edges(text, "top.tx_n"), names_and_edges(text) + "top.tx_n@3 ");
+  EXPECT_EQ(names_and_edges(text, "dut.rx"), names_and_edges(text) + "dut.rx@1 ");
+  EXPECT_EQ(names_and_edges(text, "dut.tx_n"), names_and_edges(text));  // no such wire
+  EXPECT_EQ(names_and_edges(text, "ut.rx"), names_and_edges(text));
 }
 
 TEST(VcdNames, WiresOfOneNameAreToldApartByTheirPlaces) {
@@ -43,8 +43,8 @@ TEST(VcdNames, WiresOfOneNameAreToldApartByTheirPlaces) {
       "$var wire 1 ! rx $end $scope module dut $end $var wire 1 \" rx $end "
       "$scope module pad $end $var wire 1 \" rx $end $upscope $end "
       "$upscope $end $var wire 1 # tx $end\n");
-  EXPECT_EQ(names_and_flips(text), "top.rx@1 top.dut.rx@2 tx@3 rx@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.dut.pad.rx"), names_and_flips(text) + "top.dut.pad.rx@2 ");
+  EXPECT_EQ(names_and_edges(text), "top.rx@1 top.dut.rx@2 tx@3 rx@1 ");
+  EXPECT_EQ(names_and_edges(text, "top.dut.pad.rx"), names_and_edges(text) + "top.dut.pad.rx@2 ");
 }
 
 TEST(VcdNames, APlaceIsThatOfAVectorOfOneBitToo) {
@@ -52,17 +52,17 @@ TEST(VcdNames, APlaceIsThatOfAVectorOfOneBitToo) {
       "$scope module dut $end $var wire 1 ! rx [0:0] $end $upscope $end $var wire 1 # tx[1:0] "
       "$end $var wire 1 \" en $end\n");
   for (const std::string place : {"top.dut.rx", "dut.rx", "dut.rx[0:0]"})
-    EXPECT_EQ(names_and_flips(text, place), "rx[0:0]@1 tx[1:0]@3 en@2 " + place + "@1 ");
-  EXPECT_EQ(names_and_flips(text, "top.tx"), "rx[0:0]@1 tx[1:0]@3 en@2 ");
+    EXPECT_EQ(names_and_edges(text, place), "rx[0:0]@1 tx[1:0]@3 en@2 " + place + "@1 ");
+  EXPECT_EQ(names_and_edges(text, "top.tx"), "rx[0:0]@1 tx[1:0]@3 en@2 ");
 }
 
 TEST(VcdNames, WiresOfOneNameAndPlaceAreListedAsDeclared) {
-  EXPECT_EQ(names_and_flips("$timescale 1 us $end $var wire 1 ! rx $end $var wire 1 \" rx $end "
+  EXPECT_EQ(names_and_edges("$timescale 1 us $end $var wire 1 ! rx $end $var wire 1 \" rx $end "
                             "$upscope $end $enddefinitions $end #0 1! 1\" #1 0! #2 0\""),
             "rx@1 rx@2 ");
 }
 
-// Each name of each wire, in random designs: its flip is that of its code.
+// Each name of each wire, in random designs: its edge is that of its code.
 TEST(VcdNames, NamesLeadToTheirCodesInAnyDesign) {
   Random random(24);
   for (int round = 0; round < 300; ++round) {
@@ -88,14 +88,14 @@ TEST(VcdNames, NamesLeadToTheirCodesInAnyDesign) {
     for (std::size_t code = 0; code < 6; ++code)
       if (std::ranges::any_of(code_of, [&](const auto& one) { return one.second == code; }))
         text += "#" + std::to_string(code + 1) + " 0" + static_cast<char>('!' + code) + "\n";
-    const auto flip_of = [&](const std::string& wire) {
+    const auto edge_of = [&](const std::string& wire) {
       const auto wires = wires_in(text, with_wire(wire));
       const auto found = std::ranges::find(wires, wire, &NamedTrace::name);
-      return found == wires.end() ? -1.0 : flips_to_ns(found->trace).at(0);
+      return found == wires.end() ? -1.0 : edges_to_ns(found->trace).at(0);
     };
     for (const auto& [place_of, code] : code_of) first_of[place_of] = code;
     for (const auto& [wire, code] : first_of)
-      EXPECT_EQ(flip_of(wire), static_cast<double>(code) + 1) << wire << " of\n" << text;
+      EXPECT_EQ(edge_of(wire), static_cast<double>(code) + 1) << wire << " of\n" << text;
     std::map<std::string, std::set<std::size_t>> codes_of;  // by the end of the place
     for (const auto& [place_of, code] : code_of)
       for (auto dot = place_of.find('.'); dot != std::string::npos;
@@ -103,7 +103,7 @@ TEST(VcdNames, NamesLeadToTheirCodesInAnyDesign) {
         codes_of[place_of.substr(dot + 1)].insert(code);
     for (const auto& [wire, codes] : codes_of) {
       if (first_of.contains(wire)) continue;
-      EXPECT_EQ(flip_of(wire), codes.size() == 1 ? static_cast<double>(*codes.begin()) + 1 : -1)
+      EXPECT_EQ(edge_of(wire), codes.size() == 1 ? static_cast<double>(*codes.begin()) + 1 : -1)
           << wire << " of\n"
           << text;
     }

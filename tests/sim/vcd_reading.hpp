@@ -28,9 +28,9 @@ inline std::string file_of_one_wire(const std::string& body,
   return "$timescale " + timescale + " $end $var wire 1 ! rx $end $enddefinitions $end\n" + body;
 }
 
-inline std::vector<double> flips_to_ns(const dsp::LogicTrace& trace) {
+inline std::vector<double> edges_to_ns(const dsp::LogicTrace& trace) {
   std::vector<double> times;
-  for (const dsp::Seconds flip : trace.flips()) times.push_back(std::round(flip.value * 1e9) / 1e3);
+  for (const dsp::Seconds edge : trace.edges()) times.push_back(std::round(edge.value * 1e9) / 1e3);
   return times;
 }
 

@@ -136,9 +136,9 @@ TEST(VcdSigrok, MidBitToleratesExactlyTheRatesThatSigrokDoes) {
   }
 }
 
-/// Characters with random gaps, moved edges, dips, spikes and breaks. Every flip is on a grid of
+/// Characters with random gaps, moved edges, dips, spikes and breaks. Every edge is on a grid of
 /// 11 us from the first on: at 300, 600 and 1200 baud no instant at which a receiver samples, whole
-/// microsecond (sigrok) or not (ours), is a flip or has one between the two.
+/// microsecond (sigrok) or not (ours), is an edge or has one between the two.
 LogicTrace damaged_line(Random& random, double baud) {
   constexpr double grid_us = 11;
   const double bit_us = 1e6 / baud;
@@ -149,17 +149,17 @@ LogicTrace damaged_line(Random& random, double baud) {
     t = protocol::send_byte(sent, static_cast<std::uint8_t>(random() >> 56U), t, Hertz(baud));
     if (random() % 3 == 0) t += Seconds(bits(0, 4) * 1e-6);
   }
-  std::vector<double> flips;
-  for (const Seconds flip : sent.flips()) flips.push_back(flip.value * 1e6 + bits(-0.3, 0.3));
-  for (int i = 0; i < 60; ++i) {  // a pair of flips inverts what lies between
-    const double at = uniform(random, 5000, flips.back());
+  std::vector<double> edges;
+  for (const Seconds edge : sent.edges()) edges.push_back(edge.value * 1e6 + bits(-0.3, 0.3));
+  for (int i = 0; i < 60; ++i) {  // a pair of edges inverts what lies between
+    const double at = uniform(random, 5000, edges.back());
     const double length = random() % 8 == 0 ? bits(5, 25) : bits(0, 1);
-    flips.insert(flips.end(), {at, at + length});
+    edges.insert(edges.end(), {at, at + length});
   }
-  std::ranges::sort(flips);
+  std::ranges::sort(edges);
   LogicTrace line;
-  for (const double flip : flips)
-    line.flip_at(Seconds(std::round(flip / grid_us) * grid_us * 1e-6));
+  for (const double edge : edges)
+    line.add_edge(Seconds(std::round(edge / grid_us) * grid_us * 1e-6));
   line.set_at(line.end() + Seconds(grid_us * 1e-6), true);
   line.observe_until(line.end() + Seconds(20 * bit_us * 1e-6));
   return line;

@@ -26,9 +26,9 @@ std::string written(const std::vector<VcdWire>& wires, Seconds duration) {
   return out.str();
 }
 
-LogicTrace at_us(bool initial, const std::vector<double>& flips, double end) {
+LogicTrace at_us(bool initial, const std::vector<double>& edges, double end) {
   LogicTrace trace(initial);
-  for (const double flip : flips) trace.flip_at(Seconds(flip * 1e-6));
+  for (const double edge : edges) trace.add_edge(Seconds(edge * 1e-6));
   trace.observe_until(Seconds(end * 1e-6));
   return trace;
 }
@@ -54,17 +54,17 @@ TEST(Vcd, RoundsToTheMicrosecondAndDropsWhatIsShorter) {
 TEST(Vcd, NothingIsWrittenFromTheEndOn) {
   const LogicTrace line = at_us(true, {5, 9, 12}, 12);
   const auto back = wires_in(written({{"rx", &line}}, Seconds(9e-6)));
-  EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector<double>{5}));
+  EXPECT_EQ(edges_to_ns(back.at(0).trace), (std::vector<double>{5}));
   EXPECT_DOUBLE_EQ(back.at(0).trace.end().value, 9e-6);
 }
 
 TEST(Vcd, ReadingUndoesWritingForAnyNumberOfWires) {
   Random random(21);
   for (const std::size_t count : {1U, 2U, 93U, 94U, 95U, 300U}) {
-    std::vector<std::vector<double>> flips(count);
+    std::vector<std::vector<double>> edges(count);
     std::vector<LogicTrace> traces;
     std::vector<VcdWire> wires;
-    for (auto& times : flips) {
+    for (auto& times : edges) {
       double t = 0;
       for (auto n = random() % 40; n > 0; --n) times.push_back(t += 1 + double(random() % 1000));
       traces.push_back(at_us(random() % 2 == 0, times, 0));
@@ -75,7 +75,7 @@ TEST(Vcd, ReadingUndoesWritingForAnyNumberOfWires) {
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(back[i].name, wires[i].name);
       EXPECT_EQ(back[i].trace.initial(), traces[i].initial());
-      EXPECT_EQ(flips_to_ns(back[i].trace), flips[i]);
+      EXPECT_EQ(edges_to_ns(back[i].trace), edges[i]);
       EXPECT_DOUBLE_EQ(back[i].trace.end().value, 0.05);
     }
   }
@@ -87,7 +87,7 @@ TEST(Vcd, ReadsAnyTimescale) {
   for (const auto& [timescale, tick_us] : std::map<std::string, double>{
            {"1us", 1}, {"1 us", 1}, {"10 ns", 0.01}, {"100\nns", 0.1}, {"2us", 2}, {"1 ms", 1e3}}) {
     const auto back = wires_in(file_of_one_wire("#0 1! #300 0! #700 1! #900", timescale));
-    EXPECT_EQ(flips_to_ns(back.at(0).trace), (std::vector{300 * tick_us, 700 * tick_us}))
+    EXPECT_EQ(edges_to_ns(back.at(0).trace), (std::vector{300 * tick_us, 700 * tick_us}))
         << timescale;
     EXPECT_NEAR(back.at(0).trace.end().value, 900e-6 * tick_us, 1e-12);
   }
@@ -109,22 +109,22 @@ TEST(Vcd, SkipsWhatIsNoOneBitWire) {
   EXPECT_EQ(back[1].name, "inner");
   EXPECT_TRUE(back[1].trace == back[0].trace);
   EXPECT_FALSE(back[0].trace.initial());
-  EXPECT_EQ(flips_to_ns(back[0].trace), (std::vector<double>{10, 20, 40}));
+  EXPECT_EQ(edges_to_ns(back[0].trace), (std::vector<double>{10, 20, 40}));
 }
 
 TEST(Vcd, UnknownLevelsKeepTheLastAndAnUnknownStartIsIdle) {
-  const auto flips = [](const std::string& body) {
+  const auto edges = [](const std::string& body) {
     const auto trace = wires_in(file_of_one_wire(body)).at(0).trace;
     EXPECT_EQ(trace.initial(), body.find("#0 0!") != 0) << body;
-    return flips_to_ns(trace);
+    return edges_to_ns(trace);
   };
   using Times = std::vector<double>;
-  EXPECT_EQ(flips("#0 x! #5 0! #9 1!"), (Times{5, 9}));
-  EXPECT_EQ(flips("#0 #5 0! #9 1!"), (Times{5, 9}));
-  EXPECT_EQ(flips("#0 0! #5 z! #9 1!"), (Times{9}));
-  EXPECT_EQ(flips("#0 1! #5 X! #6 1! #7 Z! #9 0!"), (Times{9}));
-  EXPECT_EQ(flips("#0"), Times{});
-  EXPECT_EQ(flips(""), Times{});
+  EXPECT_EQ(edges("#0 x! #5 0! #9 1!"), (Times{5, 9}));
+  EXPECT_EQ(edges("#0 #5 0! #9 1!"), (Times{5, 9}));
+  EXPECT_EQ(edges("#0 0! #5 z! #9 1!"), (Times{9}));
+  EXPECT_EQ(edges("#0 1! #5 X! #6 1! #7 Z! #9 0!"), (Times{9}));
+  EXPECT_EQ(edges("#0"), Times{});
+  EXPECT_EQ(edges(""), Times{});
 }
 
 // VHDL simulators (GHDL, nvc) write the nine values of IEEE 1164.
@@ -136,12 +136,12 @@ TEST(Vcd, TheNineValuesOfVhdlAreLevelsOrSayNothing) {
                                  "! #7 b" + nothing + " ! #9 b" + high + " !";
         const auto trace = wires_in(file_of_one_wire(body)).at(0).trace;
         EXPECT_TRUE(trace.initial()) << body;
-        EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{5, 9})) << body;
+        EXPECT_EQ(edges_to_ns(trace), (std::vector<double>{5, 9})) << body;
       }
 }
 
 TEST(Vcd, ADumpThatIsSwitchedOffSaysNothing) {
-  EXPECT_EQ(flips_to_ns(wires_in(file_of_one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
+  EXPECT_EQ(edges_to_ns(wires_in(file_of_one_wire("#0 $dumpvars 1! $end #5 0! #6 $dumpoff x! $end "
                                                   "#8 $dumpon 0! $end #9 1! #10 $dumpall 1! $end"))
                             .at(0)
                             .trace),
@@ -153,25 +153,25 @@ TEST(Vcd, ABlankMayPartAValueFromItsCode) {
   const auto both = wires_in(
       "$timescale 1 us $end $var wire 1 $ a $end $var wire 1 # b $end $enddefinitions $end\n"
       "#0 1 $ 0 # #5 0 $\n#7\n1\n#\n#9 1\t$ #12");
-  EXPECT_EQ(flips_to_ns(both.at(0).trace), (std::vector<double>{5, 9}));
-  EXPECT_EQ(flips_to_ns(both.at(1).trace), (std::vector<double>{7}));
+  EXPECT_EQ(edges_to_ns(both.at(0).trace), (std::vector<double>{5, 9}));
+  EXPECT_EQ(edges_to_ns(both.at(1).trace), (std::vector<double>{7}));
 }
 
 TEST(Vcd, TimesMayHaveAFraction) {
   const auto trace =
       wires_in(file_of_one_wire("#0.000 1! #12.5 0! #31666.667 1! #40000.")).at(0).trace;
-  EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{12.5, 31666.667}));
+  EXPECT_EQ(edges_to_ns(trace), (std::vector<double>{12.5, 31666.667}));
   EXPECT_DOUBLE_EQ(trace.end().value, 0.04);
 }
 
 TEST(Vcd, AMissingTimescaleMayBeTold) {
   const std::string bare = "$var wire 1 ! rx $end $enddefinitions $end\n#0 1! #5 0! #7";
-  EXPECT_EQ(flips_to_ns(wires_in(bare, with_tick(Seconds(1e-6))).at(0).trace),
+  EXPECT_EQ(edges_to_ns(wires_in(bare, with_tick(Seconds(1e-6))).at(0).trace),
             (std::vector<double>{5}));
-  EXPECT_EQ(flips_to_ns(wires_in(bare, with_tick(Seconds(1e-3))).at(0).trace),
+  EXPECT_EQ(edges_to_ns(wires_in(bare, with_tick(Seconds(1e-3))).at(0).trace),
             (std::vector<double>{5e3}));
   EXPECT_EQ(
-      flips_to_ns(wires_in(file_of_one_wire("#0 1! #5 0!"), with_tick(Seconds(1))).at(0).trace),
+      edges_to_ns(wires_in(file_of_one_wire("#0 1! #5 0!"), with_tick(Seconds(1))).at(0).trace),
       (std::vector<double>{5e6}))
       << "what is told holds, as --sample-rate does";
 }
@@ -187,7 +187,7 @@ TEST(Vcd, AnExtendedDumpIsRefusedByName) {
 TEST(Vcd, ALateFirstTimeGivesTheInitialLevel) {
   const auto trace = wires_in(file_of_one_wire("#1000 0! #1500 1!")).at(0).trace;
   EXPECT_FALSE(trace.initial());
-  EXPECT_EQ(flips_to_ns(trace), (std::vector<double>{1500}));
+  EXPECT_EQ(edges_to_ns(trace), (std::vector<double>{1500}));
 }
 
 TEST(Vcd, ErrorsNameFileLineAndReason) {
@@ -233,19 +233,19 @@ TEST(Vcd, ErrorsNameFileLineAndReason) {
 // A simulator that was killed: what stands before the last word is read, and the last word only if
 // it is whole beyond doubt.
 TEST(Vcd, IsReadUpToWhereItIsCut) {
-  const auto flips = [](const std::string& changes) {
-    return flips_to_ns(wires_in(file_of_one_wire("#1 1!\n#5 0!\n#9 1!\n" + changes)).at(0).trace);
+  const auto edges = [](const std::string& changes) {
+    return edges_to_ns(wires_in(file_of_one_wire("#1 1!\n#5 0!\n#9 1!\n" + changes)).at(0).trace);
   };
   const std::vector<double> two{5, 9}, three{5, 9, 12};
   for (const char* cut :
        {"", "#", "#1", "#12", "#12 ", "#12 0", "#12 b", "#12 b0", "#12 0?", "$dump", "r1."})
-    EXPECT_EQ(flips(cut), two) << cut;
-  EXPECT_EQ(flips("#12 0!"), three);
+    EXPECT_EQ(edges(cut), two) << cut;
+  EXPECT_EQ(edges("#12 0!"), three);
   const std::string text =
       "$timescale 1 ns $end $var wire 1 ! a $end $var wire 1 !! b $end $enddefinitions $end\n"
       "#1 1! 1!! #5 0";
-  EXPECT_TRUE(wires_in(text + "!").at(0).trace.flips().empty()) << "of which wire?";
-  EXPECT_EQ(wires_in(text + "!\n").at(0).trace.flips().size(), 1U);
+  EXPECT_TRUE(wires_in(text + "!").at(0).trace.edges().empty()) << "of which wire?";
+  EXPECT_EQ(wires_in(text + "!\n").at(0).trace.edges().size(), 1U);
 }
 
 TEST(Vcd, TimescalesThatContradictAreRefused) {
@@ -266,7 +266,7 @@ TEST(Vcd, VectorsMayBeWideAndAreSaid) {
       std::string(9000, '0') + " % 1! #5 0!\n";
   std::istringstream in(text);
   CaptureFacts facts;
-  EXPECT_EQ(read_whole(*open_vcd(in, "a.vcd", {}, facts)).at(0).trace.flips().size(), 1U);
+  EXPECT_EQ(read_whole(*open_vcd(in, "a.vcd", {}, facts)).at(0).trace.edges().size(), 1U);
   EXPECT_EQ(facts.assumed, std::vector<std::string>{"no line in its vectors (2)"});
   for (const char* wire : {"gpio", "gpio[3]"}) {
     CaptureSettings settings;
@@ -286,7 +286,7 @@ TEST(Vcd, AVectorElsewhereDoesNotHideTheWire) {
       "0!\n";
   CaptureSettings settings;
   settings.wire = "rx";
-  EXPECT_EQ(wires_in(text, settings).at(0).trace.flips().size(), 1U);
+  EXPECT_EQ(wires_in(text, settings).at(0).trace.edges().size(), 1U);
 }
 
 TEST(Vcd, GarbageIsReadOrRefusedButNeverCrashes) {

@@ -1,0 +1,219 @@
+#include "sim/components/part_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "sim/failure.hpp"
+#include "sim/scenario/entries.hpp"
+#include "sim/scenario/key_check.hpp"
+#include "sim/text/spelling.hpp"
+
+namespace sim {
+namespace {
+
+/// What one part file says, against the keys that it may have.
+template <class Data>
+class PartReader {
+ public:
+  PartReader(const PartKeys<Data>& keys, const std::string& text, const std::filesystem::path& path)
+      : keys_(keys), file_("in " + path.generic_string()), entries_(read_entries(text, path)) {}
+
+  Data read(const std::string& stem) const {
+    refuse_unknown();
+    Data part;
+    part.name = text("name", "add name = \"" + stem + "\"");
+    if (!same_name(part.name, stem))
+      throw bad_input(fmt::format("name = \"{}\" {}", part.name, find("name")->place),
+                      "the file has another name", "rename one of the two");
+    for (const auto& choice : keys_.choices) read_choice(choice, part);
+    for (const auto& number : keys_.numbers) read_number(number, part);
+    for (const auto& curve : keys_.curves) read_curve(curve, part);
+    if (needs_numbers(part))
+      for (const auto& [one, other] : keys_.either) require_either(one, other);
+    for (const auto& entry : entries_)
+      if (entry.key.starts_with("figures.")) text(entry.key, "name a file in curves/");
+    refuse_flaw(part);
+    return part;
+  }
+
+ private:
+  std::vector<std::string> known() const {
+    std::vector<std::string> names{"name"};
+    for (const auto& c : keys_.choices) names.push_back(c.facts.name);
+    for (const auto& n : keys_.numbers)
+      for (const char* leaf : {".value", ".source"}) names.push_back(n.facts.name + leaf);
+    for (const auto& c : keys_.curves)
+      for (const auto& leaf : {c.x.name, c.y.name, std::string("source")})
+        names.push_back(c.name + "." + leaf);
+    for (const auto& figure : keys_.figures) names.push_back("figures." + figure);
+    return names;
+  }
+
+  void refuse_unknown() const {
+    const auto names = known();
+    for (const auto& entry : entries_) {
+      refuse_bare_number(entry);
+      if (std::ranges::find(names, entry.key) == names.end())
+        throw bad_input(entry.key + " " + entry.place, "no such key in a part file",
+                        "did you mean " + nearest(entry.key, names) + "?");
+    }
+  }
+
+  void refuse_flaw(const Data& part) const {
+    const char* flaw = keys_.flaw ? keys_.flaw(part) : nullptr;
+    if (flaw) throw bad_input(part.name + " " + file_, flaw, "correct the part's file");
+  }
+
+  void refuse_bare_number(const Entry& entry) const {
+    for (const auto& n : keys_.numbers)
+      if (n.facts.name == entry.key)
+        throw bad_input(
+            entry.key + " " + entry.place, "a number without its source",
+            "write " + entry.key + " = { value = NUMBER, source = \"document, page\" }");
+  }
+
+  const Entry* find(const std::string& key) const {
+    const auto at = std::ranges::find(entries_, key, &Entry::key);
+    return at == entries_.end() ? nullptr : &*at;
+  }
+
+  template <class Wanted>
+  const Wanted& get(const std::string& key, const char* wanted, const std::string& remedy) const {
+    const Entry* entry = find(key);
+    if (!entry) throw bad_input(key + " " + file_, "missing", remedy);
+    const auto* value = std::get_if<Wanted>(&entry->value);
+    if (!value)
+      throw bad_input(key + " " + entry->place,
+                      fmt::format("{} where {} is expected", kind_of(entry->value), wanted),
+                      remedy);
+    return *value;
+  }
+
+  const std::string& text(const std::string& key, const std::string& remedy) const {
+    const std::string& value = get<std::string>(key, "text", remedy);
+    if (value.empty()) throw bad_input(key + " " + find(key)->place, "empty", remedy);
+    return value;
+  }
+
+  bool has_any(const std::string& name) const {
+    return std::ranges::any_of(entries_,
+                               [&](const Entry& e) { return e.key.starts_with(name + "."); });
+  }
+
+  /// Whether the file has the item; it must then name its source.
+  bool present(const std::string& name, const std::string& sample, bool required) const {
+    if (!has_any(name)) {
+      if (!required) return false;
+      throw bad_input(name + " " + file_, "missing, and no default can be right", "add " + sample);
+    }
+    require_source(name);
+    return true;
+  }
+
+  void require_either(const std::string& one, const std::string& other) const {
+    if (has_any(one) != has_any(other)) return;
+    const bool both = has_any(one);
+    throw bad_input(fmt::format("{} and {} {}", one, other, file_),
+                    both ? "both are given" : "both are missing",
+                    both ? "remove one of the two" : "add one of the two");
+  }
+
+  void require_source(const std::string& name) const {
+    const std::string remedy = "add source = \"document, page\" to it";
+    if (find(name + ".source")) return static_cast<void>(text(name + ".source", remedy));
+    const auto first = std::ranges::find_if(
+        entries_, [&](const Entry& e) { return e.key.starts_with(name + "."); });
+    throw bad_input(name + " " + first->place, "without its source", remedy);
+  }
+
+  void read_choice(const PartChoice<Data>& choice, Data& part) const {
+    const std::string& name = choice.facts.name;
+    if (find(name) == nullptr) return;
+    const std::string remedy =
+        fmt::format("use {} = \"{}\"", name, fmt::join(choice.choices, "\" or \""));
+    part.*choice.member = text(name, remedy);
+    if (std::ranges::find(choice.choices, part.*choice.member) == choice.choices.end())
+      throw bad_input(fmt::format("{} = \"{}\" {}", name, part.*choice.member, find(name)->place),
+                      choice.facts.long_name + " is one of a list", remedy);
+  }
+
+  bool needs_numbers(const Data& part) const {
+    return keys_.needs_numbers == nullptr || keys_.needs_numbers(part);
+  }
+
+  void read_number(const PartNumber<Data>& number, Data& part) const {
+    const std::string& name = number.facts.name;
+    const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
+    if (!present(name, sample, number.required && needs_numbers(part))) return;
+    const double value = get<double>(name + ".value", "a number", "write " + sample);
+    check_number(number.facts, value, find(name + ".value")->place);
+    part.*number.member = value;
+  }
+
+  void read_curve(const PartCurve<Data>& curve, Data& part) const {
+    const std::string sample =
+        fmt::format("{} = {{ {} = [...], {} = [...], source = \"document, figure\" }}", curve.name,
+                    curve.x.name, curve.y.name);
+    if (!present(curve.name, sample, curve.required)) return;
+    part.*curve.member = {axis(curve.name, curve.x, sample), axis(curve.name, curve.y, sample)};
+    check_shape(curve, part.*curve.member);
+  }
+
+  std::vector<double> axis(const std::string& curve, KeyFacts facts,
+                           const std::string& sample) const {
+    facts.name = curve + "." + facts.name;
+    const auto& values =
+        get<std::vector<double>>(facts.name, "a list of numbers", "write " + sample);
+    for (const double value : values) check_number(facts, value, find(facts.name)->place);
+    return values;
+  }
+
+  void check_shape(const PartCurve<Data>& curve, const channel::Curve& points) const {
+    const std::string at = curve.name + " " + find(curve.name + "." + curve.x.name)->place;
+    if (points.x.size() != points.y.size())
+      throw bad_input(at,
+                      fmt::format("{} has {} values, {} has {}", curve.x.name, points.x.size(),
+                                  curve.y.name, points.y.size()),
+                      "give both lists the same length");
+    if (points.x.size() < 2) throw bad_input(at, "a curve has at least two points", "add points");
+    if (std::ranges::adjacent_find(points.x, std::greater_equal<>()) != points.x.end())
+      throw bad_input(at, curve.x.name + " must increase from point to point", "sort the points");
+  }
+
+  const PartKeys<Data>& keys_;
+  std::string file_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+bool same_name(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+template <class Data>
+Data read_part_text(const PartKeys<Data>& keys, const std::string& text,
+                    const std::filesystem::path& path, const std::string& stem) {
+  return PartReader<Data>(keys, text, path).read(stem);
+}
+
+template channel::ModuleData read_part_text(const PartKeys<channel::ModuleData>&,
+                                            const std::string&, const std::filesystem::path&,
+                                            const std::string&);
+template channel::EmitterData read_part_text(const PartKeys<channel::EmitterData>&,
+                                             const std::string&, const std::filesystem::path&,
+                                             const std::string&);
+template channel::Floor read_part_text(const PartKeys<channel::Floor>&, const std::string&,
+                                       const std::filesystem::path&, const std::string&);
+template channel::PhotodiodeData read_part_text(const PartKeys<channel::PhotodiodeData>&,
+                                                const std::string&, const std::filesystem::path&,
+                                                const std::string&);
+
+}  // namespace sim

@@ -1,0 +1,117 @@
+#include "sim/components/parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "sim/components/part_reader.hpp"
+#include "sim/failure.hpp"
+#include "sim/scenario/key_check.hpp"
+#include "sim/scenario/keys.hpp"
+#include "sim/text/spelling.hpp"
+#include "sim/text/text_file.hpp"
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<PartFile> parts_in(const fs::path& folder, const std::string& kind) {
+  std::vector<PartFile> parts;
+  std::error_code ignored;  // a root need not have the folder
+  for (fs::directory_iterator file(folder, ignored), end; file != end; file.increment(ignored))
+    if (file->path().extension() == ".toml" && file->is_regular_file(ignored))
+      parts.push_back({kind, file->path().stem().string(), file->path()});
+  std::ranges::sort(parts, {}, &PartFile::path);
+  return parts;
+}
+
+template <class Data>
+std::vector<PartFile> all_parts(const PartKeys<Data>& keys, const PartRoots& roots) {
+  std::vector<PartFile> all;
+  for (const auto& root : roots)
+    for (PartFile& part : parts_in(root / keys.folder, keys.kind))
+      if (std::ranges::none_of(all, [&](const auto& p) { return same_name(p.name, part.name); }))
+        all.push_back(std::move(part));
+  std::ranges::sort(all, {}, &PartFile::name);
+  return all;
+}
+
+template <class Data>
+Failure no_such_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
+                     const std::vector<PartFile>& parts, const std::string& asked) {
+  std::vector<std::string> folders, names;
+  for (const auto& root : from.folders) folders.push_back((root / keys.folder).generic_string());
+  for (const auto& part : parts) names.push_back(part.name);
+  return bad_input(
+      asked,
+      fmt::format("no {} of this name in {}", keys.kind,
+                  folders.empty() ? "any folder" : fmt::format("{}", fmt::join(folders, ", "))),
+      names.empty() ? fmt::format("add a file {}/NAME.toml", keys.folder)
+                    : fmt::format("did you mean {}?", nearest(name, names)));
+}
+
+std::string file_of(const std::string& folder, const std::string& name) {
+  return folder + "/" + name + ".toml";
+}
+
+template <class Data>
+Part<Data> read_part(const PartKeys<Data>& keys, const std::string& name, std::string text,
+                     const fs::path& path) {
+  Data data = read_part_text(keys, text, path, name);
+  return {std::move(data), {file_of(keys.folder, name), std::move(text)}};
+}
+
+template <class Data>
+Part<Data> load_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
+                     const std::string& asked) {
+  for (const auto& [file, text] : from.carried)
+    if (same_name(file, file_of(keys.folder, name)))
+      return read_part(keys, fs::path(file).stem().string(), text, from.carrier / file);
+  const auto parts = all_parts(keys, from.folders);
+  for (const auto& part : parts)
+    if (same_name(part.name, name))
+      return read_part(keys, part.name, read_text_file(part.path, keys.kind), part.path);
+  throw no_such_part(keys, name, from, parts, asked);
+}
+
+}  // namespace
+
+Part<channel::ModuleData> load_module(const std::string& name, const PartSources& from,
+                                      const std::string& asked) {
+  return load_part(module_keys(), name, from, asked);
+}
+
+Part<channel::EmitterData> load_led(const std::string& name, const PartSources& from,
+                                    const std::string& asked) {
+  return load_part(led_keys(), name, from, asked);
+}
+
+Part<channel::Floor> load_floor(const std::string& name, const PartSources& from,
+                                const std::string& asked) {
+  return load_part(floor_keys(), name, from, asked);
+}
+
+Part<channel::PhotodiodeData> load_photodiode(const std::string& name, const PartSources& from,
+                                              const std::string& asked) {
+  return load_part(photodiode_keys(), name, from, asked);
+}
+
+bool is_part_file(const std::string& file) {
+  const fs::path path(file);
+  const std::string folder = path.parent_path().generic_string();
+  return path.extension() == ".toml" &&
+         (folder == module_keys().folder || folder == led_keys().folder ||
+          folder == floor_keys().folder || folder == photodiode_keys().folder);
+}
+
+std::vector<PartFile> list_parts(const PartRoots& folders) {
+  auto parts = all_parts(led_keys(), folders);
+  for (const auto& more : {all_parts(floor_keys(), folders), all_parts(module_keys(), folders),
+                           all_parts(photodiode_keys(), folders)})
+    parts.insert(parts.end(), more.begin(), more.end());
+  return parts;
+}
+
+}  // namespace sim

@@ -1,9 +1,0 @@
-#pragma once
-#include "sim/scenario/scenario.hpp"
-
-namespace sim {
-
-/// Throws for what is wrong at any point of an exchange's sweep.
-void check_exchange(const LoadedScenario& scenario);
-
-}  // namespace sim
