@@ -62,7 +62,7 @@ Estimate frame_loss(const SenderTally& tally) {
 }
 
 Estimate frame_loss(const ArenaRuns& runs, double level) {
-  return clustered_ratio(runs.tally.losses, level);
+  return cautious_ratio(runs.tally.losses, level);
 }
 
 SenderTally together(const ArenaPoint& point) {

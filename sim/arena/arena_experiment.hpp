@@ -38,7 +38,7 @@ bool fits_arena(const Arena& arena, const ArenaRuns& runs);
 
 /// Lost of sent, with the interval of runs as clusters.
 Estimate frame_loss(const SenderTally& tally);
-/// Of all senders.
+/// Of all senders, for a stop rule.
 Estimate frame_loss(const ArenaRuns& runs, double level);
 
 /// Sum over the devices of a point.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <deque>
 #include <vector>
 
@@ -60,7 +61,9 @@ std::vector<const Experiment*>& known() {
 const std::deque<KnownExperiment> shipped_are_known(shipped.begin(), shipped.end());
 
 const Experiment& experiment_of(const LoadedScenario& scenario) {
-  return **std::ranges::find(known(), &kind_of(scenario.base), &Experiment::kind);
+  const auto found = std::ranges::find(known(), &kind_of(scenario.base), &Experiment::kind);
+  assert(found != known().end());
+  return **found;
 }
 
 }  // namespace

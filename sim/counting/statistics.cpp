@@ -29,6 +29,10 @@ double variance_between(const ClusterSums& sums, double r) {
   return std::max(0.0, squares) * n / (n - 1) / (whole * whole);
 }
 
+bool shows_spread(const ClusterSums& sums) {
+  return sums.n > 1 && variance_between(sums, ratio(sums.part, sums.whole)) > 0;
+}
+
 ClusterSums frames_as_clusters(const Tally& t) {
   return {.n = t.n_frames,
           .part = t.n_bit_errors,
@@ -166,10 +170,14 @@ ClusterSums& ClusterSums::operator+=(const ClusterSums& other) {
 }
 
 Estimate clustered_ratio(const ClusterSums& sums, double level) {
-  const double r = ratio(sums.part, sums.whole);
-  const bool spread = sums.n > 1 && variance_between(sums, r) > 0;
-  if (!spread) return independent_ratio(sums.part, sums.whole, level);
-  const double trials = effective_whole(sums, r, level);
+  if (!shows_spread(sums)) return independent_ratio(sums.part, sums.whole, level);
+  const double r = ratio(sums.part, sums.whole), trials = effective_whole(sums, r, level);
+  return estimate(r, clopper_pearson(r * trials, trials, level));
+}
+
+Estimate cautious_ratio(const ClusterSums& sums, double level) {
+  if (sums.n == 0 || shows_spread(sums)) return clustered_ratio(sums, level);
+  const double r = ratio(sums.part, sums.whole), trials = as_real(sums.n);
   return estimate(r, clopper_pearson(r * trials, trials, level));
 }
 

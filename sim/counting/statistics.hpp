@@ -60,6 +60,10 @@ struct ClusterSums {
 /// wider than if each cluster were all or nothing.
 Estimate clustered_ratio(const ClusterSums& sums, double level);
 
+/// The same for a stop rule: where nothing is seen of a spread, clusters are taken as all or
+/// nothing, as those that differ may be yet to come.
+Estimate cautious_ratio(const ClusterSums& sums, double level);
+
 /// Ratio that is NaN where nothing was counted.
 double ratio(std::uint64_t part, std::uint64_t whole);
 

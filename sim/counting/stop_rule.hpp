@@ -1,6 +1,6 @@
 #pragma once
-// When a point has been run long enough. A rule looks at the counts of whole groups of trials in
-// their order and at nothing else, so that it stops at the same trial whatever the machine does.
+// When a point has been run long enough. A rule looks at what the first trials or runs counted, so
+// many as their order alone tells, so that it stops at the same one whatever the machine does.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -49,7 +49,7 @@ std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted
 
 // ---- experiments that count one ratio, or measure one figure ----
 
-/// Whether a rule looks at it.
+/// Whether a rule looks at that ratio or figure.
 bool looks_at_ratio(const StopRule& rule);
 
 /// The same by the ratio at a level of confidence: rel_ci looks at it, and target_flr where it is a

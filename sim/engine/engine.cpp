@@ -69,6 +69,8 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
   GroupResult sum{before.tally, before.simulated_s, before.n_samples, before.profile};
   std::optional<StopReason> reason;
   if (trials.runs == 0) reason = StopReason::max_frames;
+  if (before.tally.n_frames > 0) reason = stop_reason(stop, before.tally);
+  if (reason) return as_point(sum, *reason, link, before.elapsed_s);
   const auto point = [&](StopReason why) {
     return as_point(sum, why, link, before.elapsed_s + watch.seconds());
   };
@@ -85,7 +87,8 @@ PointResult run_point(const Link& link, const StopRule& stop, const EngineOption
       },
       options.processes,
       [&] {
-        if (options.on_progress) options.on_progress(point(StopReason::interrupted));
+        if (options.on_progress)
+          options.on_progress(point(reason.value_or(StopReason::interrupted)));
       });
   return point(reason.value_or(StopReason::interrupted));
 }

@@ -34,9 +34,10 @@ struct Measurement {
 /// What some first runs of a point took.
 struct RunPilot {
   std::vector<double> coordinates;
-  std::uint64_t runs = 0;  // that the point shall have
-  double setup_s = 0;      // to work it out
-  double run_s = 0;        // of a run, by all threads
+  std::uint64_t runs = 0;   // that the point shall have
+  bool is_at_most = false;  // a stop rule may need fewer
+  double setup_s = 0;       // to work it out
+  double run_s = 0;         // of a run, by all threads
 
   double seconds() const { return setup_s + static_cast<double>(runs) * run_s; }
 };

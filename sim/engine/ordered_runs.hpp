@@ -74,7 +74,8 @@ class OrderedRuns {
   void add_collectively(const Add& add, ProcessGroup& processes,
                         const std::function<void()>& meanwhile) {
     const RunCounters by{shared_.workers, &processes};
-    const std::uint32_t least = least_share(processes), most = most_share(processes);
+    const std::uint32_t most = most_share(processes);
+    const std::uint32_t least = std::min(least_share(processes), most);
     std::uint32_t share = least;
     for (std::uint32_t done = 0; done < shared_.runs;) {
       const Stopwatch watch;

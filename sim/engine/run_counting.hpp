@@ -63,7 +63,10 @@ class RunCounting {
 
   /// Where the time went, but for writing.
   RunProfile profile() const {
-    return {.preparing_s = preparing_s_, .running_s = running_s_, .describing_s = describing_s_};
+    return {.preparing_s = preparing_s_,
+            .running_s = running_s_,
+            .describing_s = describing_s_,
+            .n_runs = n_run_};
   }
 
   /// How many points have any run, and all those of some shards.
@@ -124,6 +127,7 @@ class RunCounting {
     RunPilot pilot{.coordinates = point_coordinates(scenario_.sweep, i), .setup_s = watch.lap()};
     const Wanted wanted = runs_in(shard, i);
     pilot.runs = wanted.all;
+    pilot.is_at_most = looks_at_ratio(asked_[i].rule);
     const auto threads = static_cast<std::uint32_t>(workers.threads);
     const std::uint32_t batch =
         std::clamp(divided_up(wanted.all, threads), 1U,
@@ -243,7 +247,7 @@ class RunCounting {
          .workers = by.workers,
          .first = wanted.first + part.n},
         [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
-          return spans(first - wanted.first, static_cast<std::uint32_t>(n), wanted.first, over);
+          return spans(wanted.first, first - wanted.first, static_cast<std::uint32_t>(n), over);
         });
     const auto add = [&](RunSpan<Tally>&& span) {
       part.tally += std::move(span.tally);
@@ -257,18 +261,19 @@ class RunCounting {
   }
 
   /// Some of a shard's runs, behind its first `done`; a span for each look of the rule.
-  typename OrderedRuns<Tally>::Spans spans(std::uint32_t done, std::uint32_t n, std::uint32_t first,
-                                           const std::atomic<bool>* over) {
+  typename OrderedRuns<Tally>::Spans spans(std::uint32_t first_of_shard, std::uint32_t done,
+                                           std::uint32_t n, const std::atomic<bool>* over) {
     const Stopwatch watch;
     const bool looks = looks_at_ratio(asked_[at_hand_].rule);
     typename OrderedRuns<Tally>::Spans spans;
     for (const std::uint32_t end = done + n; done < end && !is_stopped(over);) {
       const std::uint32_t next = looks ? std::min(end, next_look(done)) : end;
-      spans.push_back(
-          {next - done, kind_.run(*setup_, first + done, static_cast<int>(next - done), over)});
+      spans.push_back({next - done, kind_.run(*setup_, first_of_shard + done,
+                                              static_cast<int>(next - done), over)});
       done = next;
     }
     running_s_ += watch.seconds();
+    n_run_ += n;
     return spans;
   }
 
@@ -291,6 +296,7 @@ class RunCounting {
   std::optional<Setup> setup_;  // of the point at hand
   double preparing_s_ = 0, describing_s_ = 0;
   std::atomic<double> running_s_ = 0;
+  std::atomic<std::uint64_t> n_run_ = 0;  // by this process, in vain too
 };
 
 /// Of all points, for a shard; fewer if interrupted.

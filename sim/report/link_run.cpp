@@ -57,7 +57,7 @@ class LinkRun : public ReadyRun {
 
   bool operator()() override {
     rows_.print(table_header(run_.scenario.sweep, theory_));
-    rows_.check();  // nothing is counted yet, and the last result stays
+    if (!run_.counts_nothing) rows_.check();  // the last result stays
     if (run_.counts_nothing)
       describe_all();
     else

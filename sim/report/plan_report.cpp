@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/columns/text_table.hpp"
@@ -43,7 +44,8 @@ std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& 
 std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot>& pilots,
                        int threads) {
   std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "", "runs"}, number_width});
+  const bool at_most = std::ranges::any_of(pilots, &RunPilot::is_at_most);
+  columns.push_back({{"", at_most ? "runs" : "", at_most ? "at most" : "runs"}, number_width});
   columns.push_back({{"", "", "time"}, number_width});
   std::string text = table_head(columns);
   std::uint64_t runs = 0;
@@ -56,8 +58,9 @@ std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot
     runs += pilot.runs;
     seconds += pilot.seconds();
   }
-  return text + fmt::format("{} point{}: {} runs, {} on {} threads\n", pilots.size(),
-                            pilots.size() == 1 ? "" : "s", runs, duration_text(seconds), threads);
+  return text + fmt::format("{} point{}: {}{} runs, {} on {} threads\n", pilots.size(),
+                            pilots.size() == 1 ? "" : "s", at_most ? "at most " : "", runs,
+                            duration_text(seconds), threads);
 }
 
 }  // namespace sim

@@ -86,8 +86,8 @@ class PointRun : public ReadyRun {
 
   /// A result of no runs replaces none.
   void write() {
-    const Dataset data = dataset();
     const Stopwatch watch;
+    const Dataset data = dataset();
     if (data.n_runs > 0) write_dataset(run_.output, data, run_.program);
     writing_s_ += watch.seconds();
   }
@@ -113,7 +113,7 @@ class PointRun : public ReadyRun {
   std::string profile_text() const {
     RunProfile profile = counting_.profile();
     profile.writing_s = writing_s_;
-    return profile_lines(profile, dataset().n_runs);
+    return profile_lines(profile);
   }
 
   const ExperimentRun run_;

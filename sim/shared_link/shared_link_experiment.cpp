@@ -27,7 +27,7 @@ constinit const Measurement<SharedLinkSetup, SharedLinkTally, SharedLinkPoint>
                            int) { return static_cast<std::uint32_t>(channel::trials_at_once()); },
         .run = run_shared_link,
         .ratio = [](const SharedLinkSetup&, const SharedLinkTally& tally,
-                    double level) { return clustered_ratio(tally.losses, level); },
+                    double level) { return cautious_ratio(tally.losses, level); },
         .describe = describe_shared_link,
         .fits =
             [](const SharedLinkSetup&, const SharedLinkTally& tally) {

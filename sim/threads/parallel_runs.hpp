@@ -78,10 +78,7 @@ class ParallelRuns {
       const EndOfBatches end_of_batches(*this);
       while (!wait_a_moment()) {
         if (shared_.workers.interrupted()) end();
-        {
-          const std::scoped_lock lock(taking_);
-          meanwhile();
-        }
+        if (const std::scoped_lock lock(taking_); !has_failed()) meanwhile();
         give_finished(take);
       }
     }
@@ -118,10 +115,10 @@ class ParallelRuns {
     while (Batch* batch = next()) {
       try {
         finish(*batch, work_(shared_.first + batch->first, static_cast<int>(batch->runs), &over_));
-        give_finished(take);
       } catch (...) {
         fail(std::current_exception());
       }
+      give_finished(take);
     }
     const std::scoped_lock lock(mutex_);
     --working_;
@@ -157,8 +154,17 @@ class ParallelRuns {
     while (is_next_finished()) {
       const std::unique_lock taking(taking_, std::try_to_lock);
       if (!taking) return;
+      take_finished(take);
+    }
+  }
+
+  /// What `take` throws ends the taking before another thread may go on with it.
+  void take_finished(const Take& take) {
+    try {
       while (std::optional<Batch> batch = take_next())
         if (!take(std::move(*batch->result), batch->runs)) take_no_more();
+    } catch (...) {
+      fail(std::current_exception());
     }
   }
 
@@ -190,6 +196,11 @@ class ParallelRuns {
     const std::scoped_lock lock(mutex_);
     over_ = true;
     room_.notify_all();
+  }
+
+  bool has_failed() {
+    const std::scoped_lock lock(mutex_);
+    return error_ != nullptr;
   }
 
   void take_no_more() {

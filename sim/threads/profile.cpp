@@ -63,12 +63,12 @@ std::string profile_lines(const Profile& profile, std::uint64_t n_samples) {
   return lines(stages_of(profile, n_samples > 0), {"ns a sample", 1e9, n_samples});
 }
 
-std::string profile_lines(const RunProfile& profile, std::uint64_t n_runs) {
+std::string profile_lines(const RunProfile& profile) {
   return lines({{"preparing", profile.preparing_s},
                 {"runs", profile.running_s},
                 {"describing", profile.describing_s},
                 {"writing", profile.writing_s}},
-               {"ms a run", 1e3, n_runs});
+               {"ms a run", 1e3, profile.n_runs});
 }
 
 }  // namespace sim

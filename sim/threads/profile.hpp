@@ -27,10 +27,11 @@ struct RunProfile {
   double preparing_s = 0;   // of the points
   double running_s = 0;     // of all threads
   double describing_s = 0;  // of the points, by what their runs counted
-  double writing_s = 0;     // of the result file
+  double writing_s = 0;     // of the result
+  std::uint64_t n_runs = 0;
 };
 
 /// With time for a run.
-std::string profile_lines(const RunProfile& profile, std::uint64_t n_runs);
+std::string profile_lines(const RunProfile& profile);
 
 }  // namespace sim

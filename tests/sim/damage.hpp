@@ -27,7 +27,7 @@ class Damage {
     std::string bytes = whole_;
     switch (random() % 8) {
       case 0:
-        edge_bits(random, bytes);
+        flip_bits(random, bytes);
         break;
       case 1:
         overwrite(random, bytes);
@@ -70,7 +70,7 @@ class Damage {
       structures_.push_back(at);
   }
 
-  static void edge_bits(Random& random, std::string& bytes) {
+  static void flip_bits(Random& random, std::string& bytes) {
     for (auto n = 1 + random() % 60; n > 0; --n) {
       char& byte = bytes[random() % bytes.size()];
       byte = static_cast<char>(byte ^ (1 << random() % 8));

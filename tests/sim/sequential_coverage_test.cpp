@@ -139,7 +139,7 @@ constexpr double run_loss = (calm_loss + crowded_loss) / 2;
 sim::Estimate stopped_run_loss(const StopRule& rule, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   sim::ClusterSums losses;
-  const auto loss = [&](double level) { return sim::clustered_ratio(losses, level); };
+  const auto loss = [&](double level) { return sim::cautious_ratio(losses, level); };
   for (std::uint32_t n = 1;; ++n) {
     const double p = random() % 2 == 0 ? calm_loss : crowded_loss;
     losses.add(std::binomial_distribution<std::uint64_t>(messages, p)(random), messages);
@@ -162,6 +162,24 @@ TEST(SequentialCoverage, MeasuredOfRuns) {
     EXPECT_GE(held, 0.93) << rel_ci;
     EXPECT_LE(held, 0.965) << rel_ci;
   }
+}
+
+// One run of twenty loses two messages of five: the first runs tell nothing of it.
+TEST(SequentialCoverage, MeasuredRareBadRunsAreNotCalledGood) {
+  constexpr int experiments = 2000;
+  int called_good = 0;
+  for (int i = 0; i < experiments; ++i) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(i));
+    sim::ClusterSums losses;
+    const auto loss = [&](double level) { return sim::cautious_ratio(losses, level); };
+    for (std::uint32_t n = 1; n <= 2000; ++n) {
+      losses.add(random() % 20 == 0 ? 16 : 0, messages);
+      if (!sim::is_look(n) || !sim::stop_reason({.target_flr = 0.01}, loss)) continue;
+      called_good += loss(sim::sure_level).high < 0.01;
+      break;
+    }
+  }
+  EXPECT_LE(called_good, experiments / 100);
 }
 
 TEST(SequentialCoverage, MeasuredOfRunsStoppedByATarget) {

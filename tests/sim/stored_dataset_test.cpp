@@ -7,10 +7,14 @@
 #include <span>
 #include <sstream>
 
+#include "damage.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/result/netcdf.hpp"
+#include "sim/result/store.hpp"
 #include "sim/result/stored_dataset.hpp"
+#include "sim/result/stored_result.hpp"
+#include "sim/result/unfinished.hpp"
 
 namespace sim {
 namespace {
@@ -123,6 +127,37 @@ TEST_F(StoredDatasetTest, RefusesCountsThatDoNotFitTheDigest) {
 }
 
 /// As by a program that wrote less into its files, or more than there is room for.
+// More of them, with the whole program: damaged_files_test.cpp.
+TEST_F(StoredDatasetTest, DamageIsReadOrRefused) {
+  written();
+  const test::Damage damage(image());
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    write(damage.damaged(number));
+    try {
+      read_dataset(file_);
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::bad_input) << number << ": " << failure.what();
+    }
+  }
+}
+
+TEST_F(StoredDatasetTest, DamageToALinksIsToo) {
+  ExperimentResult result = unfinished(scenario_from("[sweep]\nreceiver.range_m = [1, 2]\n"), "");
+  for (PointResult& point : result.points) point.tally = {.n_bits = 800, .n_frames = 8};
+  write_result(file_, result, {"cosys-sim", "1", "c"});
+  const test::Damage damage(image());
+  int read = 0;
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    write(damage.damaged(number));
+    try {
+      read += read_result(file_).result.points.size() == 2 ? 1 : 0;
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::bad_input) << number << ": " << failure.what();
+    }
+  }
+  EXPECT_LT(read, 40);
+}
+
 class ForeignFile : public StoredDatasetTest {
  protected:
   void write_file(const std::vector<double>& ranges, const std::vector<std::string>& dimensions,
