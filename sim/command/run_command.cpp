@@ -113,12 +113,17 @@ std::unique_ptr<ReadyRun> ready_run(const RunRequest& request, Run run, ProcessG
                        .shards = {request.shard}});
 }
 
+/// Whether this process prints and writes.
+bool speaks(const ProcessGroup* processes) {
+  return processes == nullptr || processes->rank() == 0;
+}
+
 using ReadyRuns = std::vector<std::unique_ptr<ReadyRun>>;
 
 ReadyRuns ready_runs(const RunRequest& request, ProcessGroup* processes) {
   if (processes != nullptr && request.time_budget_s > 0) refuse_to_time_a_job();
   std::vector<Run> runs = runs_of(request);
-  if (processes == nullptr || processes->rank() == 0) {
+  if (speaks(processes)) {
     make_output_folder(request);
     for (const Run& run : runs) check_writable(run.output);
   }
@@ -181,7 +186,6 @@ LoadedScenario load_link(const ScenarioOptions& options, const fs::path& scenari
 
 ExitCode run_command(const RunRequest& request) {
   const std::unique_ptr<ProcessGroup> processes = join_process_group();
-  const bool speaks = processes == nullptr || processes->rank() == 0;
   if (request.plan && processes == nullptr) return print_plans(request);
   ReadyRuns runs;
   const bool ready = collective(processes.get(), [&] {
@@ -196,7 +200,7 @@ ExitCode run_command(const RunRequest& request) {
     run.reset();
   }
   if (!by.interrupted()) return ExitCode::done;
-  if (speaks) say(farewell(request));
+  if (speaks(processes.get())) say(farewell(request));
   return ExitCode::interrupted;
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/engine/engine.hpp"
-#include "sim/engine/process_group.hpp"
+#include "sim/engine/ordered_runs.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/point_scenario.hpp"
@@ -93,11 +93,6 @@ void check_points(const LoadedScenario& scenario, const Shard& shard,
 
 }  // namespace
 
-bool is_interrupted(const ExperimentOptions& options) {
-  const bool mine = options.interrupt != nullptr && *options.interrupt;
-  return options.processes != nullptr ? options.processes->any(mine) : mine;
-}
-
 bool has_theory(const LoadedScenario& scenario) {
   bool matched = channel::is_matched(scenario.base.module);
   for (const std::vector<Scenario>& variants : scenario.variants)
@@ -121,8 +116,10 @@ void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
 
 ExperimentResult run_experiment(const LoadedScenario& scenario, ExperimentResult result,
                                 const ExperimentOptions& options) {
+  const RunCounters by{{.threads = options.threads, .interrupt = options.interrupt},
+                       options.processes};
   for (std::size_t i = 0; i < result.points.size(); ++i) {
-    if (is_interrupted(options)) break;
+    if (by.interrupted()) break;
     run_one(point_scenario(scenario, result.points[i].coordinates), result, i, options);
     if (options.on_point) options.on_point(result, i);
   }

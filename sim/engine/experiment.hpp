@@ -30,9 +30,6 @@ struct ExperimentOptions {
   std::function<void(const ExperimentResult&, std::size_t point)> on_point{};
 };
 
-/// Whether any member of the process group was told to stop.
-bool is_interrupted(const ExperimentOptions& options);
-
 /// Whether a receiver of the sweep is one that theory knows.
 bool has_theory(const LoadedScenario& scenario);
 
