@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/columns/stop_column.hpp"
 #include "sim/columns/validity_column.hpp"
 
 namespace sim {
@@ -156,6 +157,7 @@ Columns<ArenaPoint> arena_variables() {
 const Columns<ArenaPoint>& arena_columns() {
   static const Columns<ArenaPoint> columns = [] {
     Columns<ArenaPoint> all = arena_variables();
+    add_stop_reason(all);
     add_validity_flags(all);
     return all;
   }();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/arena/arena_run.hpp"
+#include "sim/counting/stop_rule.hpp"
 #include "sim/engine/measurement.hpp"
 #include "sim/scenario/scenario.hpp"
 
@@ -24,6 +25,7 @@ struct ArenaPoint {
   double duration_s = 0;
   double reach_mw_per_m2 = 0;
   std::uint64_t validity_flags = 0;  // of sim/link/validity
+  StopReason stop = StopReason::interrupted;
 
   bool reached() const { return tally.n_runs > 0; }
 };

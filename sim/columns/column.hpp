@@ -82,8 +82,16 @@ struct Column : ColumnFacts {
     std::string (*text)(std::uint64_t mask);
   };
 
-  using Kind = std::variant<Count, Real, Ratio, Words, Flags>;
+  /// One of `names`, or none of them where that is not known.
+  struct Choice {
+    Reader<std::optional<std::size_t>> read;
+    std::vector<std::string> names;
+  };
+
+  using Kind = std::variant<Count, Real, Ratio, Words, Flags, Choice>;
   Kind kind;
+  /// Whether results of such points have it; null: all have.
+  bool (*is_of)(const std::vector<Point>&) = nullptr;
 
   Column& on(const std::vector<std::string>& dimensions) {
     over = dimensions;
@@ -99,6 +107,10 @@ struct Column : ColumnFacts {
   }
   Column& drawn(const DrawnColumn& how) {
     drawing = how;
+    return *this;
+  }
+  Column& only_of(bool (*points)(const std::vector<Point>&)) {
+    is_of = points;
     return *this;
   }
   Column& known_before() {
@@ -160,6 +172,13 @@ class Columns {
     return add(std::move(facts),
                typename Column<Point>::Flags{reader<std::uint64_t>(std::move(read)),
                                              std::move(names), text});
+  }
+  /// `read` gives an index in `names`, or nothing.
+  template <class Read>
+  Column<Point>& choice(VariableFacts facts, Read read, std::vector<std::string> names) {
+    return add(std::move(facts),
+               typename Column<Point>::Choice{reader<std::optional<std::size_t>>(std::move(read)),
+                                              std::move(names)});
   }
 
   template <class Labels>
@@ -227,8 +246,10 @@ class Columns {
             return typename To::Ratio{kind.read, kind.text};
           else if constexpr (std::is_same_v<Held, typename From::Words>)
             return typename To::Words{kind.read, kind.texts};
-          else
+          else if constexpr (std::is_same_v<Held, typename From::Flags>)
             return typename To::Flags{kind.read, kind.names, kind.text};
+          else
+            return typename To::Choice{kind.read, kind.names};
         },
         column.kind);
   }

@@ -30,7 +30,7 @@ class ColumnsDataset {
       add_dimension(columns_.dimensions()[i].facts, elements_[i]);
     std::string list;
     for (const Column<Point>& column : columns_.all()) {
-      if (!column.is_stored() || cells_a_point(column) == 0) continue;
+      if (!is_stored(column) || cells_a_point(column) == 0) continue;
       if (is_on_list(column) && list != column.over.front()) {
         list = column.over.front();
         add_owners(column);
@@ -40,6 +40,10 @@ class ColumnsDataset {
   }
 
  private:
+  bool is_stored(const Column<Point>& column) const {
+    return column.is_stored() && (column.is_of == nullptr || column.is_of(points_));
+  }
+
   /// Of a dimension.
   struct Elements {
     bool is_list = false;
@@ -154,8 +158,9 @@ class ColumnsDataset {
   }
 
   template <class Read>
-  std::vector<std::int64_t> whole_numbers(const Column<Point>& column, const Read& read) const {
-    std::vector<std::int64_t> values(all_cells(column));
+  std::vector<std::int64_t> whole_numbers(const Column<Point>& column, const Read& read,
+                                          std::int64_t not_known = 0) const {
+    std::vector<std::int64_t> values(all_cells(column), not_known);
     read_cells(column, read, [&](std::size_t cell, auto value) {
       values[cell] = static_cast<std::int64_t>(value);
     });
@@ -168,6 +173,15 @@ class ColumnsDataset {
 
   void add(const Column<Point>& column, const typename Column<Point>::Flags& flags) {
     add_variable(column, column.facts, whole_numbers(column, flags.read), flags.names);
+  }
+
+  void add(const Column<Point>& column, const typename Column<Point>::Choice& choice) {
+    const auto read = [&](const Point& point, std::size_t i) {
+      const std::optional<std::size_t> index = choice.read(point, i);
+      return index ? static_cast<std::int64_t>(*index) : no_choice;
+    };
+    add_variable(column, column.facts, whole_numbers(column, read, no_choice), choice.names);
+    data_.variables.back().is_choice = true;
   }
 
   void add(const Column<Point>& column, const typename Column<Point>::Real& real) {

@@ -26,6 +26,8 @@ std::string cell_text(const Column<Point>& column, const Point& point, std::size
           return std::to_string(value);
         else if constexpr (std::is_same_v<Held, typename Column<Point>::Words>)
           return value;
+        else if constexpr (std::is_same_v<Held, typename Column<Point>::Choice>)
+          return value ? kind.names.at(*value) : "-";
         else
           return kind.text(value);
       },

@@ -1,17 +1,43 @@
 #pragma once
 // What an experiment says of its points.
 #include <string>
+#include <vector>
 
 #include "sim/columns/column.hpp"
+#include "sim/counting/shard.hpp"
+#include "sim/picture/chart.hpp"
+#include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
+
+/// All points of a sweep, with what there is to know of their run.
+template <class Point>
+struct SweptPoints {
+  const LoadedScenario& scenario;
+  const std::string& command;
+  const std::vector<Shard>& shards;
+  const std::vector<Point>& points;
+};
 
 template <class Point>
 struct PointReport {
   const Columns<Point>& (*columns)();
   /// What more there is to say of a single point; null: nothing.
-  std::string (*details)(const LoadedScenario&, const Point&);
+  std::string (*details)(const LoadedScenario&, const Point&) = nullptr;
+
+  // ---- where that is not to be made of the columns; null: it is ----
+
+  /// Puts into a dataset what the columns do not say.
+  void (*complete)(Dataset&, const std::vector<Point>&) = nullptr;
+  std::string (*json)(const SweptPoints<Point>&) = nullptr;
+  std::vector<Chart> (*charts)(const SweptPoints<Point>&) = nullptr;
+  /// Below the table.
+  std::string (*notes)(const SweptPoints<Point>&) = nullptr;
+  /// Of the point at hand, behind its number of runs: ", 3 lost".
+  std::string (*progress)(const Point&) = nullptr;
+  /// Where the time of the runs went.
+  std::string (*profile)(const std::vector<Point>&) = nullptr;
 };
 
 }  // namespace sim

@@ -8,13 +8,13 @@
 #include "sim/check/program_decoder.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/command/judging.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
+#include "sim/threads/worker_threads.hpp"
 
 namespace sim {
 namespace {

@@ -18,11 +18,12 @@
 #include "sim/guard/guard_keys.hpp"
 #include "sim/guard/guard_report.hpp"
 #include "sim/guard/guard_section.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
+#include "sim/link_experiment/link_report.hpp"
 #include "sim/location/accuracy_report.hpp"
 #include "sim/location/location_keys.hpp"
 #include "sim/location/location_sections.hpp"
 #include "sim/location/presence_report.hpp"
-#include "sim/report/link_run.hpp"
 #include "sim/report/point_run.hpp"
 #include "sim/section/columns_section.hpp"
 #include "sim/shared_link/shared_link_check.hpp"
@@ -50,7 +51,7 @@ constexpr std::array shipped{
 };
 
 /// Its kind is known from the start; its reports are not made of a Dataset.
-constexpr Experiment link{&link_kind, &link_engine};
+constexpr Experiment link{&link_kind, engine<link_measurement, link_report>};
 
 std::vector<const Experiment*>& known() {
   static std::vector<const Experiment*> experiments{&link};

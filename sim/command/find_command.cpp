@@ -9,19 +9,20 @@
 #include <set>
 #include <utility>
 
+#include "sim/columns/closing_lines.hpp"
+#include "sim/columns/columns_table.hpp"
 #include "sim/command/commands.hpp"
 #include "sim/engine/checkpointer.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/engine/experiment.hpp"
 #include "sim/engine/search.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/link.hpp"
+#include "sim/link_experiment/link_columns.hpp"
+#include "sim/link_experiment/link_json.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/report/closing_lines.hpp"
 #include "sim/report/finished_result.hpp"
-#include "sim/report/report_json.hpp"
-#include "sim/report/report_table.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/unfinished.hpp"
@@ -32,6 +33,7 @@
 #include "sim/text/number_text.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
+#include "sim/threads/worker_threads.hpp"
 
 namespace sim {
 namespace {
@@ -118,14 +120,14 @@ class Finds {
         over_(over),
         scenario_(scenario),
         ends_(swept_over(scenario, over.key, {over.low, over.high})),
-        theory_(has_theory(ends_)),
+        table_(link_columns(), ends_, {}),
         output_(std::move(output)),
         interrupt_(interrupt),
         axis_(static_cast<std::size_t>(std::ranges::find(ends_.sweep, over.key, &Axis::key) -
                                        ends_.sweep.begin())) {}
 
   void run() {
-    if (!request_.json) print(table_header(ends_.sweep, theory_));
+    if (!request_.json) print(table_.head());
     for (std::size_t i = 0; i < count_points(ends_.sweep) && !interrupt_; ++i) {
       Coordinates at = point_coordinates(ends_.sweep, i);
       if (at[axis_] != over_.low) continue;  // the search's first end stands for the others
@@ -152,25 +154,23 @@ class Finds {
 
  private:
   void keep_result() {
-    checkpointer_.keep([&] { write_result(output_, result(), request_.program); });
+    checkpointer_.keep([&] { write_dataset(output_, link_dataset(result()), request_.program); });
   }
 
   std::optional<Tally> count_at(Coordinates at, double value) {
     at[axis_] = value;
-    const Scenario scenario = point_scenario(ends_, at);
+    const Scenario scenario = checked_point(ends_, at);
     const auto keep = [&](PointResult point, bool due) {
       point.coordinates = at;
-      point.rule = rule_of(scenario.stop);
       point.alarms = own_alarms(point);
       counted_[at] = std::move(point);
       if (due) keep_result();
     };
-    const EngineOptions engine{
-        .threads = threads_for(request_.threads),
-        .interrupt = &interrupt_,
-        .on_progress = [&](const PointResult& p) { keep(p, checkpointer_.is_due()); }};
-    keep(run_point(make_link(scenario), rule_of(scenario.stop), engine), false);
-    if (!request_.json) print(table_row(ends_.sweep, counted_[at], 0.95, theory_));
+    keep(run_point(make_link(scenario), rule_of(scenario.stop),
+                   {.threads = threads_for(request_.threads), .interrupt = &interrupt_}, {},
+                   [&](const PointResult& p) { keep(p, checkpointer_.is_due()); }),
+         false);
+    if (!request_.json) print(table_.row(counted_[at]));
     if (checkpointer_.is_due_at_end()) keep_result();
     if (interrupt_) return std::nullopt;
     return counted_[at].tally;
@@ -180,7 +180,7 @@ class Finds {
   const Over over_;
   const LoadedScenario& scenario_;
   const LoadedScenario ends_;  // swept over both ends of the range
-  const bool theory_;
+  const PointTable<PointResult> table_;
   const fs::path output_;
   Checkpointer checkpointer_;
   const std::atomic<bool>& interrupt_;
@@ -203,7 +203,8 @@ ExitCode find_command(const FindRequest& request) {
   Finds finds(request, over, scenario, output, interrupt);
   const auto keep_all = [&](const ExperimentResult& result) {
     keep_finished(
-        output, [&](const fs::path& place) { write_result(place, result, request.program); },
+        output,
+        [&](const fs::path& place) { write_dataset(place, link_dataset(result), request.program); },
         [&] { return to_json(result, finds.question()); });
   };
   try {
@@ -218,7 +219,7 @@ ExitCode find_command(const FindRequest& request) {
     print_json(to_json(result, finds.question()) + "\n");
   else
     print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
-          closing_lines(result, output, finds.question()));
+          link_notes(result, finds.question()) + kept_line(output, result_digest(result)));
   if (!interrupt) return ExitCode::done;
   say("cosys-sim: interrupted (by a signal) what was counted is in the result file\n");
   return ExitCode::interrupted;

@@ -7,14 +7,14 @@
 
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/counting/shard.hpp"
 #include "sim/failure.hpp"
-#include "sim/result/merge.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/stored_result.hpp"
 #include "sim/text/input_file.hpp"
 #include "sim/text/standard_output.hpp"
+#include "sim/threads/worker_threads.hpp"
 
 namespace sim {
 namespace {

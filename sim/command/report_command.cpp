@@ -6,9 +6,8 @@
 #include "sim/command/experiments.hpp"
 #include "sim/command/judging.hpp"
 #include "sim/command/picture_files.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/link_section.hpp"
 #include "sim/page/page.hpp"
@@ -19,6 +18,7 @@
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
+#include "sim/threads/worker_threads.hpp"
 
 namespace sim {
 namespace {

@@ -8,7 +8,6 @@
 #include "sim/command/commands.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/command/run_plan.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/engine/ordered_runs.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/engine/resume.hpp"
@@ -19,6 +18,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
+#include "sim/threads/worker_threads.hpp"
 
 namespace sim {
 namespace {
@@ -78,7 +78,9 @@ struct Run {
 };
 
 Workers workers_of(const RunRequest& request) {
-  return {.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
+  return {.threads = threads_for(request.threads),
+          .interrupt = &heed_stop_signals(),
+          .profiled = request.profile};
 }
 
 /// Of all scenarios what can be refused before anything is counted or written.

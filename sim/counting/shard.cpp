@@ -21,15 +21,6 @@ std::optional<std::uint32_t> parse_count(std::string_view text, std::uint32_t mo
 
 std::uint64_t product(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} * b; }
 
-/// Of n that are counted in groups.
-TrialRange share_of(const Shard& shard, std::uint64_t n, std::uint64_t group) {
-  const std::uint64_t groups = (n + group - 1) / group;
-  const auto end_of = [&](std::uint32_t number) {
-    return std::min(n, groups * number / shard.count * group);
-  };
-  return {end_of(shard.number - 1), end_of(shard.number)};
-}
-
 }  // namespace
 
 std::optional<Shard> parse_shard(std::string_view text) {
@@ -69,6 +60,13 @@ bool overlap(const Shard& a, const Shard& b) {
   return begins_before_the_end(a, b) && begins_before_the_end(b, a);
 }
 
+const Shard* overlapping(const std::vector<Shard>& shards, const std::vector<Shard>& more) {
+  for (const Shard& shard : more)
+    if (std::ranges::any_of(shards, [&](const Shard& s) { return overlap(s, shard); }))
+      return &shard;
+  return nullptr;
+}
+
 bool are_all(std::vector<Shard> shards) {
   std::ranges::sort(shards, comes_before);
   Shard before{0, 1};
@@ -81,10 +79,16 @@ bool are_all(std::vector<Shard> shards) {
 }
 
 TrialRange trials_of(const Shard& shard, std::uint64_t max_frames) {
-  return share_of(shard, max_frames, channel::lanes_per_group);
+  return runs_of(shard, max_frames, channel::lanes_per_group);
 }
 
-TrialRange runs_of(const Shard& shard, std::uint64_t runs) { return share_of(shard, runs, 1); }
+TrialRange runs_of(const Shard& shard, std::uint64_t runs, std::uint32_t group) {
+  const std::uint64_t groups = (runs + group - 1) / group;
+  const auto end_of = [&](std::uint32_t number) {
+    return std::min(runs, groups * number / shard.count * group);
+  };
+  return {end_of(shard.number - 1), end_of(shard.number)};
+}
 
 StopRule share_of(const StopRule& rule, const Shard& shard) {
   const TrialRange trials = trials_of(shard, rule.max_frames);

@@ -32,6 +32,9 @@ bool comes_before(const Shard& a, const Shard& b);
 
 bool overlap(const Shard& a, const Shard& b);
 
+/// The first of `more` that overlaps one of `shards`; null: none does.
+const Shard* overlapping(const std::vector<Shard>& shards, const std::vector<Shard>& more);
+
 /// Whether shards that do not overlap are all trials together.
 bool are_all(std::vector<Shard> shards);
 
@@ -43,8 +46,8 @@ struct TrialRange {
 /// The shard's own trials out of max_frames: whole groups of eight, but for the last trials of all.
 TrialRange trials_of(const Shard& shard, std::uint64_t max_frames);
 
-/// The same of runs, which are counted one by one.
-TrialRange runs_of(const Shard& shard, std::uint64_t runs);
+/// The same of runs in groups of another size, or one by one.
+TrialRange runs_of(const Shard& shard, std::uint64_t runs, std::uint32_t group = 1);
 
 /// When the shard has done its share of a point: its trials, or its share of the lost frames, of
 /// which all shards together then have what was asked for. The sum of their frames is distributed

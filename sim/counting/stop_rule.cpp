@@ -42,25 +42,29 @@ Side side_of(const Tally& counted, double flr) {
 }
 
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
-  if (rule.max_frame_errors > 0 &&
-      worth_of_losses(counted) >= static_cast<double>(rule.max_frame_errors))
-    return StopReason::max_frame_errors;
-  if (rule.rel_ci > 0 && is_narrow(bit_error_ratio(counted, usual_level), rule.rel_ci))
-    return StopReason::rel_ci;
-  if (rule.target_flr > 0 && side_of(counted, rule.target_flr) != Side::unknown)
-    return StopReason::target_flr;
+  const StopFigures figures{.ratio = [&](double level) { return bit_error_ratio(counted, level); },
+                            .loss = [&](double level) { return frame_loss_ratio(counted, level); },
+                            .losses = worth_of_losses(counted)};
+  if (const std::optional<StopReason> reason = stop_reason(rule, figures)) return reason;
   if (counted.n_frames >= rule.max_frames) return StopReason::max_frames;
   return std::nullopt;
 }
 
 bool looks_at_ratio(const StopRule& rule) { return rule.rel_ci > 0 || rule.target_flr > 0; }
 
-std::optional<StopReason> stop_reason(const StopRule& rule,
-                                      const std::function<Estimate(double level)>& ratio) {
-  if (rule.rel_ci > 0 && is_narrow(ratio(usual_level), rule.rel_ci)) return StopReason::rel_ci;
-  if (rule.target_flr > 0 && side_of(ratio(sure_level), rule.target_flr) != Side::unknown)
+std::optional<StopReason> stop_reason(const StopRule& rule, const StopFigures& counted) {
+  if (rule.max_frame_errors > 0 && counted.losses >= static_cast<double>(rule.max_frame_errors))
+    return StopReason::max_frame_errors;
+  if (rule.rel_ci > 0 && is_narrow(counted.ratio(usual_level), rule.rel_ci))
+    return StopReason::rel_ci;
+  if (rule.target_flr > 0 && side_of(counted.loss(sure_level), rule.target_flr) != Side::unknown)
     return StopReason::target_flr;
   return std::nullopt;
+}
+
+std::optional<StopReason> stop_reason(const StopRule& rule,
+                                      const std::function<Estimate(double level)>& ratio) {
+  return stop_reason(rule, StopFigures{ratio, ratio});
 }
 
 std::uint32_t next_look(std::uint32_t done) {

@@ -44,16 +44,22 @@ constexpr double sure_level = 0.999;
 enum class Side { unknown, below, above };
 Side side_of(const Tally& counted, double flr);
 
-/// Why the point is finished with these counts; nothing while it is not.
+/// Why a point of a link is finished with these counts; nothing while it is not.
 std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);
 
-// ---- experiments that count one ratio, or measure one figure ----
+// ---- of any experiment ----
 
-/// Whether a rule looks at that ratio or figure.
+/// Whether a rule looks at a ratio or figure.
 bool looks_at_ratio(const StopRule& rule);
 
-/// The same by the ratio at a level of confidence: rel_ci looks at it, and target_flr where it is a
-/// frame loss.
+/// What a rule looks at: of a level of confidence the ratio or figure of rel_ci, and the loss of
+/// target_flr; and the losses of max_frame_errors, where that rule has a meaning.
+struct StopFigures {
+  std::function<Estimate(double level)> ratio, loss;
+  double losses = 0;
+};
+std::optional<StopReason> stop_reason(const StopRule& rule, const StopFigures& counted);
+/// The same where the ratio is the loss.
 std::optional<StopReason> stop_reason(const StopRule& rule,
                                       const std::function<Estimate(double level)>& ratio);
 

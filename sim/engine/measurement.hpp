@@ -11,8 +11,9 @@
 namespace sim {
 
 /// How an experiment is measured. Setup: a point with all worked out that its runs share. Tally:
-/// what runs count: an empty one has no runs; += adds the runs that follow; serialize is cereal's.
-/// Point: what is known of a point; has reached(), whether it has runs.
+/// what runs count: an empty one has no runs; += adds the runs that follow; serialize is cereal's;
+/// where it has elapsed_s, that is the wall clock of its runs. Point: what is known of a point; has
+/// reached(), whether it has runs, and `stop`, why it has no more.
 template <class Setup, class Tally, class Point>
 struct Measurement {
   /// A point before its first run. Throws bad_input for keys that contradict each other.
@@ -22,24 +23,36 @@ struct Measurement {
   /// How many of so many runs a thread may do at once.
   std::uint32_t (*most_at_once)(const Setup&, std::uint32_t runs, int threads);
   /// Runs first ... first + n - 1. Its result is dropped once `*stop` is true.
-  Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop);
-  /// The ratio, or other figure, whose interval of a level of confidence a stop rule looks at.
+  Tally (*run)(const Setup&, std::uint32_t first, int n, const std::atomic<bool>* stop) = nullptr;
+  /// The ratio, or other figure, at whose interval of a level of confidence stop.rel_ci looks.
   Estimate (*ratio)(const Setup&, const Tally&, double level);
   /// Puts what some runs gave, at least one, into a point.
   void (*describe)(Point&, const Setup&, const Tally&);
   /// Whether a tally can be of this point: a file may be damaged. Null: any can.
   bool (*fits)(const Setup&, const Tally&) = nullptr;
-};
 
-/// What some first runs of a point took.
-struct RunPilot {
-  std::vector<double> coordinates;
-  std::uint64_t runs = 0;   // that the point shall have
-  bool is_at_most = false;  // a stop rule may need fewer
-  double setup_s = 0;       // to work it out
-  double run_s = 0;         // of a run, by all threads
+  // ---- experiments whose runs are done in groups ----
 
-  double seconds() const { return setup_s + static_cast<double>(runs) * run_s; }
+  /// A batch is whole groups, and a stop rule looks behind each.
+  std::uint32_t group = 1;
+  /// In place of `run`: a tally of each group, which the last run may leave smaller.
+  std::vector<Tally> (*run_groups)(const Setup&, std::uint32_t first, int n,
+                                   const std::atomic<bool>* stop) = nullptr;
+  /// Of a thread, where batches are small at first and at last. Null: most_at_once.
+  std::uint32_t (*least_at_once)(const Setup&) = nullptr;
+
+  // ---- experiments that count losses besides that ratio ----
+
+  /// At which stop.target_flr looks. Null: `ratio`.
+  Estimate (*loss)(const Setup&, const Tally&, double level) = nullptr;
+  /// Of which stop.max_frame_errors are enough. Null: runs hang together too much for such a rule.
+  double (*losses)(const Tally&) = nullptr;
+  /// What the points of a sweep say of each other. Null: nothing.
+  void (*describe_sweep)(const LoadedScenario&, std::vector<Point>&) = nullptr;
+
+  Estimate loss_of(const Setup& setup, const Tally& tally, double level) const {
+    return (loss != nullptr ? loss : ratio)(setup, tally, level);
+  }
 };
 
 }  // namespace sim

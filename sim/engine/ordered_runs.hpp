@@ -21,10 +21,10 @@ struct RunCounters {
   Workers workers{};
   ProcessGroup* processes = nullptr;  // each of whose members counts the same
 
-  /// Whether any member was told to stop.
-  bool interrupted() const {
-    return processes != nullptr ? processes->any(workers.interrupted()) : workers.interrupted();
-  }
+  /// Whether any member says so.
+  bool any(bool mine) const { return processes != nullptr ? processes->any(mine) : mine; }
+  /// Whether any was told to stop.
+  bool interrupted() const { return any(workers.interrupted()); }
 };
 
 /// What some runs in a row counted.

@@ -2,107 +2,88 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "sim/counting/statistics.hpp"
-#include "sim/engine/batch_sizes.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/engine/experiment.hpp"
-#include "sim/link/link.hpp"
-#include "sim/loading/point_scenario.hpp"
-#include "sim/scenario/sweep.hpp"
+#include <limits>
 
 namespace sim {
 namespace {
 
-constexpr double most_frames = 4e9;  // of a point: trials are numbered in 32 bits
+constexpr double endless = std::numeric_limits<double>::infinity();
 
-double loss(const Tally& t) { return ratio(t.n_frames_lost, t.n_frames); }
-
-/// An interval's width goes with one over the root of the frames.
-double frames_for_width(const Pilot& pilot) {
-  const Estimate ber = bit_error_ratio(pilot.tally, 0.95);
-  if (!(ber.value > 0)) return most_frames;
-  const double times = (ber.high - ber.low) / 2 / ber.value / pilot.rule.rel_ci;
-  return static_cast<double>(pilot.tally.n_frames) * times * times;
+/// An interval's width goes with one over the root of the runs.
+double times_for_width(double half_width, double wanted) {
+  return std::pow(half_width / wanted, 2);
 }
 
-/// Until the loss is 3.3 standard deviations (99.9 %) from the target; or, where nothing is lost,
-/// until chance would have lost a frame of that target in 99.95 %.
-double frames_for_target(const Pilot& pilot) {
-  const double target = pilot.rule.target_flr, p = loss(pilot.tally);
-  if (p == 0) return std::log(2000) / -std::log1p(-std::min(target, 0.999));
-  return 3.3 * 3.3 * p * (1 - p) / ((p - target) * (p - target));
+double half_width(const Estimate& e) { return (e.high - e.low) / 2; }
+
+double runs_for_width(const RunPilot& pilot) {
+  const Estimate& ratio = pilot.ratio;
+  if (!(ratio.value > 0)) return endless;
+  return pilot.counted * times_for_width(half_width(ratio), pilot.rule.rel_ci * ratio.value);
 }
 
-/// Frames of a pilot for each thread: where a trial takes a microsecond, enough to see more of them
-/// than of starting threads.
-std::uint64_t pilot_frames(const Link& link) { return (link.decisions ? 1024 : 4) * group_size; }
+/// Until the interval is no wider than the loss is far from the target; where nothing is lost, its
+/// upper end goes with one over the runs.
+double runs_for_target(const RunPilot& pilot) {
+  const double target = pilot.rule.target_flr;
+  const Estimate& loss = pilot.loss;
+  if (loss.value == 0) return pilot.counted * loss.high / target;
+  return pilot.counted * times_for_width(half_width(loss), std::abs(loss.value - target));
+}
 
-double in_groups(double frames) { return std::ceil(frames / group_size) * group_size; }
+double runs_for_losses(const RunPilot& pilot) {
+  if (!(pilot.losses > 0)) return endless;
+  return static_cast<double>(pilot.rule.max_frame_errors) * pilot.counted / pilot.losses;
+}
+
+/// The first number of runs behind which the rule looks.
+double next_look_at(double runs, std::uint32_t group) {
+  constexpr double most = 4e9;
+  if (group > 1 || runs > most) return std::ceil(runs / group) * group;
+  return next_look(static_cast<std::uint32_t>(std::ceil(runs)) - 1);
+}
 
 }  // namespace
 
-std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard,
-                              const Workers& workers) {
-  std::vector<Pilot> pilots;
-  for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
-    std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
-    const Scenario point = point_scenario(scenario, coordinates);
-    const Link link = make_link(point);
-    const StopRule few{.max_frames =
-                           pilot_frames(link) * static_cast<std::uint64_t>(workers.threads)};
-    const PointResult counted =
-        run_point(link, few, {.threads = workers.threads, .interrupt = workers.interrupt});
-    if (workers.interrupted()) break;
-    pilots.push_back({std::move(coordinates), share_of(rule_of(point.stop), shard), counted.tally,
-                      counted.elapsed_s / static_cast<double>(counted.tally.n_frames)});
-  }
-  return pilots;
+bool may_stop_early(const RunPilot& pilot) {
+  return looks_at_ratio(pilot.rule) || pilot.rule.max_frame_errors > 0;
 }
 
-double expected_frames(const Pilot& pilot) {
+double expected_runs(const RunPilot& pilot) {
   const StopRule& rule = pilot.rule;
-  double frames = most_frames;
-  const double lost = worth_of_losses(pilot.tally);
-  if (rule.max_frame_errors > 0 && lost > 0)
-    frames = static_cast<double>(rule.max_frame_errors) *
-             static_cast<double>(pilot.tally.n_frames) / lost;
-  if (rule.rel_ci > 0) frames = std::min(frames, frames_for_width(pilot));
-  if (rule.target_flr > 0) frames = std::min(frames, frames_for_target(pilot));
-  return std::min(in_groups(std::max(frames, 1.0)), static_cast<double>(rule.max_frames));
+  double runs = endless;
+  const auto expect = [&](double needed) {  // NaN where the pilot knows nothing
+    if (needed < runs) runs = needed;
+  };
+  if (rule.max_frame_errors > 0) expect(runs_for_losses(pilot));
+  if (rule.rel_ci > 0) expect(runs_for_width(pilot));
+  if (rule.target_flr > 0) expect(runs_for_target(pilot));
+  return std::min(next_look_at(std::max(runs, 1.0), pilot.group), static_cast<double>(pilot.runs));
 }
 
-double expected_seconds(const Pilot& pilot) {
-  return expected_frames(pilot) * pilot.seconds_per_frame;
+double expected_seconds(const RunPilot& pilot) {
+  return pilot.setup_s + expected_runs(pilot) * pilot.run_s;
 }
 
-double expected_seconds(const std::vector<Pilot>& pilots) {
+double expected_seconds(const std::vector<RunPilot>& pilots) {
   double sum = 0;
-  for (const Pilot& pilot : pilots) sum += expected_seconds(pilot);
+  for (const RunPilot& pilot : pilots) sum += expected_seconds(pilot);
   return sum;
 }
 
-std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds) {
+std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds, double most) {
+  const std::uint64_t group = pilots.empty() ? 1 : pilots.front().group;
   const auto fits = [&](std::uint64_t groups) {
-    std::vector<Pilot> limited = pilots;
-    for (Pilot& pilot : limited) pilot.rule.max_frames = groups * group_size;
+    std::vector<RunPilot> limited = pilots;
+    for (RunPilot& pilot : limited) pilot.runs = groups * group;
     return expected_seconds(limited) <= seconds;
   };
-  std::uint64_t good = 1, bad = static_cast<std::uint64_t>(most_frames) / group_size + 1;
+  std::uint64_t good = 1, bad = static_cast<std::uint64_t>(most) / group + 1;
   while (bad - good > 1) {
     const std::uint64_t middle = good + (bad - good) / 2;
     (fits(middle) ? good : bad) = middle;
   }
-  return good * group_size;
-}
-
-std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds, double most) {
-  double setup_s = 0, run_s = 0;
-  for (const RunPilot& pilot : pilots) {
-    setup_s += pilot.setup_s;
-    run_s += pilot.run_s;
-  }
-  return static_cast<std::uint64_t>(std::clamp((seconds - setup_s) / run_s, 1.0, most));
+  return good * group;
 }
 
 }  // namespace sim

@@ -1,41 +1,41 @@
 #pragma once
-// What a run will take, told from a few trials of each point before any of them is counted.
+// What a run will take, told from a few runs of each point before any of them is counted.
 #include <cstdint>
 #include <vector>
 
-#include "sim/counting/shard.hpp"
+#include "sim/counting/statistics.hpp"
 #include "sim/counting/stop_rule.hpp"
-#include "sim/counting/tally.hpp"
-#include "sim/engine/measurement.hpp"
-#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
-/// A few trials of a point.
-struct Pilot {
+/// A few runs of a point.
+struct RunPilot {
   std::vector<double> coordinates;
-  StopRule rule;  // of the run to come
-  Tally tally;
-  double seconds_per_frame = 0;  // wall clock
+  std::uint64_t runs = 0;   // that the point shall have at most
+  StopRule rule{};          // of the run to come
+  std::uint32_t group = 1;  // runs that are counted together
+  double setup_s = 0;       // to work the point out
+  double run_s = 0;         // of a run, by all threads
+  // What so many runs gave:
+  std::uint32_t counted = 0;
+  Estimate ratio{};   // of rule.rel_ci, at 95 %
+  Estimate loss{};    // of rule.target_flr, at sure_level
+  double losses = 0;  // of rule.max_frame_errors
 };
 
-/// One for each point, in their order, for a run of that shard; fewer if interrupted.
-std::vector<Pilot> run_pilots(const LoadedScenario& scenario, const Shard& shard,
-                              const Workers& workers);
+/// Whether the rule may need fewer than all runs.
+bool may_stop_early(const RunPilot& pilot);
 
-/// After how many frames the rule will stop the point, or so; of what no trial showed, as of losses
-/// where none was lost, it expects nothing, and the limit of frames remains.
-double expected_frames(const Pilot& pilot);
+/// After how many runs the rule will stop the point, or so; of what no run showed, as of losses
+/// where none was lost, it expects nothing, and the limit of runs remains.
+double expected_runs(const RunPilot& pilot);
 
 /// Wall-clock time of a point; of all.
-double expected_seconds(const Pilot& pilot);
-double expected_seconds(const std::vector<Pilot>& pilots);
+double expected_seconds(const RunPilot& pilot);
+double expected_seconds(const std::vector<RunPilot>& pilots);
 
-/// The largest limit of frames a point, in whole groups of eight, at least one group, with which
-/// all points together are expected to end within a time.
-std::uint64_t frames_within(const std::vector<Pilot>& pilots, double seconds);
-
-/// Of other experiments the runs, from one to `most`.
+/// The largest limit of runs a point, in whole groups, from one group to `most`, with which all
+/// points together are expected to end within a time.
 std::uint64_t runs_within(const std::vector<RunPilot>& pilots, double seconds, double most);
 
 }  // namespace sim

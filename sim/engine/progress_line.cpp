@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
-
-#include "sim/counting/statistics.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -32,24 +29,11 @@ std::string line_of(const RunStatus& status) {
 
 }  // namespace
 
-RunStatus status_of(const Progress& p) {
-  const Tally& tally = p.result.points[p.point].tally;
-  const double ber = bit_error_ratio(tally, p.result.ci_level).value;
-  return {.point = p.point,
-          .points = p.result.points.size(),
-          .share = static_cast<double>(tally.n_frames) / static_cast<double>(p.max_frames),
-          .counted =
-              fmt::format("{} of at most {} frames, {} lost{}, BER {}", tally.n_frames,
-                          p.max_frames, tally.n_frames_lost, tally.is_weighted() ? " as drawn" : "",
-                          std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber))};
-}
-
-RunStatus runs_status(std::size_t point, std::size_t points, std::uint64_t done,
-                      std::uint64_t all) {
-  return {.point = point,
-          .points = points,
-          .share = static_cast<double>(done) / static_cast<double>(all),
-          .counted = fmt::format("{} of {} runs", done, all)};
+RunStatus runs_status(RunStatus at, std::uint64_t done, std::uint64_t all, const std::string& unit,
+                      const std::string& more) {
+  at.share = static_cast<double>(done) / static_cast<double>(all);
+  at.counted = fmt::format("{} of at most {} {}{}", done, all, unit, more);
+  return at;
 }
 
 std::string time_left(double share, double elapsed_s) {

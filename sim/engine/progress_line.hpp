@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/engine/experiment.hpp"
-
 namespace sim {
 
 /// ", about 3 min left" of a run of which this share took so long; empty while nobody can know.
@@ -17,13 +15,12 @@ std::string time_left(double share, double elapsed_s);
 struct RunStatus {
   std::size_t point = 0, points = 1;  // the one at hand, 0-based, of so many
   double share = 0;                   // of that point
-  std::string counted;                // "120 of 200 runs"
+  std::string counted{};              // "120 of 200 runs"
 };
 
-/// Of a link: frames, losses, BER.
-RunStatus status_of(const Progress& progress);
-/// Of other experiments.
-RunStatus runs_status(std::size_t point, std::size_t points, std::uint64_t done, std::uint64_t all);
+/// With how many of all runs were done: "120 of 200 runs", and what more there is to say.
+RunStatus runs_status(RunStatus at, std::uint64_t done, std::uint64_t all, const std::string& unit,
+                      const std::string& more);
 
 class ProgressLine {
  public:

@@ -1,9 +1,7 @@
 #include "sim/engine/resume.hpp"
 
-#include <algorithm>
 #include <string>
 
-#include "sim/engine/engine.hpp"
 #include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
@@ -39,14 +37,6 @@ void check_resumable(const std::filesystem::path& path, const ProgramInfo& progr
   const NetcdfReader file(path);
   refuse_other(path, {NetcdfFile::format_version, program, seed, scenario.text}, origin_of(file));
   refuse_other_shards(path, {shard}, shards_of(file).value_or(std::vector<Shard>{}));
-}
-
-void resume_from(const std::filesystem::path& path, ExperimentResult& result) {
-  const bool whole = read_counts(NetcdfReader(path), result) &&
-                     std::ranges::all_of(result.points, [](const PointResult& p) {
-                       return p.stop != StopReason::interrupted || is_resumable(p);
-                     });
-  if (!whole) refuse(path, "its counts do not fit its digest: it is damaged");
 }
 
 }  // namespace sim

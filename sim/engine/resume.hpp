@@ -4,7 +4,6 @@
 
 #include "sim/counting/shard.hpp"
 #include "sim/program_info.hpp"
-#include "sim/result/result.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace sim {
@@ -13,9 +12,5 @@ namespace sim {
 /// or shard: only trials that this program would have run in the same way can be gone on with.
 void check_resumable(const std::filesystem::path& path, const ProgramInfo& program,
                      const LoadedScenario& scenario, const Shard& shard);
-
-/// Reads the counts of such a file into `result`, the same link before its first trial. Throws
-/// Failure(bad_input) if they are damaged.
-void resume_from(const std::filesystem::path& path, ExperimentResult& result);
 
 }  // namespace sim

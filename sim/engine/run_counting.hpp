@@ -2,7 +2,6 @@
 // Counts the runs of all points of an experiment's sweep, in the order of their numbers, so that
 // counts are the same for any number of threads, interrupts and shards.
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -15,8 +14,9 @@
 #include "sim/counting/shard.hpp"
 #include "sim/counting/stop_rule.hpp"
 #include "sim/engine/checkpoint_bytes.hpp"
+#include "sim/engine/counted_runs.hpp"
 #include "sim/engine/measurement.hpp"
-#include "sim/engine/ordered_runs.hpp"
+#include "sim/engine/plan.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/experiment_kind.hpp"
@@ -27,20 +27,6 @@
 
 namespace sim {
 
-/// The first `n` runs of a shard of a point.
-template <class Tally>
-struct CountedRuns {
-  Shard shard;
-  std::uint32_t n = 0;
-  bool is_enough = false;  // its stop rule wants no more
-  Tally tally{};
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(shard.number, shard.count, n, is_enough, tally);
-  }
-};
-
 template <class Setup, class Tally, class Point>
 class RunCounting {
  public:
@@ -48,14 +34,19 @@ class RunCounting {
   /// Of the runs of the point at hand in the shard: those done, and all.
   using Meanwhile = std::function<void(std::uint32_t done, std::uint32_t all)>;
 
-  /// Throws what `unreached` throws. Both must outlive this.
-  RunCounting(const Kind& kind, const LoadedScenario& scenario)
-      : kind_(kind), scenario_(scenario), counted_(count_points(scenario.sweep)) {
+  /// `shards`: of each point, whose runs are counted, or added up. Throws what `unreached` throws.
+  /// The kind and the scenario must outlive this.
+  RunCounting(const Kind& kind, const LoadedScenario& scenario, std::vector<Shard> shards = {{}})
+      : kind_(kind),
+        scenario_(scenario),
+        shards_(std::move(shards)),
+        counted_(count_points(scenario.sweep)) {
     for (std::size_t i = 0; i < counted_.size(); ++i) {
       const std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
       const Scenario point = point_scenario(scenario, coordinates);
       points_.push_back(kind.unreached(point, scenario.places, coordinates));
       asked_.push_back({runs_asked_for(point), rule_of(point.stop)});
+      if (kind.losses == nullptr) asked_.back().rule.max_frame_errors = 0;
     }
   }
 
@@ -64,24 +55,19 @@ class RunCounting {
   /// Where the time went, but for writing.
   RunProfile profile() const {
     return {.preparing_s = preparing_s_,
-            .running_s = running_s_,
+            .running_s = clock_.running_s,
             .describing_s = describing_s_,
-            .n_runs = n_run_};
+            .n_runs = clock_.n_runs};
   }
 
-  /// How many points have any run, and all those of some shards.
+  /// How many points have any run, and how many all runs of the shards.
   std::size_t n_begun() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(counted_, [](const auto& parts) { return !parts.empty(); }));
   }
-  std::size_t n_finished(const std::vector<Shard>& shards) const {
+  std::size_t n_finished() const {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < counted_.size(); ++i) {
-      const auto is_whole = [&](const Shard& shard) {
-        return runs_in(shard, i).all == 0 || is_finished(i, shard);
-      };
-      n += std::ranges::all_of(shards, is_whole) ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < counted_.size(); ++i) n += is_finished(i) ? 1 : 0;
     return n;
   }
 
@@ -106,36 +92,45 @@ class RunCounting {
     }
   }
 
-  /// Counts the runs of a shard that a point does not have yet, and describes it. After an
+  /// Counts the runs of the first shard that a point does not have yet, and describes it. After an
   /// interrupt it has fewer, or none. `meanwhile` is called in this thread, some ten times a
   /// second; in a process group, behind each exchange.
-  void count(std::size_t i, const Shard& shard, const RunCounters& by,
-             const Meanwhile& meanwhile = {}) {
+  void count(std::size_t i, const RunCounters& by, const Meanwhile& meanwhile = {}) {
+    const Shard& shard = shards_.front();
     if (is_finished(i, shard) || by.interrupted()) return;
     set_up(i, by.workers);
     if (by.interrupted()) return;
     CountedRuns<Tally>& part = part_of(shard);
-    run(part, runs_in(shard, i), by, meanwhile);
+    const AskedRuns asked = runs_in(shard, i);
+    PointCounting<Setup, Tally, Point>(kind_, *setup_, asked, clock_).add_to(part, by, [&] {
+      if (meanwhile) meanwhile(part.n, asked.all);
+    });
     if (part.n == 0) counted_[i].erase(std::ranges::find(counted_[i], 0U, &CountedRuns<Tally>::n));
     bring_up_to_date();
   }
 
-  /// Times a batch of runs of one thread; they are not counted.
-  RunPilot pilot(std::size_t i, const Shard& shard, const Workers& workers) {
+  /// Does some runs of a point, which are not counted, to see what they take and give.
+  RunPilot pilot(std::size_t i, const Workers& workers) {
     Stopwatch watch;
     set_up(i, workers);
-    RunPilot pilot{.coordinates = point_coordinates(scenario_.sweep, i), .setup_s = watch.lap()};
-    const Wanted wanted = runs_in(shard, i);
-    pilot.runs = wanted.all;
-    pilot.is_at_most = looks_at_ratio(asked_[i].rule);
-    const auto threads = static_cast<std::uint32_t>(workers.threads);
-    const std::uint32_t batch =
-        std::clamp(divided_up(wanted.all, threads), 1U,
-                   kind_.most_at_once(*setup_, wanted.all, workers.threads));
-    kind_.run(*setup_, wanted.first, static_cast<int>(batch), workers.interrupt);
-    const std::uint32_t rounds = divided_up(divided_up(wanted.all, batch), threads);
-    pilot.run_s = watch.lap() * rounds / std::max(wanted.all, 1U);
+    const AskedRuns asked = runs_in(shards_.front(), i);
+    RunPilot pilot{.coordinates = point_coordinates(scenario_.sweep, i),
+                   .runs = asked.all,
+                   .rule = asked.rule,
+                   .group = kind_.group,
+                   .setup_s = watch.lap()};
+    const CountedRuns<Tally> counted = pilot_runs(asked, workers, pilot.run_s);
+    if (counted.n == 0) return pilot;
+    pilot.counted = counted.n;
+    pilot.ratio = kind_.ratio(*setup_, counted.tally, 0.95);
+    pilot.loss = kind_.loss_of(*setup_, counted.tally, sure_level);
+    if (kind_.losses != nullptr) pilot.losses = kind_.losses(counted.tally);
     return pilot;
+  }
+
+  /// What the points say of each other, behind all of them.
+  void describe_sweep() {
+    if (kind_.describe_sweep != nullptr) kind_.describe_sweep(scenario_, points_);
   }
 
   /// Describes the point at hand, to be called by `meanwhile`, by the runs that it has.
@@ -148,15 +143,26 @@ class RunCounting {
  private:
   void describe_at_hand() {
     const std::vector<CountedRuns<Tally>>& parts = counted_[at_hand_];
+    Point& point = points_[at_hand_];
+    point.stop = stop_of(at_hand_);
     if (parts.size() == 1 && parts.front().n > 0)
-      return kind_.describe(points_[at_hand_], *setup_, parts.front().tally);
+      return kind_.describe(point, *setup_, parts.front().tally);
     Tally sum{};
     std::uint32_t n = 0;
     for (const CountedRuns<Tally>& part : parts) {
       sum += part.tally;
       n += part.n;
     }
-    if (n > 0) kind_.describe(points_[at_hand_], *setup_, sum);
+    if (n > 0) kind_.describe(point, *setup_, sum);
+  }
+
+  /// What ended the point's shards: an interrupt, if one did, or a rule, before that there were no
+  /// more runs.
+  StopReason stop_of(std::size_t i) const {
+    if (!is_finished(i)) return StopReason::interrupted;
+    for (const CountedRuns<Tally>& part : counted_[i])
+      if (part.stop && *part.stop != StopReason::max_frames) return *part.stop;
+    return StopReason::max_frames;
   }
 
   using Counted = std::vector<std::vector<CountedRuns<Tally>>>;  // of each point, in their order
@@ -182,8 +188,8 @@ class RunCounting {
       for (const CountedRuns<Tally>& part : counted_[i]) shards.push_back(part.shard);
       for (const CountedRuns<Tally>& part : counted[i]) {
         if (!is_shard(part.shard)) return false;
-        const TrialRange range = runs_of(part.shard, asked_[i].runs);
-        if (part.n > range.last - range.first) return false;
+        const std::uint32_t all = runs_in(part.shard, i).all;
+        if (part.n > all || (part.n < all && part.n % kind_.group != 0)) return false;
         const auto overlaps = [&](const Shard& other) { return overlap(part.shard, other); };
         if (std::ranges::any_of(shards, overlaps)) return false;
         shards.push_back(part.shard);
@@ -221,69 +227,47 @@ class RunCounting {
     return found != parts.end() ? *found : insert(parts, {.shard = shard});
   }
 
-  /// Runs of a shard.
-  struct Wanted {
-    std::uint32_t first, all;
-  };
-
   bool is_finished(std::size_t i, const Shard& shard) const {
     return std::ranges::any_of(counted_[i], [&](const CountedRuns<Tally>& part) {
-      return part.shard == shard && (part.is_enough || part.n == runs_in(shard, i).all);
+      return part.shard == shard && part.stop.has_value();
+    });
+  }
+  bool is_finished(std::size_t i) const {
+    return std::ranges::all_of(shards_, [&](const Shard& shard) {
+      return runs_in(shard, i).all == 0 || is_finished(i, shard);
     });
   }
 
-  Wanted runs_in(const Shard& shard, std::size_t point) const {
-    const TrialRange range = runs_of(shard, asked_[point].runs);
+  AskedRuns runs_in(const Shard& shard, std::size_t point) const {
+    const TrialRange range = runs_of(shard, asked_[point].runs, kind_.group);
     return {static_cast<std::uint32_t>(range.first),
-            static_cast<std::uint32_t>(range.last - range.first)};
+            static_cast<std::uint32_t>(range.last - range.first),
+            share_of(asked_[point].rule, shard)};
   }
 
-  void run(CountedRuns<Tally>& part, const Wanted& wanted, const RunCounters& by,
-           const Meanwhile& meanwhile) {
-    const StopRule& rule = asked_[at_hand_].rule;
-    OrderedRuns<Tally> runs(
-        {.runs = wanted.all - part.n,
-         .most_at_once = kind_.most_at_once(*setup_, wanted.all, by.workers.threads),
-         .workers = by.workers,
-         .first = wanted.first + part.n},
-        [&](std::uint32_t first, int n, const std::atomic<bool>* over) {
-          return spans(wanted.first, first - wanted.first, static_cast<std::uint32_t>(n), over);
-        });
-    const auto add = [&](RunSpan<Tally>&& span) {
-      part.tally += std::move(span.tally);
-      part.n += span.n;
-      part.is_enough = looks_at_ratio(rule) && is_look(part.n) && is_enough(rule, part.tally);
-      return !part.is_enough;
-    };
-    runs.add_to(add, by.processes, [&] {
-      if (meanwhile) meanwhile(part.n, wanted.all);
-    });
-  }
-
-  /// Some of a shard's runs, behind its first `done`; a span for each look of the rule.
-  typename OrderedRuns<Tally>::Spans spans(std::uint32_t first_of_shard, std::uint32_t done,
-                                           std::uint32_t n, const std::atomic<bool>* over) {
-    const Stopwatch watch;
-    const bool looks = looks_at_ratio(asked_[at_hand_].rule);
-    typename OrderedRuns<Tally>::Spans spans;
-    for (const std::uint32_t end = done + n; done < end && !is_stopped(over);) {
-      const std::uint32_t next = looks ? std::min(end, next_look(done)) : end;
-      spans.push_back({next - done, kind_.run(*setup_, first_of_shard + done,
-                                              static_cast<int>(next - done), over)});
-      done = next;
+  /// A batch of each thread, or as many more as take so long that starting threads does not count;
+  /// with the time of a run.
+  CountedRuns<Tally> pilot_runs(AskedRuns asked, const Workers& workers, double& run_s) {
+    constexpr double long_enough_s = 0.02;
+    const auto threads = static_cast<std::uint32_t>(workers.threads);
+    const std::uint32_t share = divided_up(divided_up(asked.all, threads), kind_.group);
+    const std::uint32_t batch = least_batch(kind_, *setup_, asked.all, workers.threads);
+    asked.all = threads * std::clamp(share * kind_.group, 1U, batch);
+    asked.rule = {};
+    while (true) {
+      const Stopwatch watch;
+      CountedRuns<Tally> counted;
+      PointCounting<Setup, Tally, Point>(kind_, *setup_, asked, clock_)
+          .add_to(counted, {workers}, {});
+      run_s = watch.seconds() / std::max(counted.n, 1U);
+      if (watch.seconds() > long_enough_s || workers.interrupted()) return counted;
+      asked.all *= 4;
     }
-    running_s_ += watch.seconds();
-    n_run_ += n;
-    return spans;
-  }
-
-  bool is_enough(const StopRule& rule, const Tally& tally) const {
-    return stop_reason(rule, [&](double level) { return kind_.ratio(*setup_, tally, level); })
-        .has_value();
   }
 
   const Kind& kind_;
   const LoadedScenario& scenario_;
+  const std::vector<Shard> shards_;
   Counted counted_;
   std::vector<Point> points_;
   /// Of a point: how many runs, unless its rule needs fewer.
@@ -295,8 +279,7 @@ class RunCounting {
   std::size_t at_hand_ = 0;
   std::optional<Setup> setup_;  // of the point at hand
   double preparing_s_ = 0, describing_s_ = 0;
-  std::atomic<double> running_s_ = 0;
-  std::atomic<std::uint64_t> n_run_ = 0;  // by this process, in vain too
+  RunClock clock_{};
 };
 
 /// Of all points, for a shard; fewer if interrupted.
@@ -304,10 +287,10 @@ template <class Setup, class Tally, class Point>
 std::vector<RunPilot> run_pilots(const Measurement<Setup, Tally, Point>& kind,
                                  const LoadedScenario& scenario, const Shard& shard,
                                  const Workers& workers) {
-  RunCounting<Setup, Tally, Point> counting(kind, scenario);
+  RunCounting<Setup, Tally, Point> counting(kind, scenario, {shard});
   std::vector<RunPilot> pilots;
   for (std::size_t i = 0; i < counting.points().size(); ++i) {
-    RunPilot pilot = counting.pilot(i, shard, workers);
+    RunPilot pilot = counting.pilot(i, workers);
     if (workers.interrupted()) break;
     pilots.push_back(std::move(pilot));
   }

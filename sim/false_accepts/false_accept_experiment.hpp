@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/counting/stop_rule.hpp"
 #include "sim/engine/measurement.hpp"
 #include "sim/false_accepts/false_accept_tally.hpp"
 #include "sim/false_accepts/false_accepts.hpp"
@@ -17,6 +18,7 @@ struct FalseAcceptPoint {
   std::uint64_t validity_flags = 0;  // of sim/link/validity
   double hours = 0;                  // of line, all runs together
   FalseAcceptTally tally{};          // no runs: never reached
+  StopReason stop = StopReason::interrupted;
 
   bool reached() const { return tally.n_runs > 0; }
 

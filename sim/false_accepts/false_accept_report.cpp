@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/columns/stop_column.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/false_accepts/false_accept_keys.hpp"
 
@@ -85,6 +86,7 @@ Columns<Point> made_columns() {
   add_count(columns, {"n_characters", "1", "characters that the UART read"}, &T::n_characters,
             {{"", "characters", "read"}, number_width});
   add_light(columns);
+  add_stop_reason(columns);
   add_validity_flags(columns);
   return columns;
 }

@@ -6,6 +6,7 @@
 #include "sim/arena/arena_report.hpp"
 #include "sim/columns/age_columns.hpp"
 #include "sim/columns/columns_table.hpp"
+#include "sim/columns/stop_column.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/loading/point_scenario.hpp"
 
@@ -98,6 +99,7 @@ Columns<Point> made_columns() {
   add_points(columns);
   add_devices(columns);
   add_line(columns);
+  add_stop_reason(columns);
   add_validity_flags(columns);
   return columns;
 }

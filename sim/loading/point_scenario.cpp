@@ -196,6 +196,11 @@ void check_receiver_module(const Scenario& s, const SourceLocations& places) {
 Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
   Scenario s = loaded.base;
   place_at(s, loaded, setters_of(loaded.sweep), coordinates);
+  return s;
+}
+
+Scenario checked_point(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
+  Scenario s = point_scenario(loaded, coordinates);
   check_point(s, limits_of(s), loaded.places);
   return s;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The points of a loaded scenario. Keys that contradict each other are refused here, be it at one
-// point of a sweep only.
+// The points of a loaded scenario. Loading checks each of them once (check_all_points): keys that
+// contradict each other are refused, be it at one point of a sweep only.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,9 +10,11 @@
 
 namespace sim {
 
-/// The scenario of one point of the sweep, a coordinate an axis; throws if its keys contradict each
-/// other (no point of a loaded scenario does).
+/// The scenario of one point of the sweep, a coordinate an axis.
 Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates);
+
+/// The same beside the points of the sweep; throws if its keys contradict each other.
+Scenario checked_point(const LoadedScenario& loaded, const std::vector<double>& coordinates);
 
 /// The same by the point's number, counted from 0, as of --point; throws if there is no such point.
 Scenario numbered_point(const LoadedScenario& loaded, std::uint64_t number);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/columns/stop_column.hpp"
 #include "sim/text/rounded_text.hpp"
 
 namespace sim {
@@ -157,6 +158,7 @@ const Columns<LocationPointRun>& location_columns() {
     add_coverage(made);
     add_outcomes(made);
     add_readings(made);
+    add_stop_reason(made);
     return made;
   }();
   return columns;

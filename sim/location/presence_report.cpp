@@ -9,6 +9,7 @@
 
 #include "channel/photodiode.hpp"
 #include "sim/columns/columns_table.hpp"
+#include "sim/columns/stop_column.hpp"
 
 namespace sim {
 namespace {
@@ -137,6 +138,7 @@ Columns<Point> made_columns() {
   add_noise(columns);
   add_roc_counts(columns);
   add_roc_ratios(columns);
+  add_stop_reason(columns);
   columns.words({}, outside_text).headed({{"closed", "form", "outside"}, -7});
   return columns;
 }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "sim/counting/stop_rule.hpp"
+
 namespace sim {
 
 template <class Settings, class Result>
@@ -12,6 +14,7 @@ struct TrialPoint {
   std::vector<double> coordinates;  // one value an axis
   Settings settings;
   std::optional<Result> result{};  // nothing: an interrupt came before any trial of it was done
+  StopReason stop = StopReason::interrupted;
 
   bool reached() const { return result.has_value(); }
 };

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/experiment.hpp"
 #include "sim/failure.hpp"
+#include "sim/link_experiment/link_columns.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/frame_statistics.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
-#include "sim/result/unfinished.hpp"
 
 namespace sim {
 namespace {
@@ -89,10 +89,7 @@ class Rerun {
                     "stop.rel_ci=0", "stop.target_flr=0"});
     try {
       const LoadedScenario changed = load(std::move(changes));
-      return run_experiment(changed, unfinished(changed, ""),
-                            {.threads = workers_.threads, .interrupt = workers_.interrupt})
-          .points.front()
-          .tally;
+      return run_link(changed, workers_).points.front().tally;
     } catch (const Failure& failure) {
       if (failure.code() == ExitCode::bad_input) return std::nullopt;
       throw;
@@ -117,7 +114,7 @@ const PointResult* nearest_to_half(const ExperimentResult& result, const Ranking
   const PointResult* found = nullptr;
   double least = 0;
   for (const PointResult& point : result.points) {
-    if (!measured(point) || !is_of_first(point, ranking)) continue;
+    if (!point.reached() || !is_of_first(point, ranking)) continue;
     const double loss = frame_loss_ratio(point.tally, result.ci_level).value;
     const bool nearer = loss >= half ? least < half || loss < least : loss > least && least < half;
     if (loss > 0 && nearer) found = &point, least = loss;

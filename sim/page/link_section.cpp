@@ -7,6 +7,8 @@
 
 #include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/link_charts.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/page/eye_diagram.hpp"
 #include "sim/page/frame_charts.hpp"
 #include "sim/page/link_range_section.hpp"
@@ -16,8 +18,6 @@
 #include "sim/page/trial_tables.hpp"
 #include "sim/page/trial_view.hpp"
 #include "sim/picture/svg.hpp"
-#include "sim/report/report_table.hpp"
-#include "sim/report/result_charts.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/section/picture_sections.hpp"
@@ -49,7 +49,7 @@ ShareBars fates_of(const ExperimentResult& result) {
                  .kinds = {std::begin(fates), std::end(fates)},
                  .rows = {}};
   for (const PointResult& point : result.points)
-    if (measured(point) && !point.tally.is_weighted())
+    if (point.reached() && !point.tally.is_weighted())
       add_counts(bars, rows.label(point.coordinates), rows.weighed(fates_of(point.tally)));
   return bars;
 }

@@ -9,7 +9,7 @@
 #include "sim/columns/text_table.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/report_table.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/section/swept_curves.hpp"
 
@@ -54,7 +54,7 @@ PageTable table_of(const ExperimentResult& result) {
   const bool theory = has_theory(result);
   PageTable table{.head = head_of(result, theory), .rows = {}};
   for (const PointResult& point : result.points)
-    if (measured(point)) table.rows.push_back(row_of(result, point, theory));
+    if (point.reached()) table.rows.push_back(row_of(result, point, theory));
   return table;
 }
 

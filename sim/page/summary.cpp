@@ -9,8 +9,8 @@
 
 #include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/page/link_range_section.hpp"
-#include "sim/report/closing_lines.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
@@ -35,14 +35,14 @@ std::string ended(std::string lines) {
 std::string size_of(const ExperimentResult& result) {
   Tally all;
   for (const PointResult& point : result.points) all += point.tally;
-  const auto points = std::ranges::count_if(result.points, measured);
+  const auto points = std::ranges::count_if(result.points, &PointResult::reached);
   std::string more;
   if (is_weighted(result))
     more = ", as drawn by importance sampling";
   else if (points == 1)
     more = ": frame loss ratio " +
-           estimate_text(
-               frame_loss_of(*std::ranges::find_if(result.points, measured), result.ci_level));
+           estimate_text(frame_loss_of(*std::ranges::find_if(result.points, &PointResult::reached),
+                                       result.ci_level));
   return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
                      points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
                      more);
@@ -141,11 +141,11 @@ std::string what_limits(const Ablations& ablations) {
 /// Curves would end without a word.
 std::string without_estimate(const ExperimentResult& result) {
   const auto unknown = std::ranges::count_if(result.points, [&](const PointResult& point) {
-    return measured(point) && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
+    return point.reached() && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
   });
   if (unknown == 0) return "";
   return fmt::format("{} of {} points have no estimate and are missing in the curves.\n", unknown,
-                     std::ranges::count_if(result.points, measured));
+                     std::ranges::count_if(result.points, &PointResult::reached));
 }
 
 }  // namespace

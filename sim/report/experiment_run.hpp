@@ -4,15 +4,16 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sim/columns/column.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/program_info.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "sim/section/dataset_charts.hpp"
 #include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
@@ -57,8 +58,8 @@ struct ExperimentEngine {
   std::string (*plan)(const LoadedScenario&, const Shard&, const Workers&);
   /// How much of amount_key() each point may have for all to take so many seconds.
   std::uint64_t (*amount_within)(const LoadedScenario&, double seconds, const Workers&);
-  /// Of its results, where they are a Dataset.
-  std::vector<ColumnFacts> (*columns)() = nullptr;
+  /// Of its results.
+  std::vector<ColumnFacts> (*columns)();
 };
 
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any
@@ -79,11 +80,17 @@ class Rows {
 /// That an interrupt came before anything was counted.
 void say_left_as_it_was(const ExperimentRun& run);
 
-/// Writes a result and says what is in it: as JSON; or, behind the rows of its points, curves if
-/// they are asked for, what is `missing`, notes, `details` and the digest. Where an interrupt came
-/// before anything was measured, the file stays as it was.
+/// What is printed of a result behind the rows of its points.
+struct ResultTexts {
+  std::function<std::string()> json;
+  std::function<std::string()> plots;  // if they are asked for
+  std::string missing;                 // what was not counted
+  std::string notes, details;
+};
+
+/// Writes a result and says what is in it: as JSON, or by the other texts and the digest. Where an
+/// interrupt came before anything was measured, the file stays as it was.
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
-              const std::string& missing, const std::vector<DrawnVariable>& drawn,
-              const std::string& details);
+              const ResultTexts& texts);
 
 }  // namespace sim

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/columns/text_table.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 
 namespace sim {
 
@@ -20,47 +21,28 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} days", seconds / day);
 }
 
-std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& pilots,
+std::string plan_table(const LoadedScenario& scenario, const std::vector<RunPilot>& pilots,
                        int threads) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "frames", "at most"}, number_width});
-  columns.push_back({{"", "frames", "expected"}, number_width});
+  const std::string unit = amount_unit(scenario.base);
+  const bool may_stop =
+      std::ranges::any_of(pilots, [](const RunPilot& pilot) { return may_stop_early(pilot); });
+  std::vector<TextColumn> columns = axis_columns(scenario.sweep);
+  columns.push_back({{"", may_stop ? unit : "", may_stop ? "at most" : unit}, number_width});
+  if (may_stop) columns.push_back({{"", unit, "expected"}, number_width});
   columns.push_back({{"", "", "time"}, number_width});
   std::string text = table_head(columns);
-  double frames = 0;
-  for (const Pilot& pilot : pilots) {
-    std::vector<std::string> texts = coordinate_texts(axes, pilot.coordinates);
-    texts.push_back(std::to_string(pilot.rule.max_frames));
-    texts.push_back(fmt::format("{:.0f}", expected_frames(pilot)));
+  double runs = 0;
+  for (const RunPilot& pilot : pilots) {
+    std::vector<std::string> texts = coordinate_texts(scenario.sweep, pilot.coordinates);
+    texts.push_back(std::to_string(pilot.runs));
+    if (may_stop) texts.push_back(fmt::format("{:.0f}", expected_runs(pilot)));
     texts.push_back(duration_text(expected_seconds(pilot)));
     text += table_line(columns, texts);
-    frames += expected_frames(pilot);
+    runs += expected_runs(pilot);
   }
-  return text + fmt::format("{} point{}: about {:.0f} frames, {} on {} threads\n", pilots.size(),
-                            pilots.size() == 1 ? "" : "s", frames,
+  return text + fmt::format("{} point{}: {}{:.0f} {}, {} on {} threads\n", pilots.size(),
+                            pilots.size() == 1 ? "" : "s", may_stop ? "about " : "", runs, unit,
                             duration_text(expected_seconds(pilots)), threads);
-}
-
-std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot>& pilots,
-                       int threads) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  const bool at_most = std::ranges::any_of(pilots, &RunPilot::is_at_most);
-  columns.push_back({{"", at_most ? "runs" : "", at_most ? "at most" : "runs"}, number_width});
-  columns.push_back({{"", "", "time"}, number_width});
-  std::string text = table_head(columns);
-  std::uint64_t runs = 0;
-  double seconds = 0;
-  for (const RunPilot& pilot : pilots) {
-    std::vector<std::string> texts = coordinate_texts(axes, pilot.coordinates);
-    texts.push_back(std::to_string(pilot.runs));
-    texts.push_back(duration_text(pilot.seconds()));
-    text += table_line(columns, texts);
-    runs += pilot.runs;
-    seconds += pilot.seconds();
-  }
-  return text + fmt::format("{} point{}: {}{} runs, {} on {} threads\n", pilots.size(),
-                            pilots.size() == 1 ? "" : "s", at_most ? "at most " : "", runs,
-                            duration_text(seconds), threads);
 }
 
 }  // namespace sim

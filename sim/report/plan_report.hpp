@@ -4,16 +4,12 @@
 #include <vector>
 
 #include "sim/engine/plan.hpp"
-#include "sim/scenario/axis.hpp"
+#include "sim/scenario/scenario.hpp"
 
 namespace sim {
 
 /// A line for each point, and their sum.
-std::string plan_table(const std::vector<Axis>& axes, const std::vector<Pilot>& pilots,
-                       int threads);
-
-/// Of experiments that are no links.
-std::string plan_table(const std::vector<Axis>& axes, const std::vector<RunPilot>& pilots,
+std::string plan_table(const LoadedScenario& scenario, const std::vector<RunPilot>& pilots,
                        int threads);
 
 /// "0.25 s", "3 min 20 s", "2 h 5 min", "12 days".

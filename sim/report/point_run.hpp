@@ -3,24 +3,28 @@
 // and kept in the file as they go.
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/columns/closing_lines.hpp"
 #include "sim/columns/columns_dataset.hpp"
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/point_report.hpp"
+#include "sim/columns/validity_column.hpp"
 #include "sim/engine/checkpointer.hpp"
-#include "sim/engine/experiment.hpp"
 #include "sim/engine/plan.hpp"
 #include "sim/engine/progress_line.hpp"
 #include "sim/engine/run_counting.hpp"
+#include "sim/engine/shard_check.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/report/plan_report.hpp"
-#include "sim/report/report_table.hpp"
+#include "sim/result/store.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/keys.hpp"
+#include "sim/section/dataset_charts.hpp"
 #include "sim/text/digest.hpp"
 #include "sim/threads/stopwatch.hpp"
 
@@ -33,7 +37,7 @@ class PointRun : public ReadyRun {
            const PointReport<Point>& report)
       : run_(std::move(run)),
         report_(report),
-        counting_(kind, run_.scenario),
+        counting_(kind, run_.scenario, run_.shards),
         table_(report.columns(), run_.scenario, counting_.points().front()),
         rows_(run_.json || !run_.speaks()),
         progress_(!run_.quiet && run_.speaks()) {
@@ -49,39 +53,59 @@ class PointRun : public ReadyRun {
     counting_.describe_all(run_.workers);
     if (by.interrupted()) return leave_as_it_was();
     rows_.print(table_.head());
+    if (!run_.counts_nothing) rows_.check();  // the last result stays
     for (std::size_t i = 0; i < counting_.points().size(); ++i) {
       take_point(i, by);
       if (counting_.points()[i].reached()) end_point(i);
+      if (by.any(rows_.have_failed())) break;  // whoever read them has seen enough
     }
+    counting_.describe_sweep();
     const std::size_t all = counting_.points().size();
-    const std::size_t finished = counting_.n_finished(run_.shards);
-    const Stopwatch watch;
-    if (run_.speaks())
-      conclude(run_, rows_, dataset(), unfinished_note(all, finished, counting_.n_begun()),
-               drawn_columns(report_.columns()), details());
-    writing_s_ += watch.seconds();
-    if (run_.profile && run_.speaks()) say(profile_text());
+    const std::size_t finished = counting_.n_finished();
+    if (run_.speaks()) end(unfinished_note(all, finished, counting_.n_begun()));
     return finished == all;
   }
 
  private:
   void take_point(std::size_t i, const RunCounters& by) {
     if (run_.counts_nothing) return;
-    counting_.count(i, run_.shards.front(), by, [&](std::uint32_t done, std::uint32_t all) {
-      progress_.show(runs_status(i, counting_.points().size(), done, all));
-      if (!run_.speaks() || !checkpointer_.is_due()) return;
-      checkpointer_.keep([&] {
-        counting_.bring_up_to_date();
-        write();
-      });
+    counting_.count(i, by, [&](std::uint32_t done, std::uint32_t all) {
+      if (run_.speaks()) show_and_keep(i, done, all);
     });
     progress_.clear();
+  }
+
+  void show_and_keep(std::size_t i, std::uint32_t done, std::uint32_t all) {
+    const bool keeps = checkpointer_.is_due();
+    if (keeps || report_.progress != nullptr) counting_.bring_up_to_date();
+    progress_.show(runs_status({.point = i, .points = counting_.points().size()}, done, all,
+                               amount_unit(run_.scenario.base), progress_text(i)));
+    if (keeps) checkpointer_.keep([&] { write(); });
+  }
+
+  std::string progress_text(std::size_t i) const {
+    return report_.progress != nullptr ? report_.progress(counting_.points()[i]) : "";
   }
 
   void end_point(std::size_t i) {
     if (!run_.counts_nothing && run_.speaks() && checkpointer_.is_due_at_end())
       checkpointer_.keep([&] { write(); });
     rows_.print(table_.row(counting_.points()[i]));
+  }
+
+  void end(const std::string& missing) {
+    const Stopwatch watch;
+    const Dataset data = dataset();
+    conclude(
+        run_, rows_, data,
+        {.json =
+             [&] { return report_.json != nullptr ? report_.json(swept()) : dataset_json(data); },
+         .plots = [&] { return charts_as_text(charts(data)); },
+         .missing = missing,
+         .notes = report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data),
+         .details = details()});
+    writing_s_ += watch.seconds();
+    if (run_.profile) say(profile_text());
   }
 
   /// A result of no runs replaces none.
@@ -97,11 +121,25 @@ class PointRun : public ReadyRun {
     return false;
   }
 
+  SweptPoints<Point> swept() const {
+    return {run_.scenario, run_.command, run_.shards, counting_.points()};
+  }
+
   Dataset dataset() const {
     Dataset data = dataset_of(run_.scenario, run_.command, report_.columns(), counting_.points());
     data.shards = run_.shards;
     data.checkpoint = counting_.checkpoint();
+    if (report_.complete != nullptr) report_.complete(data, counting_.points());
     return data;
+  }
+
+  std::vector<Chart> charts(const Dataset& data) const {
+    if (report_.charts != nullptr) return report_.charts(swept());
+    std::vector<Chart> charts;
+    for (const DrawnVariable& variable : drawn_columns(report_.columns()))
+      if (std::optional<Chart> chart = swept_chart(data, variable); chart && !chart->curves.empty())
+        charts.push_back(*std::move(chart));
+    return charts;
   }
 
   std::string details() const {
@@ -113,7 +151,8 @@ class PointRun : public ReadyRun {
   std::string profile_text() const {
     RunProfile profile = counting_.profile();
     profile.writing_s = writing_s_;
-    return profile_lines(profile);
+    return profile_lines(profile) +
+           (report_.profile != nullptr ? report_.profile(counting_.points()) : "");
   }
 
   const ExperimentRun run_;
@@ -137,11 +176,11 @@ std::unique_ptr<ReadyRun> ready_run(ExperimentRun run, const Measurement<Setup, 
 template <const auto& kind, const auto& report>
 constexpr ExperimentEngine experiment_engine{
     .ready = [](ExperimentRun run) { return ready_run(std::move(run), kind, report); },
-    .check_shard = check_shard_of_runs,
+    .check_shard = [](const LoadedScenario& scenario,
+                      const Shard& shard) { check_shard(scenario, shard, kind.group); },
     .plan =
         [](const LoadedScenario& scenario, const Shard& shard, const Workers& workers) {
-          return plan_table(scenario.sweep, run_pilots(kind, scenario, shard, workers),
-                            workers.threads);
+          return plan_table(scenario, run_pilots(kind, scenario, shard, workers), workers.threads);
         },
     .amount_within =
         [](const LoadedScenario& scenario, double seconds, const Workers& workers) {

@@ -88,7 +88,7 @@ void add_row_alarms(ExperimentResult& result, const CrossingQuestion& question) 
   for (PointResult& point : result.points) {
     std::vector<double> others;
     for (const std::size_t axis : ranking.others) others.push_back(point.coordinates[axis]);
-    if (measured(point) && alarming.contains(others)) point.alarms |= monotone;
+    if (point.reached() && alarming.contains(others)) point.alarms |= monotone;
   }
 }
 

@@ -36,7 +36,7 @@ using Observations = std::vector<Observation>;
 Observations observations_of(const ExperimentResult& result) {
   Observations all;
   for (const PointResult& p : result.points) {
-    if (!measured(p)) continue;
+    if (!p.reached()) continue;
     const LossCount count{static_cast<double>(p.tally.n_frames),
                           static_cast<double>(p.tally.n_frames_lost)};
     all.push_back({p.coordinates.at(0), count, clopper_pearson(count.lost, count.frames, sure)});

@@ -1,14 +1,12 @@
 #pragma once
-// Dataset: what an experiment that is not a link leaves behind, as variables on axes and on
-// dimensions of its own (devices, frames heard). One writer for HDF5 and one for JSON serve all.
+// Dataset: what an experiment leaves behind, as variables on axes and on dimensions of its own
+// (devices, frames heard). One writer for HDF5 serves all, and one for JSON all but links.
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "sim/counting/shard.hpp"
-#include "sim/program_info.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/scenario/axis.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -24,14 +22,20 @@ struct Dataset {
       return std::visit([](const auto& v) { return v.size(); }, values);
     }
   };
-  /// Row-major. Whole numbers are counts, of which the digest is made, or flags; a NaN means: not
-  /// known.
+  struct Attribute {
+    std::string name;
+    std::variant<std::string, double> value;
+  };
+  /// Row-major. Whole numbers are counts, of which the digest is made, or flags, or choices; a NaN
+  /// means: not known.
   struct Variable {
     VariableFacts facts;
     bool on_axes = true;                  // one value a point at least
     std::vector<std::string> dimensions;  // behind the axes, by the names of their facts
     std::variant<std::vector<double>, std::vector<std::int64_t>> values;
     std::vector<std::string> flags{};  // what the bits of whole numbers mean, from bit 0 on
+    bool is_choice = false;            // whole numbers are indices of `flags`, or no_choice
+    std::vector<Attribute> attributes{};
   };
 
   std::string title, scenario_toml, command, experiment;
@@ -44,7 +48,12 @@ struct Dataset {
   /// What its runs counted as the program adds it up, for going on and for merging; empty in files
   /// of earlier versions.
   std::string checkpoint{};
+  std::vector<Attribute> attributes{};  // of the file
+  std::string digest{};                 // of a link, whose digest is older; empty: of all counts
 };
+
+/// A choice that is not known.
+inline constexpr std::int64_t no_choice = missing_int16;
 
 /// Where a file keeps the checkpoint, and the attribute with its digest.
 inline constexpr const char *checkpoint_group = "checkpoint", *checkpoint_place = "checkpoint/runs",
@@ -53,8 +62,16 @@ inline constexpr const char *checkpoint_group = "checkpoint", *checkpoint_place 
 /// With the scenario's facts and nothing measured yet.
 Dataset dataset_of(const LoadedScenario& scenario, const std::string& command);
 
-/// Hash (32 hex digits) of all counts: equal digests, equal results.
+/// Hash (32 hex digits) of all counts: equal digests, equal results. Where the dataset has one of
+/// its own, that.
 std::string dataset_digest(const Dataset& data);
+
+/// Whether the digest is made of it.
+bool is_digested(const Dataset::Variable& variable);
+
+/// All dimensions of a variable, the axes first.
+std::vector<std::string> names_of_dimensions(const Dataset& data,
+                                             const Dataset::Variable& variable);
 
 /// Null where there is none of that name.
 const Dataset::Variable* find_variable(const Dataset& data, const std::string& name);
@@ -73,11 +90,6 @@ std::string value_text(const Dataset::Dimension& dimension, std::size_t i);
 
 /// How many cells it has at each point: those of its dimensions behind the axes.
 std::size_t cells_a_point(const Dataset& data, const Dataset::Variable& variable);
-
-/// As a result file for xarray and others (netCDF-4 on HDF5), at a place that check_writable() let
-/// pass.
-void write_dataset(const std::filesystem::path& path, const Dataset& data,
-                   const ProgramInfo& program);
 
 std::string dataset_json(const Dataset& data);
 

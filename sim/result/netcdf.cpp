@@ -1,12 +1,14 @@
 #include "sim/result/netcdf.hpp"
 
 #include <fmt/chrono.h>
+#include <fmt/ranges.h>
 #include <hdf5_hl.h>
 
 #include <cassert>
 #include <ctime>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -93,6 +95,10 @@ void describe(hid_t data, const VariableFacts& facts) {
   const std::string unit = facts.unit.empty() ? "1" : facts.unit;
   checked(H5LTset_attribute_string(data, ".", "units", unit.c_str()));
   checked(H5LTset_attribute_string(data, ".", "long_name", facts.long_name.c_str()));
+}
+
+std::string words(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, " "));
 }
 
 }  // namespace
@@ -184,13 +190,16 @@ void NetcdfFile::set_numbers(const std::string& variable, const char* name, Valu
 
 void NetcdfFile::set_flags(const std::string& variable, const std::vector<std::string>& names) {
   std::vector<std::int64_t> masks;
-  std::string meanings;
-  for (const std::string& name : names) {
-    meanings += (meanings.empty() ? "" : " ") + name;
-    masks.push_back(std::int64_t{1} << masks.size());
-  }
+  while (masks.size() < names.size()) masks.push_back(std::int64_t{1} << masks.size());
   set_numbers(variable, "flag_masks", std::span<const std::int64_t>(masks));
-  set_text(variable, "flag_meanings", meanings);
+  set_text(variable, "flag_meanings", words(names));
+}
+
+void NetcdfFile::set_choices(const std::string& variable, const std::vector<std::string>& names) {
+  std::vector<std::int16_t> values(names.size());
+  std::iota(values.begin(), values.end(), std::int16_t{0});
+  set_numbers(variable, "flag_values", std::span<const std::int16_t>(values));
+  set_text(variable, "flag_meanings", words(names));
 }
 
 std::string NetcdfFile::image() const {

@@ -61,6 +61,8 @@ class NetcdfFile {
   void set_numbers(const std::string& variable, const char* name, Values values);
   /// What the bits of a variable mean, from bit 0 on (CF conventions 1.11, 3.5).
   void set_flags(const std::string& variable, const std::vector<std::string>& names);
+  /// What the values of a variable of int16 mean, from 0 on (the same section).
+  void set_choices(const std::string& variable, const std::vector<std::string>& names);
 
   /// The whole file.
   std::string image() const;

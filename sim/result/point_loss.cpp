@@ -7,7 +7,7 @@ namespace sim {
 bool may_stop_by_target(const PointResult& point) { return point.rule.target_flr > 0; }
 
 Estimate frame_loss_of(const PointResult& point, double level) {
-  if (!may_stop_by_target(point) || !measured(point)) return frame_loss_ratio(point.tally, level);
+  if (!may_stop_by_target(point) || !point.reached()) return frame_loss_ratio(point.tally, level);
   return stopped_loss(point.rule, point.tally.n_frames, point.tally.n_frames_lost, level);
 }
 

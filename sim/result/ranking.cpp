@@ -47,7 +47,6 @@ std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
     const auto [row, is_new] = known.try_emplace(others, rows.size());
     if (is_new) {
       rows.push_back({std::move(others), {}});
-      rows.back().line.ci_level = result.ci_level;
       rows.back().line.axes = {result.axes[at.abscissa]};
     }
     auto& points = rows[row->second].line.points;

@@ -1,12 +1,8 @@
 #pragma once
-// What an experiment leaves behind: axes, and for each point of their grid the counts, the
-// operating point and the cost. The store, the table and the JSON printer all read this and nothing
-// else.
+// What a link leaves behind: axes, and for each point of their grid the counts, the operating point
+// and the cost.
 #include <cstdint>
-#include <limits>
-#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "sim/counting/shard.hpp"
@@ -30,6 +26,9 @@ struct PointResult {
   std::uint64_t validity_flags = 0;  // of the models' validity: bits of sim/link/validity
   std::uint64_t alarms = 0;          // bits of sim/result/alarms
   Profile profile{};                 // where somebody asked for it; not kept in files
+
+  /// Whether anything was counted: false for those a stopped run never reached.
+  bool reached() const { return tally.n_frames > 0; }
 };
 
 struct ExperimentResult {
@@ -37,42 +36,21 @@ struct ExperimentResult {
   std::string scenario_toml;  // whole text, enough to repeat the run
   std::string command;        // the command that repeats it
   std::uint64_t seed = 0;
-  double ci_level = 0.95;
-  std::vector<Shard> shards{Shard{}};  // whose trials these are
+  static constexpr double ci_level = 0.95;  // of all intervals
+  std::vector<Shard> shards{Shard{}};       // whose trials these are
   std::vector<Axis> axes;
   std::vector<PointResult>
       points;  // all points of the grid, row-major; unfinished ones have n_frames 0
 };
 
-/// One variable of the result file and of the JSON report: the table of them drives both, and the
-/// digest too, which covers every column that is a count of Tally, or a sum of its weights.
-struct LinkColumn {
-  using Real = double (*)(const PointResult&, double ci_level);
-  using Sum = double& (*)(Weighted&);
-  const char* name;
-  const char* unit;
-  const char* long_name;
-  std::variant<std::uint64_t Tally::*, std::uint64_t PointResult::*, StopReason PointResult::*,
-               Real, Sum>
-      value;
-  bool weighted = false;  // only of results of importance sampling
-};
-
 /// Whether trials of any point have weights.
+bool is_weighted(const std::vector<PointResult>& points);
 bool is_weighted(const ExperimentResult& result);
-
-/// The table's columns that a result has.
-std::vector<const LinkColumn*> columns_of(const ExperimentResult& result);
-
-/// The table. At a point never reached the rates and the operating point are NaN.
-std::span<const LinkColumn> columns();
-
-/// Whether anything was counted at this point: false for those a stopped run never reached.
-bool measured(const PointResult& point);
 
 /// Hash (32 hex digits) of all counts and sums of weights of all points with their coordinates and
 /// of nothing else:
 /// equal digests, equal results.
+std::string result_digest(const std::vector<Axis>& axes, const std::vector<PointResult>& points);
 std::string result_digest(const ExperimentResult& result);
 
 }  // namespace sim

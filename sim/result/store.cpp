@@ -1,132 +1,97 @@
 #include "sim/result/store.hpp"
 
-#include <fmt/format.h>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
 
-#include <algorithm>
-
-#include "sim/link/validity.hpp"
-#include "sim/result/alarms.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
-#include "sim/scenario/flags.hpp"
+#include "sim/text/digest.hpp"
 #include "sim/text/new_file.hpp"
 
 namespace sim {
 namespace {
 
-constexpr const char* store_root = NetcdfFile::root;
+constexpr const char* root = NetcdfFile::root;
 
-struct Target {
-  const ExperimentResult& result;
-  NetcdfFile file;
-  std::vector<std::string> dimensions;  // one an axis
-};
-
-void write_axis(Target& to, const Axis& axis) {
-  const std::string name = dimension_name(axis.key);
-  const VariableFacts facts{name, axis.unit, axis.long_name};
+void add_axis(NetcdfFile& file, const Axis& axis) {
+  const VariableFacts facts{dimension_name(axis.key), axis.unit, axis.long_name};
   if (axis.is_text())
-    to.file.add_dimension(facts, std::span<const std::string>(axis.labels));
+    file.add_dimension(facts, std::span<const std::string>(axis.labels));
   else
-    to.file.add_dimension(facts, std::span<const double>(axis.values));
-  to.dimensions.push_back(name);
+    file.add_dimension(facts, std::span<const double>(axis.values));
 }
 
-struct ColumnWriter {
-  Target& to;
-  const LinkColumn& column;
-
-  void operator()(std::uint64_t Tally::*count) const {
-    write<std::int64_t>([=](const PointResult& p) { return p.tally.*count; });
-  }
-  void operator()(std::uint64_t PointResult::*count) const {
-    write<std::int64_t>([=](const PointResult& p) { return p.*count; });
-  }
-  void operator()(StopReason PointResult::*flag) const {
-    write<std::int16_t>([=](const PointResult& p) {
-      return measured(p) ? static_cast<std::int16_t>(p.*flag) : missing_int16;
-    });
-  }
-  void operator()(LinkColumn::Sum sum) const {
-    write<double>([=](PointResult p) { return sum(p.tally.weighted); });
-  }
-  void operator()(LinkColumn::Real real) const {
-    const double level = to.result.ci_level;
-    write<double>([=](const PointResult& p) { return real(p, level); });
-  }
-
- private:
-  template <class T, class Read>
-  void write(Read read) const {
-    std::vector<T> values;
-    for (const PointResult& p : to.result.points) values.push_back(static_cast<T>(read(p)));
-    to.file.add_variable({column.name, column.unit, column.long_name}, to.dimensions,
-                         std::span<const T>(values));
-  }
-};
-
-void explain_stop_reason(NetcdfFile& file) {
-  std::vector<std::int16_t> numbers;
-  for (std::int16_t i = 0; numbers.size() < stop_reason_names().size(); ++i) numbers.push_back(i);
-  file.set_numbers("stop_reason", "flag_values", std::span<const std::int16_t>(numbers));
-  file.set_text("stop_reason", "flag_meanings",
-                fmt::format("{}", fmt::join(stop_reason_names(), " ")));
+template <class T>
+std::span<const T> span_of(const std::vector<T>& values) {
+  return values;
 }
 
-// As an attribute only where it is one number; the variable snr_bandwidth_hz always has it.
-void explain_snr(Target& in) {
-  in.file.set_text("snr_db", "ancillary_variables", "snr_bandwidth_hz");
-  std::vector<double> bandwidths;
-  for (const PointResult& p : in.result.points) {
-    if (measured(p)) bandwidths.push_back(p.operating.snr_bandwidth_hz);
+void set(NetcdfFile& file, const std::string& of, const Dataset::Attribute& attribute) {
+  if (const auto* text = std::get_if<std::string>(&attribute.value))
+    return file.set_text(of, attribute.name.c_str(), *text);
+  file.set_numbers(of, attribute.name.c_str(), std::span(&std::get<double>(attribute.value), 1));
+}
+
+void add_choices(NetcdfFile& file, const Dataset& data, const Dataset::Variable& variable) {
+  const auto& numbers = std::get<std::vector<std::int64_t>>(variable.values);
+  const std::vector<std::int16_t> values(numbers.begin(), numbers.end());
+  file.add_variable(variable.facts, names_of_dimensions(data, variable), span_of(values));
+  file.set_choices(variable.facts.name, variable.flags);
+}
+
+void add_variable(NetcdfFile& file, const Dataset& data, const Dataset::Variable& variable) {
+  if (variable.is_choice) return add_choices(file, data, variable);
+  std::visit(
+      [&](const auto& values) {
+        file.add_variable(variable.facts, names_of_dimensions(data, variable), span_of(values));
+      },
+      variable.values);
+  if (!variable.flags.empty()) file.set_flags(variable.facts.name, variable.flags);
+}
+
+/// In the order in which the digest takes them.
+std::string names_of_digested(const Dataset& data) {
+  std::string names;
+  for (const Dataset::Variable& variable : data.variables)
+    if (is_digested(variable)) names += (names.empty() ? "" : " ") + variable.facts.name;
+  return names;
+}
+
+void add_checkpoint(NetcdfFile& file, const std::string& checkpoint) {
+  file.add_bytes(checkpoint_place,
+                 {reinterpret_cast<const std::uint8_t*>(checkpoint.data()), checkpoint.size()});
+  file.set_text(root, checkpoint_digest, digest_of(checkpoint));
+}
+
+std::string image_of(const Dataset& data, const ProgramInfo& program) {
+  NetcdfFile file(data.experiment == "link" ? link_result_type : experiment_result_type, program);
+  for (const Axis& axis : data.axes) add_axis(file, axis);
+  for (const Dataset::Dimension& d : data.dimensions)
+    std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);
+  for (const Dataset::Variable& v : data.variables) {
+    add_variable(file, data, v);
+    for (const Dataset::Attribute& attribute : v.attributes) set(file, v.facts.name, attribute);
   }
-  std::sort(bandwidths.begin(), bandwidths.end());
-  bandwidths.erase(std::unique(bandwidths.begin(), bandwidths.end()), bandwidths.end());
-  if (bandwidths.size() == 1)
-    in.file.set_numbers("snr_db", "bandwidth_hz", std::span<const double>(bandwidths));
-}
-
-std::string interval_methods(bool weighted) {
-  std::string counted =
-      "flr, uer: Clopper-Pearson; ber: Clopper-Pearson on the effective number of bits, frames as "
-      "clusters (Korn & Graubard 1998)";
-  if (!weighted) return counted;
-  return "where n_groups > 0, ber and flr: log-normal, by Student's t for so many groups; "
-         "elsewhere " +
-         counted;
-}
-
-void write_root(Target& to) {
-  const ExperimentResult& result = to.result;
-  to.file.set_user_text(store_root, "title", result.title);
-  to.file.set_user_text(store_root, "scenario_toml", result.scenario_toml);
-  to.file.set_user_text(store_root, "command", result.command);
-  to.file.set_numbers(store_root, "seed", std::span<const std::uint64_t>(&result.seed, 1));
-  to.file.set_text(store_root, "shards", shards_text(result.shards));
-  to.file.set_text(store_root, "result_digest", result_digest(result));
-  to.file.set_numbers(store_root, "ci_level", std::span<const double>(&result.ci_level, 1));
-  to.file.set_text(store_root, "ci_method", interval_methods(is_weighted(result)));
-}
-
-std::string build_image(const ExperimentResult& result, const ProgramInfo& program) {
-  Target to{result, NetcdfFile(link_result_type, program), {}};
-  for (const Axis& axis : result.axes) write_axis(to, axis);
-  for (const LinkColumn* column : columns_of(result))
-    std::visit(ColumnWriter{to, *column}, column->value);
-  explain_stop_reason(to.file);
-  to.file.set_flags("outside_validity", flag_names(validity_limits()));
-  to.file.set_flags("alarms", flag_names(alarms()));
-  explain_snr(to);
-  to.file.set_text("ebn0_db", "eb_convention", "average");
-  write_root(to);
-  return to.file.image();
+  file.set_user_text(root, "title", data.title);
+  file.set_user_text(root, "scenario_toml", data.scenario_toml);
+  file.set_user_text(root, "command", data.command);
+  file.set_text(root, "experiment", data.experiment);
+  file.set_numbers(root, "seed", std::span<const std::uint64_t>(&data.seed, 1));
+  file.set_text(root, "result_digest", dataset_digest(data));
+  if (data.digest.empty()) file.set_text(root, "digest_variables", names_of_digested(data));
+  file.set_text(root, "shards", shards_text(data.shards));
+  for (const Dataset::Attribute& attribute : data.attributes) set(file, root, attribute);
+  if (!data.checkpoint.empty()) add_checkpoint(file, data.checkpoint);
+  return file.image();
 }
 
 }  // namespace
 
-void write_result(const std::filesystem::path& path, const ExperimentResult& result,
-                  const ProgramInfo& program) {
-  write_file(path, build_image(result, program));
+void write_dataset(const std::filesystem::path& path, const Dataset& data,
+                   const ProgramInfo& program) {
+  write_file(path, image_of(data, program));
 }
 
 void check_writable(const std::filesystem::path& path) {

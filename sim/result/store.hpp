@@ -1,17 +1,17 @@
 #pragma once
-// The result file: HDF5 on the netCDF-4 model (sim/result/netcdf). It is written beside its place
-// and renamed, so a killed run leaves the last good file.
+// The result file: HDF5 on the netCDF-4 model (sim/result/netcdf), for xarray and others. It is
+// written beside its place and renamed, so a killed run leaves the last good file.
 #include <filesystem>
 
 #include "sim/program_info.hpp"
-#include "sim/result/result.hpp"
+#include "sim/result/dataset.hpp"
 
 namespace sim {
 
 /// Replaces `path` by a file with this result. Throws Failure(environment) and leaves what was
 /// there untouched if the disk refuses.
-void write_result(const std::filesystem::path& path, const ExperimentResult& result,
-                  const ProgramInfo& program);
+void write_dataset(const std::filesystem::path& path, const Dataset& data,
+                   const ProgramInfo& program);
 
 /// To be called before a run of any experiment: throws the Failure that writing its result would
 /// throw for this place, and refuses to replace a file that is no result.

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "sim/counting/tally_counters.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/result/netcdf.hpp"
@@ -19,64 +19,71 @@
 namespace sim {
 namespace {
 
-/// Puts one column of the file into the points. False where it does not have a cell for each of
-/// them, or a cell that no file of ours has.
-struct ColumnReader {
-  const NetcdfReader& file;
-  const char* name;
-  std::vector<PointResult>& points;
+using Points = std::vector<PointResult>;
 
-  bool operator()(std::uint64_t Tally::*count) const {
-    return each([=](PointResult& p, std::int64_t value) {
-      p.tally.*count = static_cast<std::uint64_t>(value);
-      return true;
-    });
-  }
-  /// Flags and alarms follow from the rest too; old files have fewer of them.
-  bool operator()(std::uint64_t PointResult::*count) const {
-    if (count == &PointResult::validity_flags || count == &PointResult::alarms) return true;
-    return each([=](PointResult& p, std::int64_t value) {
-      p.*count = static_cast<std::uint64_t>(value);
-      return true;
-    });
-  }
-  bool operator()(StopReason PointResult::*flag) const {
-    return each([=](PointResult& p, std::int64_t value) {
-      p.*flag = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
-      return value == missing_int16 || (value >= 0 && value < std::ssize(stop_reason_names()));
-    });
-  }
-  /// Only files of importance sampling have them.
-  bool operator()(LinkColumn::Sum sum) const {
-    if (!file.has(name)) return true;
-    const std::vector<double> values = file.reals(name);
-    if (values.size() != points.size()) return false;
-    for (std::size_t i = 0; i < points.size(); ++i) sum(points[i].tally.weighted) = values[i];
-    return true;
-  }
-  /// Rates follow from the counts, the operating point from the scenario; costs are read apart.
-  bool operator()(LinkColumn::Real) const { return true; }
-
- private:
-  template <class Set>
-  bool each(const Set& set) const {
-    const std::vector<std::int64_t> values = file.integers(name);
-    if (values.size() != points.size()) return false;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (!set(points[i], values[i])) return false;
-    return true;
-  }
-};
-
-bool read_costs(const NetcdfReader& file, std::vector<PointResult>& points) {
-  const std::vector<double> elapsed = file.reals("elapsed_s");
-  const std::vector<double> simulated = file.reals("simulated_s");
-  if (elapsed.size() != points.size() || simulated.size() != points.size()) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].elapsed_s = elapsed[i];
-    points[i].simulated_s = simulated[i];
-  }
+/// Puts the cells of a variable into the points. False where it does not have one for each of them,
+/// or `set` says that no file of ours has such a cell.
+template <class Cell, class Set>
+bool put(const std::vector<Cell>& cells, Points& points, const Set& set) {
+  if (cells.size() != points.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!set(points[i], cells[i])) return false;
   return true;
+}
+
+bool read_counter(const NetcdfReader& file, Points& points, const TallyCounter& counter) {
+  return put(file.integers(counter.name), points, [&](PointResult& p, std::int64_t value) {
+    p.tally.*counter.count = static_cast<std::uint64_t>(value);
+    return true;
+  });
+}
+
+/// Only files of importance sampling have them.
+bool read_weights(const NetcdfReader& file, Points& points, const WeightCounter& counter) {
+  return !file.has(counter.name) ||
+         put(file.reals(counter.name), points, [&](PointResult& p, double value) {
+           counter.sum(p.tally.weighted) = value;
+           return true;
+         });
+}
+
+bool read_stop_reasons(const NetcdfReader& file, Points& points) {
+  return put(file.integers("stop_reason"), points, [](PointResult& p, std::int64_t value) {
+    p.stop = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
+    return value == missing_int16 || (value >= 0 && value < std::ssize(stop_reason_names()));
+  });
+}
+
+bool read_cost(const NetcdfReader& file, Points& points, const char* name,
+               double PointResult::*cost) {
+  return put(file.reals(name), points,
+             [&](PointResult& p, double value) { return p.*cost = value, true; });
+}
+
+bool read_samples(const NetcdfReader& file, Points& points) {
+  return put(file.integers("n_samples"), points, [](PointResult& p, std::int64_t value) {
+    return p.n_samples = static_cast<std::uint64_t>(value), true;
+  });
+}
+
+/// Rates follow from the counts; the operating point, flags and alarms from the scenario too.
+bool read_points(const NetcdfReader& file, Points& points) {
+  const auto counter = [&](const TallyCounter& c) { return read_counter(file, points, c); };
+  const auto weights = [&](const WeightCounter& c) { return read_weights(file, points, c); };
+  return std::ranges::all_of(tally_counters(), counter) &&
+         std::ranges::all_of(weight_counters(), weights) && read_stop_reasons(file, points) &&
+         read_cost(file, points, "elapsed_s", &PointResult::elapsed_s) &&
+         read_cost(file, points, "simulated_s", &PointResult::simulated_s) &&
+         read_samples(file, points);
+}
+
+/// Puts counts, reasons, costs and shards of the file into `result`, which has the points of its
+/// sweep. False if they do not fit the sweep, or the digest that the file has of them.
+bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
+  const auto shards = shards_of(file);
+  result.shards = shards.value_or(std::vector<Shard>());
+  return shards && read_points(file, result.points) &&
+         result_digest(result) == file.text("result_digest");
 }
 
 }  // namespace
@@ -100,16 +107,6 @@ std::string mismatch(const Origin& own, const Origin& other) {
   if (other.scenario_toml != own.scenario_toml)
     return "it is of another scenario, or of other options";
   return "";
-}
-
-bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
-  const bool whole = std::ranges::all_of(columns(), [&](const LinkColumn& column) {
-    return std::visit(ColumnReader{file, column.name, result.points}, column.value);
-  });
-  const auto shards = shards_of(file);
-  result.shards = shards.value_or(std::vector<Shard>());
-  return whole && shards && read_costs(file, result.points) &&
-         result_digest(result) == file.text("result_digest");
 }
 
 namespace {

@@ -28,11 +28,6 @@ std::optional<std::vector<Shard>> shards_of(const NetcdfReader& file);
 /// In what `other` is not the same as `own`, as words about "it"; empty where it is the same.
 std::string mismatch(const Origin& own, const Origin& other);
 
-/// Puts counts, reasons and costs of the file into the points of `result`, which must be those of
-/// the same sweep, and its shards. False if they do not fit the sweep, or the digest that the file
-/// has of them: it is damaged.
-bool read_counts(const NetcdfReader& file, ExperimentResult& result);
-
 /// The scenario that a result carries. Throws Failure(bad_input) where its format is newer than
 /// ours, or the scenario cannot be read.
 LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::path& path);

@@ -99,6 +99,10 @@ std::string amount_key(const Scenario& scenario) {
   return amount.empty() ? "stop.max_frames" : std::string(amount);
 }
 
+std::string amount_unit(const Scenario& scenario) {
+  return &kind_of(scenario) == &link_kind ? "frames" : "runs";
+}
+
 std::uint32_t runs_asked_for(Scenario scenario) {
   const Key& key = *find_key(amount_key(scenario));
   return static_cast<std::uint32_t>(key.number(scenario));

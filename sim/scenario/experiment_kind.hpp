@@ -40,7 +40,10 @@ class KnownExperimentKind {
 /// The key of how much of a point is simulated: "arena.runs"; of a link "stop.max_frames".
 std::string amount_key(const Scenario& scenario);
 
-/// How many runs or trials a point shall have, by that key. Not of a link.
+/// What it counts: "frames" of a link, "runs" of others.
+std::string amount_unit(const Scenario& scenario);
+
+/// How many frames, runs or trials a point shall have, by that key.
 std::uint32_t runs_asked_for(Scenario scenario);
 
 /// That of a scenario.

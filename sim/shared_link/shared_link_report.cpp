@@ -10,6 +10,7 @@
 
 #include "sim/columns/age_columns.hpp"
 #include "sim/columns/columns_table.hpp"
+#include "sim/columns/stop_column.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/text/rounded_text.hpp"
 
@@ -171,6 +172,7 @@ Columns<Point> made_columns() {
             [](const Point& p) { return p.reflected_mw_per_m2; })
       .headed({{"own", "reflection", "[mW/m2]"}, number_width});
   add_direction(columns, {}, [](const Point& p, std::size_t) { return together(p.tally); });
+  add_stop_reason(columns);
   add_validity_flags(columns);
   columns.words({}, [](const Point&, std::size_t i) { return i == 0 ? "A to B" : "B to A"; })
       .on({"sender"})

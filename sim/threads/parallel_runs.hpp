@@ -20,10 +20,11 @@ namespace sim {
 
 inline bool is_stopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
 
-/// Who does the runs, and what ends them early.
+/// Who does the runs, what ends them early, and whether they time their stages.
 struct Workers {
   int threads = 1;
   const std::atomic<bool>* interrupt = nullptr;
+  bool profiled = false;
 
   bool interrupted() const { return is_stopped(interrupt); }
 };

@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "sim/failure.hpp"
 
 namespace sim {
+
+int threads_for(int asked) {
+  if (asked > 0) return asked;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 std::vector<std::jthread> start_threads(int threads, const std::function<void()>& work,
                                         const std::function<void()>& give_up) {

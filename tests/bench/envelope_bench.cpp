@@ -5,8 +5,8 @@
 
 #include "benchmark/benchmark.h"
 #include "rate.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/link/link.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/trial/envelope_trial.hpp"

@@ -5,9 +5,8 @@
 
 #include <atomic>
 
-#include "sim/engine/experiment.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/load_scenario.hpp"
-#include "sim/result/unfinished.hpp"
 
 namespace sim {
 namespace {
@@ -18,8 +17,7 @@ TEST(Ablations, FindTheGainControlOfTheQuickstart) {
       {"stop.max_frames=8", "receiver.range_m=2,2.3,3", "simulation.sample_rate_hz=250000"},
       {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
-  const ExperimentResult result =
-      run_experiment(scenario, unfinished(scenario, ""), {.threads = 2});
+  const ExperimentResult result = run_link(scenario, {.threads = 2});
   const Ablations found = ablate(scenario, result, {2, &never});
   EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
   std::vector<std::string> names;
@@ -44,9 +42,7 @@ TEST(Ablations, LookForHalfTheLossOnlyWhereItsDirectionIsKnown) {
   const auto along_of = [&](const std::vector<std::string>& changes) {
     const LoadedScenario scenario = load_scenario(COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
                                                   changes, {COSYS_SOURCE_DIR "/scenarios"});
-    return ablate(scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}),
-                  {2, &never})
-        .along;
+    return ablate(scenario, run_link(scenario, {.threads = 2}), {2, &never}).along;
   };
   const std::string few = "stop.max_frames=8", fast = "simulation.fidelity=envelope",
                     far = "receiver.range_m=20";
@@ -64,8 +60,7 @@ TEST(Ablations, FindNoHalfAlongTheKeyThatIsLeftOut) {
       "[sweep]\ndisturbance.lamp.irradiance_w_per_m2 = [1e-5, 0.05]\n",
       "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
-  const Ablations found = ablate(
-      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  const Ablations found = ablate(scenario, run_link(scenario, {.threads = 2}), {2, &never});
   ASSERT_TRUE(found.along);
   EXPECT_EQ(found.along->key, "disturbance.lamp.irradiance_w_per_m2");
   EXPECT_EQ(found.ablations.back().change, "without the disturbance lamp (fluorescent)");
@@ -79,8 +74,7 @@ TEST(Ablations, NameADisturbanceAsTheScenarioDoes) {
       "[disturbance.lamp]\nkind = \"fluorescent\"\n",
       "x.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
-  const Ablations found = ablate(
-      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  const Ablations found = ablate(scenario, run_link(scenario, {.threads = 2}), {2, &never});
   ASSERT_FALSE(found.ablations.empty());
   EXPECT_EQ(found.ablations.back().change, "without the disturbance lamp (fluorescent)");
 }
@@ -91,8 +85,7 @@ TEST(Ablations, AreTriedWithFewerLongFrames) {
       "simulation.warmup_messages = 0\nsimulation.fidelity = \"envelope\"\n",
       "x.toml", {"receiver.range_m=40,41"}, {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
-  const Ablations found = ablate(
-      scenario, run_experiment(scenario, unfinished(scenario, ""), {.threads = 2}), {2, &never});
+  const Ablations found = ablate(scenario, run_link(scenario, {.threads = 2}), {2, &never});
   ASSERT_FALSE(found.ablations.empty());
   EXPECT_EQ(found.ablations.front().tally.n_frames, 20) << "of ten million samples each";
   EXPECT_FALSE(found.along) << "they would take minutes";

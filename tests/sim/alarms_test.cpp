@@ -3,8 +3,7 @@
 
 #include "program.hpp"
 #include "scenarios.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/engine/experiment.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/text_file.hpp"
 

@@ -17,7 +17,7 @@ std::vector<Point> counted_points(
     const std::type_identity_t<std::function<void(const Point&)>>& on_point = {}) {
   RunCounting<Setup, Tally, Point> counting(kind, scenario);
   for (std::size_t i = 0; i < counting.points().size(); ++i) {
-    counting.count(i, {}, {workers});
+    counting.count(i, {workers});
     if (on_point && counting.points()[i].reached()) on_point(counting.points()[i]);
   }
   return counting.points();

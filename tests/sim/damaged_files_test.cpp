@@ -13,6 +13,7 @@
 #include "program.hpp"
 #include "sanitized.hpp"
 #include "sim/failure.hpp"
+#include "sim/link_experiment/link_columns.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/stored_result.hpp"
 #include "small_experiments.hpp"
@@ -277,7 +278,7 @@ TEST_F(HostileFile, ReasonsToStopThatThereAreNotAreRefused) {
   for (const int reason : {-1, 5, 32767}) {
     SCOPED_TRACE(reason);
     stored.result.points.back().stop = static_cast<StopReason>(reason);
-    write_result(path("bad.h5"), stored.result, stored.origin.program);
+    write_dataset(path("bad.h5"), link_dataset(stored.result), stored.origin.program);
     expect_refused_by({report, diff, merge});
   }
 }

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "link_table.hpp"
 #include "scenarios.hpp"
 #include "sim/counting/shard.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/report/report_table.hpp"
+#include "sim/engine/run_counting.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/threads/profile.hpp"
 #include "sim/trace/trace.hpp"
@@ -101,16 +102,15 @@ TEST(DecisionDeterminism, AnyNumberOfThreadsAndAnyInterrupt) {
 }
 
 TEST(DecisionDeterminism, ShardsAddUpToTheWhole) {
-  const Link link = link_of(keys());
-  constexpr std::uint64_t frames = 3003;
+  const LoadedScenario scenario =
+      loaded("", keys({"stop.max_frames=3003", "stop.max_frame_errors=0"}));
   Tally sum;
   for (const std::uint32_t number : {1u, 2u, 3u}) {
-    const TrialRange trials = trials_of({number, 3}, frames);
-    sum += run_point(link, {.max_frames = trials.last - trials.first},
-                     {.threads = 2, .first_trial = trials.first})
-               .tally;
+    RunCounting shard(link_measurement, scenario, {{number, 3}});
+    shard.count(0, {{.threads = 2}});
+    sum += shard.points()[0].tally;
   }
-  EXPECT_EQ(sum, run_point(link, {.max_frames = frames}, {.threads = 2}).tally);
+  EXPECT_EQ(sum, run_link(scenario, {.threads = 2}).points[0].tally);
 }
 
 TEST(DecisionDeterminism, TheTrialThatIsTracedIsTheTrialThatWasCounted) {
@@ -154,9 +154,9 @@ TEST(Decision, TableShowsHowManyTimesFasterThanTheLinkInFewDigits) {
   point.tally.n_frames = 1;
   point.elapsed_s = 1;
   point.simulated_s = 2.34e6;
-  EXPECT_NE(table_row({}, point, 0.95).find(" 2.3e6x "), std::string::npos);
+  EXPECT_NE(link_row(point).find(" 2.3e6x "), std::string::npos);
   point.simulated_s = 234567;
-  EXPECT_NE(table_row({}, point, 0.95).find("234567x "), std::string::npos);
+  EXPECT_NE(link_row(point).find("234567x "), std::string::npos);
 }
 
 // ---- the key ----

@@ -6,7 +6,7 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/result/comparison.hpp"
 #include "sim/threads/profile.hpp"
 #include "sim/trace/trace.hpp"

@@ -9,11 +9,10 @@
 
 #include "made_up_trial.hpp"
 #include "sim/columns/estimate_text.hpp"
-#include "sim/engine/experiment.hpp"
 #include "sim/link/link.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/page/frame_charts.hpp"
-#include "sim/result/unfinished.hpp"
 #include "sim/section/picture_sections.hpp"
 #include "sim/trial/trial.hpp"
 
@@ -146,7 +145,7 @@ int bits_in_bursts(const FrameStatistics& frames) {
 TEST(FrameStatistics, AreOfTheBitsThatWereCounted) {
   for (const char* fidelity : {"", "fidelity = \"envelope\"\n"}) {
     const LoadedScenario scenario = failing_link(fidelity);
-    const Tally tally = run_experiment(scenario, unfinished(scenario, ""), {}).points.at(0).tally;
+    const Tally tally = run_link(scenario, {}).points.at(0).tally;
     ASSERT_GT(tally.n_bit_errors, 0U);
     ASSERT_EQ(tally.n_frames, 44U);
     const FrameStatistics frames =

@@ -7,8 +7,8 @@
 
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/link/importance_link.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/noise/peak_readings.hpp"
 #include "sim/trial/drawn_trials.hpp"
 #include "sim/trial/exposed_bits.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "lossy_sweep.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/page/link_section.hpp"
 #include "sim/page/page.hpp"
-#include "sim/report/report_table.hpp"
 
 namespace sim {
 namespace {

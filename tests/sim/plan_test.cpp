@@ -7,57 +7,86 @@
 namespace sim {
 namespace {
 
-/// A pilot of 1000 frames of which so many are lost, with as many wrong bits each.
-Pilot pilot_of(std::uint64_t lost, const StopRule& rule) {
-  Pilot pilot{.coordinates = {}, .rule = rule, .tally = {}, .seconds_per_frame = 0.01};
-  pilot.tally.n_frames = 1000;
-  pilot.tally.n_frames_lost = lost;
-  pilot.tally.n_bits = 170000;
-  pilot.tally.n_bit_errors = 10 * lost;
-  pilot.tally.n_frames_bit_errors = lost;
-  pilot.tally.sum_bits_squared = 1000 * 170 * 170;
-  pilot.tally.sum_bit_errors_squared = 100 * lost;
-  pilot.tally.sum_bit_errors_times_bits = 1700 * lost;
-  return pilot;
+/// 1000 frames of which so many are lost, with ten wrong bits each.
+Tally lost_of_1000(std::uint64_t lost) {
+  return {.n_bits = 170000,
+          .n_bit_errors = 10 * lost,
+          .n_frames = 1000,
+          .n_frames_lost = lost,
+          .n_frames_bit_errors = lost,
+          .sum_bit_errors_squared = 100 * lost,
+          .sum_bits_squared = 1000 * 170 * 170,
+          .sum_bit_errors_times_bits = 1700 * lost};
+}
+
+/// Of a link whose pilot was that, for a run of at most so many frames as the rule says.
+RunPilot pilot_of(const Tally& tally, const StopRule& rule) {
+  return {.coordinates = {},
+          .runs = rule.max_frames,
+          .rule = rule,
+          .group = 8,
+          .run_s = 0.01,
+          .counted = 1000,
+          .ratio = bit_error_ratio(tally, 0.95),
+          .loss = frame_loss_ratio(tally, sure_level),
+          .losses = worth_of_losses(tally)};
+}
+RunPilot pilot_of(std::uint64_t lost, const StopRule& rule) {
+  return pilot_of(lost_of_1000(lost), rule);
 }
 
 TEST(Plan, ExpectsTheFramesThatTheRuleWillNeed) {
-  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 500})), 500);
-  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .max_frame_errors = 50})), 500,
-              8);
-  EXPECT_EQ(expected_frames(pilot_of(100, {.max_frames = 300, .max_frame_errors = 50})), 300);
+  EXPECT_EQ(expected_runs(pilot_of(0, {.max_frames = 500})), 500);
+  EXPECT_NEAR(expected_runs(pilot_of(100, {.max_frames = 100000, .max_frame_errors = 50})), 500, 8);
+  EXPECT_EQ(expected_runs(pilot_of(100, {.max_frames = 300, .max_frame_errors = 50})), 300);
   // Of 10 % of the frames the ratio is known to 10 % after 1.96^2 * 9 / 0.01 frames.
-  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .rel_ci = 0.1})), 3457, 200);
-  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .rel_ci = 0.1})), 100000);
-  EXPECT_NEAR(expected_frames(pilot_of(100, {.max_frames = 100000, .target_flr = 0.05})), 400, 20);
-  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .target_flr = 0.01})), 760);
+  EXPECT_NEAR(expected_runs(pilot_of(100, {.max_frames = 100000, .rel_ci = 0.1})), 3457, 200);
+  EXPECT_EQ(expected_runs(pilot_of(0, {.max_frames = 100000, .rel_ci = 0.1})), 100000);
+  // 3.3^2 * .1 * .9 / .05^2 frames.
+  EXPECT_NEAR(expected_runs(pilot_of(100, {.max_frames = 100000, .target_flr = 0.05})), 400, 20);
+  EXPECT_EQ(expected_runs(pilot_of(0, {.max_frames = 100000, .target_flr = 0.01})), 760);
   // Where no loss was seen none is expected.
-  EXPECT_EQ(expected_frames(pilot_of(0, {.max_frames = 100000, .max_frame_errors = 50})), 100000);
+  EXPECT_EQ(expected_runs(pilot_of(0, {.max_frames = 100000, .max_frame_errors = 50})), 100000);
+}
+
+// Runs that are counted one by one are looked at behind every eighth.
+TEST(Plan, ExpectsTheNextLookOfTheRule) {
+  RunPilot pilot{.coordinates = {}, .runs = 100, .rule = {.rel_ci = 0.1}, .counted = 10};
+  const auto expected = [&](double half_width) {
+    pilot.ratio = {1, 1 - half_width, 1 + half_width};
+    return expected_runs(pilot);
+  };
+  EXPECT_EQ(expected(0.01), 8);   // of 0.1 runs
+  EXPECT_EQ(expected(0.11), 16);  // of 12.1
+  EXPECT_EQ(expected(1), 100);
+  pilot.ratio = {};
+  EXPECT_EQ(expected_runs(pilot), 100) << "nothing was seen";
 }
 
 // 1000 drawn frames that are all lost are worth half if half of the weights are small.
 TEST(Plan, ExpectsOfWeightedLossesWhatTheyAreWorth) {
-  Pilot pilot = pilot_of(1000, {.max_frames = 100000, .max_frame_errors = 50});
+  Tally tally = lost_of_1000(1000);
   for (int i = 0; i < 1000; ++i) {
     const std::vector<double> weight{i % 2 == 0 ? 1 : 0.01};
-    pilot.tally.weighted.n_groups += 1;
-    pilot.tally.weighted.bit_errors += weighted_sum(weight);
-    pilot.tally.weighted.frames_lost += weighted_sum(weight);
+    tally.weighted.n_groups += 1;
+    tally.weighted.bit_errors += weighted_sum(weight);
+    tally.weighted.frames_lost += weighted_sum(weight);
   }
   // (500 + 5)^2 / (500 + .05) are 510.
-  EXPECT_NEAR(expected_frames(pilot), 98, 8);
+  EXPECT_NEAR(expected_runs(pilot_of(tally, {.max_frames = 100000, .max_frame_errors = 50})), 98,
+              8);
 }
 
 TEST(Plan, FillsTheTime) {
   const StopRule any{.max_frames = 1};
-  const std::vector<Pilot> pilots{pilot_of(0, any), pilot_of(0, any), pilot_of(0, any)};
-  EXPECT_EQ(frames_within(pilots, 30.3), 1008u);
-  EXPECT_EQ(frames_within(pilots, 1e-9), 8u);
-  EXPECT_EQ(frames_within(pilots, 1e12), 4000000000u);
+  const std::vector<RunPilot> pilots{pilot_of(0, any), pilot_of(0, any), pilot_of(0, any)};
+  EXPECT_EQ(runs_within(pilots, 30.3, 4e9), 1008u);
+  EXPECT_EQ(runs_within(pilots, 1e-9, 4e9), 8u);
+  EXPECT_EQ(runs_within(pilots, 1e12, 4e9), 4000000000u);
   // Where losses end two of the points the third has their time.
   const StopRule losses{.max_frames = 1, .max_frame_errors = 10};
-  EXPECT_NEAR(static_cast<double>(frames_within(
-                  {pilot_of(0, any), pilot_of(100, losses), pilot_of(1000, losses)}, 30.3)),
+  EXPECT_NEAR(static_cast<double>(runs_within(
+                  {pilot_of(0, any), pilot_of(100, losses), pilot_of(1000, losses)}, 30.3, 4e9)),
               2904, 16);
 }
 

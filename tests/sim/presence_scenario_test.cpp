@@ -171,7 +171,8 @@ TEST(PresenceScenario, PointsWithoutResultAreZerosOfADataset) {
   for (const auto& variable : data.variables) {
     const auto* counts = std::get_if<std::vector<std::int64_t>>(&variable.values);
     if (counts == nullptr) continue;
-    EXPECT_EQ(std::ranges::count(*counts, 0), std::ssize(*counts)) << variable.facts.name;
+    const std::int64_t nothing = variable.is_choice ? no_choice : 0;
+    EXPECT_EQ(std::ranges::count(*counts, nothing), std::ssize(*counts)) << variable.facts.name;
   }
 }
 

@@ -8,23 +8,25 @@
 #include <vector>
 
 #include "gtest/gtest.h"
+#include "sim/link_experiment/link_report.hpp"
 
 namespace sim {
 namespace {
 
-ExperimentResult two_points() {
-  ExperimentResult result;
-  result.points.resize(2);
-  result.points[1].tally.n_frames = 16;
-  result.points[1].tally.n_frames_lost = 3;
-  result.points[1].tally.n_bits = 1000;
-  result.points[1].tally.n_bit_errors = 20;
-  return result;
+/// A point of which 16 frames were sent.
+PointResult sixteen_frames() {
+  PointResult point;
+  point.tally.n_frames = 16;
+  point.tally.n_frames_lost = 3;
+  point.tally.n_bits = 1000;
+  point.tally.n_bit_errors = 20;
+  return point;
 }
 
-void show_at_once(bool shown, const ExperimentResult& result = two_points()) {
+void show_at_once(bool shown, const PointResult& point = sixteen_frames()) {
   ProgressLine line(shown, std::chrono::milliseconds(0));
-  line.show(status_of({result, 1, 4000000000u}));
+  line.show(runs_status({.point = 1, .points = 2}, 16, 4000000000u, "frames",
+                        link_report.progress(point)));
   line.clear();
 }
 
@@ -46,11 +48,11 @@ TEST(ProgressLine, SaysHowLongItWillTakeOnceThatCanBeKnown) {
 
 // Of frames that are drawn to fail the counts say nothing, their weights do.
 TEST(ProgressLine, SaysOfWeightedFramesWhatTheyAreWorth) {
-  ExperimentResult drawn = two_points();
-  drawn.points[1].tally.weighted.n_groups = 2;
+  PointResult drawn = sixteen_frames();
+  drawn.tally.weighted.n_groups = 2;
   testing::internal::CaptureStderr();
   show_at_once(true, drawn);
-  drawn.points[1].tally.weighted.bit_errors = weighted_sum(std::vector<double>(30, 1e-9));
+  drawn.tally.weighted.bit_errors = weighted_sum(std::vector<double>(30, 1e-9));
   show_at_once(true, drawn);
   const std::string frames = "point 2 of 2: 16 of at most 4000000000 frames, 3 lost as drawn, BER ";
   EXPECT_EQ(testing::internal::GetCapturedStderr(),

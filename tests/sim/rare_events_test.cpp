@@ -8,7 +8,7 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/engine.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 
 namespace sim {
 namespace {

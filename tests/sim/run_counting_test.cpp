@@ -38,17 +38,18 @@ std::string json_of(const RunCounting<Setup, Tally, Point>& counting,
 template <class Setup, class Tally, class Point>
 std::string counted_shard(const Measurement<Setup, Tally, Point>& kind,
                           const LoadedScenario& scenario, const Shard& shard, int threads) {
-  RunCounting<Setup, Tally, Point> counting(kind, scenario);
+  RunCounting<Setup, Tally, Point> counting(kind, scenario, {shard});
   for (std::size_t i = 0; i < counting.points().size(); ++i)
-    counting.count(i, shard, {{.threads = threads}});
+    counting.count(i, {{.threads = threads}});
   return counting.checkpoint();
 }
 
 template <class Setup, class Tally, class Point>
 void expect_parts_to_add_up(const Measurement<Setup, Tally, Point>& kind,
                             const LoadedScenario& scenario, const Columns<Point>& columns) {
-  RunCounting<Setup, Tally, Point> whole(kind, scenario), sum(kind, scenario);
-  for (std::size_t i = 0; i < whole.points().size(); ++i) whole.count(i, {}, {{.threads = 3}});
+  RunCounting<Setup, Tally, Point> whole(kind, scenario);
+  RunCounting<Setup, Tally, Point> sum(kind, scenario, {{1, 3}, {2, 3}, {3, 3}});
+  for (std::size_t i = 0; i < whole.points().size(); ++i) whole.count(i, {{.threads = 3}});
   for (const Shard& shard : {Shard{3, 3}, Shard{1, 3}, Shard{2, 3}})
     sum.add(counted_shard(kind, scenario, shard, static_cast<int>(shard.number)));
   EXPECT_NE(json_of(sum, scenario, columns), json_of(whole, scenario, columns));
@@ -123,6 +124,7 @@ struct NumberedRuns {
 
 struct NumberedPoint {
   std::vector<std::uint32_t> runs{};
+  StopReason stop = StopReason::interrupted;
   bool reached() const { return !runs.empty(); }
 };
 
@@ -170,7 +172,7 @@ std::vector<std::uint32_t> first_numbers(std::uint32_t n) {
 void count_first(NumberedCounting& counting, std::uint32_t n) {
   const HeldRuns held(n);
   std::atomic<bool> stop = false;
-  counting.count(0, {}, {{.threads = 1, .interrupt = &stop}},
+  counting.count(0, {{.threads = 1, .interrupt = &stop}},
                  [&](std::uint32_t done, std::uint32_t) { stop = done == n; });
 }
 
@@ -184,7 +186,7 @@ TEST(RunCounting, GoesOnBehindTheRunsThatItHas) {
   again.add(begun.checkpoint());
   again.describe_all({});
   EXPECT_EQ(again.points()[0].runs, before);
-  again.count(0, {}, {{.threads = 2}});
+  again.count(0, {{.threads = 2}});
   EXPECT_EQ(again.points()[0].runs, first_numbers(all_runs));
 }
 
@@ -192,12 +194,12 @@ TEST(RunCounting, AnInterruptBeforeAllLeavesWhatIsThereAsItIs) {
   const LoadedScenario scenario = loaded("experiment = \"presence\"\n", {"presence.trials=20"});
   const std::atomic<bool> stop = true;
   NumberedCounting nothing(numbered_measurement, scenario);
-  nothing.count(0, {}, {{.interrupt = &stop}});
+  nothing.count(0, {{.interrupt = &stop}});
   EXPECT_FALSE(nothing.points()[0].reached());
-  NumberedCounting half(numbered_measurement, scenario);
+  NumberedCounting half(numbered_measurement, scenario, {{1, 2}});
   half.add(counted_shard(numbered_measurement, scenario, {1, 2}, 1));
   half.describe_all({});
-  half.count(0, {1, 2}, {{.interrupt = &stop}});
+  half.count(0, {{.interrupt = &stop}});
   EXPECT_EQ(half.points()[0].runs, first_numbers(all_runs / 2));
   EXPECT_EQ(half.checkpoint(), counted_shard(numbered_measurement, scenario, {1, 2}, 1));
 }
@@ -205,13 +207,19 @@ TEST(RunCounting, AnInterruptBeforeAllLeavesWhatIsThereAsItIs) {
 TEST(RunCounting, SaysHowManyPointsAreFinished) {
   const LoadedScenario scenario =
       loaded("experiment = \"presence\"\n[sweep]\npresence.trials = [4, 20, 21]\n");
-  NumberedCounting counting(numbered_measurement, scenario);
-  EXPECT_EQ(counting.n_begun(), 0U);
-  counting.count(0, {}, {});
-  counting.count(1, {1, 2}, {});
-  EXPECT_EQ(counting.n_begun(), 2U);
-  EXPECT_EQ(counting.n_finished({{}}), 1U);
-  EXPECT_EQ(counting.n_finished({{1, 2}}), 1U);
+  NumberedCounting all(numbered_measurement, scenario),
+      half(numbered_measurement, scenario, {{1, 2}});
+  EXPECT_EQ(all.n_begun(), 0U);
+  for (NumberedCounting* counting : {&all, &half}) {
+    counting->count(0, {});
+    counting->count(2, {});
+    EXPECT_EQ(counting->n_begun(), 2U);
+    EXPECT_EQ(counting->n_finished(), 2U);
+  }
+  NumberedCounting sum(numbered_measurement, scenario, {{1, 2}, {2, 2}});
+  sum.add(half.checkpoint());
+  EXPECT_EQ(sum.n_begun(), 2U);
+  EXPECT_EQ(sum.n_finished(), 0U) << "the other half is missing";
 }
 
 TEST(RunCounting, RefusesWhatIsNoCheckpointOfIt) {
@@ -234,7 +242,7 @@ TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
   const HeldRuns held(9);
   std::atomic<bool> stop = false;
   std::vector<std::uint32_t> seen;
-  counting.count(0, {}, {{.threads = 1, .interrupt = &stop}},
+  counting.count(0, {{.threads = 1, .interrupt = &stop}},
                  [&](std::uint32_t done, std::uint32_t all) {
                    EXPECT_EQ(all, all_runs);
                    counting.bring_up_to_date();
@@ -259,9 +267,11 @@ TEST(RunCounting, StopsAtTheFirstLookThatFindsTheIntervalNarrow) {
     for (const int threads : {1, 2, 5}) {
       const LoadedScenario scenario = presence("12000", std::string("stop.rel_ci=") + width);
       NumberedCounting counting(numbered_measurement, scenario);
-      counting.count(0, {}, {{.threads = threads}});
+      counting.count(0, {{.threads = threads}});
       EXPECT_EQ(counting.points()[0].runs, first_numbers(n)) << width << ", " << threads;
-      EXPECT_EQ(counting.n_finished({{}}), 1U);
+      EXPECT_EQ(counting.points()[0].stop,
+                n == 12000 ? StopReason::max_frames : StopReason::rel_ci);
+      EXPECT_EQ(counting.n_finished(), 1U);
     }
 }
 
@@ -271,10 +281,10 @@ TEST(RunCounting, StopsThereAfterAnInterruptToo) {
     NumberedCounting begun(numbered_measurement, scenario);
     count_first(begun, before);
     EXPECT_EQ(begun.points()[0].runs, first_numbers(before));
-    EXPECT_EQ(begun.n_finished({{}}), 0U);
+    EXPECT_EQ(begun.n_finished(), 0U);
     NumberedCounting again(numbered_measurement, scenario);
     again.add(begun.checkpoint());
-    again.count(0, {}, {{.threads = 2}});
+    again.count(0, {{.threads = 2}});
     EXPECT_EQ(again.points()[0].runs, first_numbers(32)) << before;
   }
 }
@@ -284,8 +294,8 @@ TEST(RunCounting, RunsNothingBehindTheStop) {
   const std::string whole = counted_shard(numbered_measurement, scenario, {}, 2);
   NumberedCounting again(numbered_measurement, scenario);
   again.add(whole);
-  EXPECT_EQ(again.n_finished({{}}), 1U);
-  again.count(0, {}, {{.threads = 2}});
+  EXPECT_EQ(again.n_finished(), 1U);
+  again.count(0, {{.threads = 2}});
   again.describe_all({});
   EXPECT_EQ(again.points()[0].runs, first_numbers(32));
   EXPECT_EQ(again.checkpoint(), whole);
@@ -296,7 +306,7 @@ TEST(RunCounting, StopsWhereALevelIsSurelyLeft) {
     const LoadedScenario scenario = loaded(test::scenario_of(test::small_experiments[0], false),
                                            {"arena.runs=1000", "stop.target_flr=" + target});
     NumberedCounting counting(numbered_measurement, scenario);
-    counting.count(0, {}, {{.threads = 2}});
+    counting.count(0, {{.threads = 2}});
     return counting.points()[0].runs.size();
   };
   EXPECT_EQ(runs_with("0.5"), 8U);   // 1 - 1/sqrt(8) = 0.65

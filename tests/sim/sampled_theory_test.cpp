@@ -12,8 +12,8 @@
 
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/report/report_table.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "tests/sim/held_intervals.hpp"
 
 namespace sim {

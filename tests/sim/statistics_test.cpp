@@ -13,9 +13,9 @@
 
 namespace {
 
+using sim::CounterWords;
 using sim::Tally;
 using sim::tally_of;
-using sim::Words;
 using sim::words_of;
 
 void add_frame(Tally& tally, std::uint64_t bits, std::uint64_t errors) {
@@ -266,7 +266,7 @@ TEST(Ratios, UseTheirOwnCounts) {
 }
 
 TEST(TallySum, AddsEveryCounter) {
-  Words a{}, b{};
+  CounterWords a{}, b{};
   for (std::size_t i = 0; i < a.size(); ++i) {
     a[i] = i + 1;
     b[i] = 1000 * (i + 1);
@@ -297,7 +297,7 @@ TEST(TallySum, AddsEveryWeightedSum) {
 sim::ExperimentResult one_point() {
   sim::ExperimentResult result;
   result.axes = {{"receiver.range_m", "m", "distance", {2.5}}};
-  Words words{};
+  CounterWords words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i;
   result.points = {{.coordinates = {2.5}, .tally = tally_of(words)}};
   return result;
@@ -305,7 +305,7 @@ sim::ExperimentResult one_point() {
 
 TEST(Digest, DependsOnEveryCounterAndCoordinate) {
   const std::string digest = sim::result_digest(one_point());
-  for (std::size_t i = 0; i < Words{}.size(); ++i) {
+  for (std::size_t i = 0; i < CounterWords{}.size(); ++i) {
     sim::ExperimentResult other = one_point();
     auto words = words_of(other.points[0].tally);
     words[i] ^= std::uint64_t{1} << 40;

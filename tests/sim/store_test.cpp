@@ -12,7 +12,8 @@
 #include <sstream>
 
 #include "sim/failure.hpp"
-#include "sim/report/report_json.hpp"
+#include "sim/link_experiment/link_columns.hpp"
+#include "sim/link_experiment/link_json.hpp"
 #include "sim/result/netcdf.hpp"
 
 namespace {
@@ -125,7 +126,7 @@ std::string write_failure(const fs::path& path) {
   testing::internal::CaptureStderr();
   std::string message = "no failure";
   try {
-    sim::write_result(path, single(), program);
+    sim::write_dataset(path, sim::link_dataset(single()), program);
   } catch (const sim::Failure& failure) {
     EXPECT_EQ(failure.code(), sim::ExitCode::environment);
     message = failure.what();
@@ -145,52 +146,52 @@ void expect_refused(const fs::path& path, const std::string& rest) {
 }
 
 TEST_F(Store, OnePointOpensEverywhere) {
-  sim::write_result(path(), single(), program);
+  sim::write_dataset(path(), sim::link_dataset(single()), program);
   expect_all_readers_agree(path(), single());
 }
 
 TEST_F(Store, UnfinishedSweepOpensEverywhere) {
-  sim::write_result(path(), sweep(), program);
+  sim::write_dataset(path(), sim::link_dataset(sweep()), program);
   expect_all_readers_agree(path(), sweep());
 }
 
 TEST_F(Store, GridOpensEverywhere) {
-  sim::write_result(path(), grid(), program);
+  sim::write_dataset(path(), sim::link_dataset(grid()), program);
   expect_all_readers_agree(path(), grid());
 }
 
 TEST_F(Store, TextsAsCoordinatesOpenEverywhere) {
-  sim::write_result(path(), sweep_of_texts(), program);
+  sim::write_dataset(path(), sim::link_dataset(sweep_of_texts()), program);
   expect_all_readers_agree(path(), sweep_of_texts());
 }
 
 TEST_F(Store, KeepsAScenarioOfAnyLength) {
   sim::ExperimentResult result = sweep();
   while (result.scenario_toml.size() < 200'000) result.scenario_toml += "# 0.6 W/m² at 45°\n";
-  sim::write_result(path(), result, program);
+  sim::write_dataset(path(), sim::link_dataset(result), program);
   expect_all_readers_agree(path(), result);
 }
 
 TEST_F(Store, KeepsEmptyTexts) {
   sim::ExperimentResult result = single();
   result.title = result.command = result.scenario_toml = "";
-  sim::write_result(path(), result, program);
+  sim::write_dataset(path(), sim::link_dataset(result), program);
   expect_all_readers_agree(path(), result);
 }
 
 TEST_F(Store, ReplacesTheLastFileAndLeavesNothingElse) {
-  sim::write_result(path(), single(), program);
+  sim::write_dataset(path(), sim::link_dataset(single()), program);
   const std::string before = bytes_in(path());
-  sim::write_result(path(), grid(), program);
+  sim::write_dataset(path(), sim::link_dataset(grid()), program);
   EXPECT_NE(bytes_in(path()), before);
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(Store, WritesThroughALink) {
-  sim::write_result(path("target.h5"), single(), program);
+  sim::write_dataset(path("target.h5"), sim::link_dataset(single()), program);
   fs::create_symlink("target.h5", path("link.h5"));
   const std::string before = bytes_in(path("target.h5"));
-  sim::write_result(path("link.h5"), grid(), program);
+  sim::write_dataset(path("link.h5"), sim::link_dataset(grid()), program);
   EXPECT_TRUE(fs::is_symlink(path("link.h5")));
   EXPECT_NE(bytes_in(path("target.h5")), before);
 }
@@ -222,7 +223,7 @@ TEST_F(Store, RefusesAReadOnlyFolder) {
 
 // A limit on the size of files stops the writing in the middle, as a full disk does.
 TEST_F(Store, KeepsTheLastFileWhenTheDiskRefuses) {
-  sim::write_result(path(), grid(), program);
+  sim::write_dataset(path(), sim::link_dataset(grid()), program);
   const std::string before = bytes_in(path());
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit limit{};
@@ -268,7 +269,7 @@ TEST_F(Store, RemovesWhatKilledWritersLeft) {
   for (const std::string& name : {"result.h5" + ended, "result.h5" + running, "other.h5" + ended,
                                   std::string("result.h5.mine.tmp")})
     std::ofstream(path(name)) << "half";
-  sim::write_result(path(), single(), program);
+  sim::write_dataset(path(), sim::link_dataset(single()), program);
   EXPECT_FALSE(fs::exists(path("result.h5" + ended)));
   EXPECT_EQ(files(), 1U + 3U);
 }
@@ -276,7 +277,7 @@ TEST_F(Store, RemovesWhatKilledWritersLeft) {
 TEST_F(Store, ChecksAPlaceWithoutTouchingIt) {
   sim::check_writable(path());
   EXPECT_EQ(files(), 0U);
-  sim::write_result(path(), single(), program);
+  sim::write_dataset(path(), sim::link_dataset(single()), program);
   const std::string before = bytes_in(path());
   sim::check_writable(path());
   EXPECT_EQ(bytes_in(path()), before);

@@ -9,6 +9,7 @@
 
 #include "damage.hpp"
 #include "sim/failure.hpp"
+#include "sim/link_experiment/link_columns.hpp"
 #include "sim/loading/load_scenario.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/store.hpp"
@@ -144,7 +145,7 @@ TEST_F(StoredDatasetTest, DamageIsReadOrRefused) {
 TEST_F(StoredDatasetTest, DamageToALinksIsToo) {
   ExperimentResult result = unfinished(scenario_from("[sweep]\nreceiver.range_m = [1, 2]\n"), "");
   for (PointResult& point : result.points) point.tally = {.n_bits = 800, .n_frames = 8};
-  write_result(file_, result, {"cosys-sim", "1", "c"});
+  write_dataset(file_, link_dataset(result), {"cosys-sim", "1", "c"});
   const test::Damage damage(image());
   int read = 0;
   for (std::uint64_t number = 0; number < 40; ++number) {

@@ -10,20 +10,20 @@
 
 namespace sim {
 
-using Words = std::array<std::uint64_t, offsetof(Tally, weighted) / sizeof(std::uint64_t)>;
+using CounterWords = std::array<std::uint64_t, offsetof(Tally, weighted) / sizeof(std::uint64_t)>;
 using WeightWords = std::array<double, sizeof(Weighted) / sizeof(double)>;
 
 using AllWords = std::array<std::uint64_t, sizeof(Tally) / sizeof(std::uint64_t)>;
 
-inline Tally tally_of(const Words& words) {
+inline Tally tally_of(const CounterWords& words) {
   AllWords all{};  // weights are 0
   std::ranges::copy(words, all.begin());
   return std::bit_cast<Tally>(all);
 }
 
-inline Words words_of(const Tally& tally) {
+inline CounterWords words_of(const Tally& tally) {
   const auto all = std::bit_cast<AllWords>(tally);
-  Words words{};
+  CounterWords words{};
   std::copy_n(all.begin(), words.size(), words.begin());
   return words;
 }

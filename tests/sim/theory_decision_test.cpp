@@ -6,9 +6,9 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/link/matched.hpp"
 #include "sim/link/theory.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 #include "sim/result/comparison.hpp"
 #include "theory_case.hpp"
 

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "link_table.hpp"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/link/matched.hpp"
 #include "sim/link/theory.hpp"
-#include "sim/report/report_table.hpp"
 #include "sim/trace/trace.hpp"
 #include "sim/trial/trial.hpp"
 #include "theory_case.hpp"
@@ -122,10 +122,10 @@ TEST(Matched, TableHasTheoryBesideTheRatioWhereAsked) {
   PointResult point;
   point.tally.n_frames = 1;
   point.operating.ber_theory = 3.43e-5;
-  EXPECT_NE(table_header({}, true).find("in theory"), std::string::npos);
-  EXPECT_EQ(table_header({}).find("in theory"), std::string::npos);
-  EXPECT_NE(table_row({}, point, 0.95, true).find("3.43e-5"), std::string::npos);
-  EXPECT_EQ(table_row({}, point, 0.95).find("3.43e-5"), std::string::npos);
+  EXPECT_NE(link_table({}, true).head().find("in theory"), std::string::npos);
+  EXPECT_EQ(link_table({}).head().find("in theory"), std::string::npos);
+  EXPECT_NE(link_table({}, true).row(point).find("3.43e-5"), std::string::npos);
+  EXPECT_EQ(link_row(point).find("3.43e-5"), std::string::npos);
 }
 
 TEST(Matched, WithoutNoiseThereIsNoEbn0) {

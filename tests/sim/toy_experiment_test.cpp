@@ -68,6 +68,7 @@ struct Throws {
 struct DicePoint {
   std::vector<double> coordinates;
   Throws throws{};
+  StopReason stop = StopReason::interrupted;
 
   bool reached() const { return throws.n() > 0; }
 };
@@ -276,13 +277,13 @@ TEST_F(ToyExperiment, IsGoneOnWith) {
   const LoadedScenario scenario = load_scenario("d.toml", {}, {COSYS_SOURCE_DIR "/scenarios"});
   RunCounting<Dice, Throws, DicePoint> begun(dice_measurement, scenario),
       whole(dice_measurement, scenario);
-  begun.count(0, {}, {});
+  begun.count(0, {});
   RunCounting<Dice, Throws, DicePoint> resumed(dice_measurement, scenario);
   resumed.add(begun.checkpoint());
   EXPECT_EQ(resumed.n_begun(), 1U);
   for (std::size_t i = 0; i < 3; ++i) {
-    resumed.count(i, {}, {});
-    whole.count(i, {}, {});
+    resumed.count(i, {});
+    whole.count(i, {});
   }
   resumed.describe_all({});
   EXPECT_EQ(dataset_digest(dataset_of(scenario, "", dice_columns(), resumed.points())),

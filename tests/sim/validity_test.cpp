@@ -1,9 +1,10 @@
 // Points outside of a model's range are computed and flagged, never silently.
 #include "sim/link/validity.hpp"
 
+#include "link_table.hpp"
 #include "scenarios.hpp"
 #include "sim/components/parts.hpp"
-#include "sim/report/report_table.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/text_file.hpp"
 
@@ -130,8 +131,8 @@ TEST(Validity, TheDocsListEveryLimit) {
 TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
   ExperimentResult result;
   result.points = {{.tally = {.n_frames = 4}, .validity_flags = 3}, {.tally = {.n_frames = 4}}};
-  EXPECT_TRUE(table_row({}, result.points[0], 0.95).ends_with("max_frames  ! near,fringes\n"));
-  EXPECT_TRUE(table_row({}, result.points[1], 0.95).ends_with("max_frames\n"));
+  EXPECT_TRUE(link_row(result.points[0]).ends_with("max_frames  ! near,fringes\n"));
+  EXPECT_TRUE(link_row(result.points[1]).ends_with("max_frames\n"));
   EXPECT_EQ(mark_notes(result),
             "! near: nearer than 5 cm LED and module are no points to each other\n"
             "! fringes: direct and mirrored light interfere that far out\n");

@@ -1,5 +1,5 @@
 // The engine: the same counts for any number of threads, stops where the rule says, counts exactly.
-#include "sim/engine/engine.hpp"
+#include "sim/link_experiment/link_measurement.hpp"
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -13,9 +13,8 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/engine/experiment.hpp"
+#include "sim/engine/run_counting.hpp"
 #include "sim/failure.hpp"
-#include "sim/result/unfinished.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
@@ -29,7 +28,7 @@ Link middling_link(const std::string& seed = "1") {
 }
 
 PointResult run(const Link& link, const StopRule& stop, int threads) {
-  return run_point(link, stop, {.threads = threads, .interrupt = nullptr, .on_progress = {}});
+  return run_point(link, stop, {.threads = threads});
 }
 
 TEST(EngineDeterminism, AnyNumberOfThreads) {
@@ -131,7 +130,7 @@ TEST(Engine, AProfileHasTheTimeOfEveryStage) {
 TEST(Engine, InterruptKeepsWhatIsComplete) {
   const std::atomic<bool> interrupt = true;
   const PointResult result = run_point(link_of(clear_link()), {.max_frames = 4000000000u},
-                                       {.threads = 2, .interrupt = &interrupt, .on_progress = {}});
+                                       {.threads = 2, .interrupt = &interrupt});
   EXPECT_EQ(result.stop, StopReason::interrupted);
   EXPECT_EQ(result.tally.n_frames % channel::lanes_per_group, 0u);
 }
@@ -140,9 +139,7 @@ const StopRule endless{.max_frames = 4000000000u};
 
 TEST(Engine, AFailureToReportEndsThePoint) {
   const auto fails = [](const PointResult&) { throw Failure(ExitCode::environment, "no disk"); };
-  EXPECT_THROW(run_point(link_of(clear_link()), endless,
-                         {.threads = 2, .interrupt = nullptr, .on_progress = fails}),
-               Failure);
+  EXPECT_THROW(run_point(link_of(clear_link()), endless, {.threads = 2}, {}, fails), Failure);
 }
 
 #ifndef __SANITIZE_THREAD__  // gives threads stacks of its own size
@@ -190,9 +187,7 @@ TEST(Engine, ThreadsThatDoNotStartEndThePoint) {
 #endif
 
 ExperimentResult experiment(const std::string& text) {
-  const LoadedScenario scenario = loaded(text);
-  return run_experiment(scenario, unfinished(scenario, "test"),
-                        {.threads = 2, .interrupt = nullptr, .on_progress = {}, .on_point = {}});
+  return run_link(loaded(text), {.threads = 2});
 }
 
 const std::string base = R"([stop]
@@ -216,21 +211,23 @@ TEST(EngineDeterminism, NeighboursInTheSweepDoNotMatter) {
 
 TEST(Engine, ProgressIsWhatAnInterruptLeaves) {
   std::atomic<bool> interrupt = false;
-  PointResult seen;
-  const auto stop_when_counting = [&](const Progress& progress) {
-    seen = progress.result.points[progress.point];
-    interrupt = interrupt || seen.tally.n_frames > 0;
-  };
   const LoadedScenario scenario =
       loaded(base + "stop.max_frames = [4e9, 16]\n", {"stop.max_frame_errors=0"});
-  const auto result = run_experiment(
-      scenario, unfinished(scenario, "test"),
-      {.threads = 2, .interrupt = &interrupt, .on_progress = stop_when_counting, .on_point = {}});
+  RunCounting counting(link_measurement, scenario);
+  PointResult seen;
+  const RunCounters by{{.threads = 2, .interrupt = &interrupt}};
+  for (std::size_t i = 0; i < 2; ++i)
+    counting.count(i, by, [&](std::uint32_t done, std::uint32_t) {
+      counting.bring_up_to_date();
+      seen = counting.points()[i];
+      EXPECT_EQ(seen.tally.n_frames, done);
+      interrupt = interrupt || done > 0;
+    });
   EXPECT_EQ(seen.coordinates, std::vector<double>{4e9});
   EXPECT_EQ(seen.stop, StopReason::interrupted);
   EXPECT_GT(seen.n_samples, 0u);
-  EXPECT_GE(result.points[0].tally.n_frames, seen.tally.n_frames);
-  EXPECT_FALSE(measured(result.points[1]));
+  EXPECT_GE(counting.points()[0].tally.n_frames, seen.tally.n_frames);
+  EXPECT_FALSE(counting.points()[1].reached());
 }
 
 // Interrupted anywhere and gone on with, by other numbers of threads, a point ends the same.
@@ -248,9 +245,8 @@ TEST(EngineDeterminism, AnInterruptedPointEndsAsIfNothingHadBeen) {
         interrupt = p.tally.n_frames > part.tally.n_frames;
       };
       const PointResult before = part;
-      part = run_point(
-          link, stop,
-          {.threads = 1 + interrupts % 3, .interrupt = &interrupt, .on_progress = at_once}, before);
+      part = run_point(link, stop, {.threads = 1 + interrupts % 3, .interrupt = &interrupt}, before,
+                       at_once);
       EXPECT_GE(part.elapsed_s, before.elapsed_s);
       interrupts += part.stop == StopReason::interrupted;
     } while (part.stop == StopReason::interrupted);

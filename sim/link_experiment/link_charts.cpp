@@ -1,4 +1,4 @@
-#include "sim/report/result_charts.hpp"
+#include "sim/link_experiment/link_charts.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ra
               .y = {.label = ratio.label, .logarithmic = true, .level = ratio.level},
               .curves = {}};
   for (const PointResult& point : result.points) {
-    if (!measured(point)) continue;
+    if (!point.reached()) continue;
     const double x = point.coordinates[over];
     const Estimate estimate = ratio.estimate(point, result.ci_level);
     ChartCurve& curve =

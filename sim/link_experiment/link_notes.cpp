@@ -1,4 +1,4 @@
-#include "sim/report/report_table.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,31 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/columns/estimate_text.hpp"
-#include "sim/columns/text_table.hpp"
+#include "sim/columns/closing_lines.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/link/validity.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/scenario/flags.hpp"
-#include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
-
-std::vector<TextColumn> columns_of(const std::vector<Axis>& axes, bool theory) {
-  std::vector<TextColumn> columns = axis_columns(axes);
-  columns.push_back({{"", "irradiance", "[mW/m2]"}, number_width});
-  columns.push_back({{"", "SNR", "[dB]"}, 6});
-  columns.push_back({{"", "", "frames"}, number_width});
-  columns.push_back({{"", "bit", "errors"}, number_width});
-  columns.push_back({{"", "bit error ratio", "[interval]"}, -estimate_width});
-  if (theory) columns.push_back({{"", "in theory", ""}, number_width});
-  columns.push_back({{"", "frame loss ratio", "[interval]"}, -estimate_width});
-  columns.push_back({{"", "real", "time"}, 7});
-  columns.push_back({{"", "", "stopped by"}, -1});
-  return columns;
-}
 
 constexpr const char* alarm_sign = "!!";
 
@@ -61,34 +45,7 @@ std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* si
   return (mask == 0 ? "" : "  ") + raised_mark(table, mask, sign);
 }
 
-std::string real_time_factor(const PointResult& p) {
-  const double factor = p.simulated_s / p.elapsed_s;
-  if (!std::isfinite(factor)) return "-";
-  if (factor >= 1e6) return scientific_text(factor, 2) + "x";
-  return fmt::format("{:.{}f}x", factor, factor < 10 ? 1 : 0);
-}
-
 }  // namespace
-
-std::string table_header(const std::vector<Axis>& axes, bool theory) {
-  return table_head(columns_of(axes, theory));
-}
-
-std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
-                      bool theory) {
-  const bool known = measured(point);
-  std::vector<std::string> texts = coordinate_texts(axes, point.coordinates);
-  texts.push_back(known ? irradiance_text(point.operating.irradiance_mw_per_m2) : "-");
-  texts.push_back(known ? decibel_text(point.operating.snr_db) : "-");
-  texts.push_back(std::to_string(point.tally.n_frames));
-  texts.push_back(std::to_string(point.tally.n_bit_errors));
-  texts.push_back(estimate_text(bit_error_ratio(point.tally, ci_level)));
-  if (theory) texts.push_back(theory_text(point.operating.ber_theory));
-  texts.push_back(estimate_text(frame_loss_of(point, ci_level)));
-  texts.push_back(real_time_factor(point));
-  texts.push_back(known ? closing_text(point) : "-");
-  return table_line(columns_of(axes, theory), texts);
-}
 
 std::string irradiance_text(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
@@ -160,20 +117,18 @@ std::string loss_reasons(const ExperimentResult& result) {
   return reasons_note(sum_of(result, false)) + weighted_note(sum_of(result, true));
 }
 
-std::string unfinished_note(const ExperimentResult& result) {
-  const auto begun = std::ranges::count_if(result.points, measured);
-  const auto finished = std::ranges::count_if(result.points, [](const PointResult& p) {
-    return measured(p) && p.stop != StopReason::interrupted;
-  });
-  return unfinished_note(result.points.size(), static_cast<std::size_t>(finished),
-                         static_cast<std::size_t>(begun));
+std::string link_notes(const ExperimentResult& result, const CrossingQuestion& question) {
+  return mark_notes(result) + loss_reasons(result) + ranking_lines(result, rank(result, question));
 }
 
-std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun) {
-  if (finished == all) return "";
-  return fmt::format("unfinished: {} of {} points{}; what follows is of what was counted\n",
-                     all - finished, all,
-                     begun < all ? fmt::format(", {} of them not begun", all - begun) : "");
+std::string missing_lines(const ExperimentResult& result) {
+  const auto begun = std::ranges::count_if(result.points, &PointResult::reached);
+  const auto finished = std::ranges::count_if(result.points, [](const PointResult& p) {
+    return p.reached() && p.stop != StopReason::interrupted;
+  });
+  return unfinished_note(result.points.size(), static_cast<std::size_t>(finished),
+                         static_cast<std::size_t>(begun)) +
+         shards_note(result.shards);
 }
 
 }  // namespace sim

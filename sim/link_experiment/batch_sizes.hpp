@@ -10,8 +10,9 @@ namespace sim {
 /// Trials of a group, which are counted together.
 constexpr std::uint32_t group_size = channel::lanes_per_group;
 
+/// Of a thread: trials, in whole groups.
 struct BatchSizes {
-  std::uint32_t least, most;  // trials, in whole groups
+  std::uint32_t least, most;
 };
 
 /// Many where a group is over in a microsecond, which a lock takes too; else as many as the

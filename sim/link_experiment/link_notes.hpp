@@ -1,20 +1,11 @@
 #pragma once
-// What an experiment says on stdout: a table whose rows can be printed one by one as points finish.
-// Numbers carry the digits that their interval supports; "-" is not known.
+// What a link says on stdout besides the numbers of its table.
 #include <string>
-#include <vector>
 
+#include "sim/result/ranking.hpp"
 #include "sim/result/result.hpp"
 
 namespace sim {
-
-/// Three lines (names and units), each ended by a newline. `theory`: with a column for what theory
-/// says beside the bit error ratio.
-std::string table_header(const std::vector<Axis>& axes, bool theory = false);
-
-/// One line, in the columns of table_header(axes, theory).
-std::string table_row(const std::vector<Axis>& axes, const PointResult& point, double ci_level,
-                      bool theory = false);
 
 /// As the table has them; "-" where they are not known, or there is no noise.
 std::string irradiance_text(double value);
@@ -35,9 +26,10 @@ std::string mark_notes(const ExperimentResult& result);
 /// where none was lost.
 std::string loss_reasons(const ExperimentResult& result);
 
-/// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
-std::string unfinished_note(const ExperimentResult& result);
-/// The same of so many points.
-std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun);
+/// Below the table: what the marks mean, why frames were lost, and where the loss passes the level.
+std::string link_notes(const ExperimentResult& result, const CrossingQuestion& question = {});
+
+/// What was not counted: points that a stopped run left, and shards. Empty if nothing is missing.
+std::string missing_lines(const ExperimentResult& result);
 
 }  // namespace sim

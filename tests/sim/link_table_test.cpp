@@ -1,4 +1,4 @@
-#include "sim/report/report_table.hpp"
+#include "sim/link_experiment/link_notes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "link_table.hpp"
 #include "measured_point.hpp"
 #include "text_lines.hpp"
 
@@ -20,7 +21,7 @@ const std::vector<sim::Axis> range_and_ambient{
     {"receiver.range_m", "m", "distance", {7.5}},
     {"ambient.irradiance_w_per_m2", "W/m2", "ambient irradiance", {0.6}}};
 
-std::string row(const sim::PointResult& p) { return sim::table_row(one_axis, p, 0.95); }
+std::string row(const sim::PointResult& p) { return sim::link_row(p, one_axis); }
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -59,7 +60,7 @@ TEST(TableRow, GivesMoreDigitsToMoreCounts) {
 }
 
 TEST(TableRow, KeepsItsColumnsFromNanosToMegas) {
-  const auto header = lines_of(sim::table_header(one_axis));
+  const auto header = lines_of(sim::link_table(one_axis).head());
   for (const double size : {1e-9, 1.2345e-4, 0.3, 1.0, 1e3, 1e6}) {
     sim::PointResult p = measured_point();
     p.coordinates = {size};
@@ -76,28 +77,28 @@ TEST(TableRow, KeepsItsColumnsFromNanosToMegas) {
 TEST(TableRow, FitsAScreenWithTwoAxes) {
   sim::PointResult p = measured_point();
   p.coordinates = {7.5, 0.6};
-  EXPECT_LE(sim::table_row(range_and_ambient, p, 0.95).size(), 160U);
-  for (const auto& line : lines_of(sim::table_header(range_and_ambient)))
+  EXPECT_LE(sim::link_row(p, range_and_ambient).size(), 160U);
+  for (const auto& line : lines_of(sim::link_table(range_and_ambient).head()))
     EXPECT_LE(line.size(), 152U);
 }
 
 TEST(TableRow, ShowsTextsToTheLeftInAColumnAsWideAsTheLongest) {
   sim::PointResult p = measured_point();
   p.coordinates = {0, 3};
-  EXPECT_TRUE(sim::table_row(text_axes, p, 0.95).starts_with("TSOP4856                3  "));
+  EXPECT_TRUE(sim::link_row(p, text_axes).starts_with("TSOP4856                3  "));
   p.coordinates = {1, 3};
-  EXPECT_TRUE(sim::table_row(text_axes, p, 0.95).starts_with("a-longer-name           3  "));
-  const auto lines = lines_of(sim::table_header(text_axes));
+  EXPECT_TRUE(sim::link_row(p, text_axes).starts_with("a-longer-name           3  "));
+  const auto lines = lines_of(sim::link_table(text_axes).head());
   EXPECT_TRUE(lines[1].starts_with("module            range_m  ")) << lines[1];
 }
 
 TEST(TableHeader, NamesTheAxesAndUnits) {
-  const auto lines = lines_of(sim::table_header(one_axis));
+  const auto lines = lines_of(sim::link_table(one_axis).head());
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_TRUE(has(lines[0], "receiver"));
   EXPECT_TRUE(has(lines[1], "range_m"));
   EXPECT_TRUE(has(lines[2], "[m]") && has(lines[2], "[mW/m2]") && has(lines[2], "[dB]"));
-  EXPECT_EQ(lines_of(sim::table_header({})).size(), 2U);
+  EXPECT_EQ(lines_of(sim::link_table({}).head()).size(), 2U);
 }
 
 TEST(LossReasons, AreThoseOfAllPointsTogether) {
@@ -114,18 +115,18 @@ TEST(LossReasons, AreThoseOfAllPointsTogether) {
             "reasons)\n");
 }
 
-TEST(UnfinishedNote, CountsWhatAStopLeft) {
+TEST(MissingLines, CountsWhatAStopLeft) {
   sim::ExperimentResult result;
   result.points = {measured_point(), measured_point(), {}};
   result.points[1].stop = sim::StopReason::interrupted;
   EXPECT_EQ(
-      sim::unfinished_note(result),
+      sim::missing_lines(result),
       "unfinished: 2 of 3 points, 1 of them not begun; what follows is of what was counted\n");
   result.points.pop_back();
-  EXPECT_EQ(sim::unfinished_note(result),
+  EXPECT_EQ(sim::missing_lines(result),
             "unfinished: 1 of 2 points; what follows is of what was counted\n");
   result.points = {measured_point()};
-  EXPECT_EQ(sim::unfinished_note(result), "");
+  EXPECT_EQ(sim::missing_lines(result), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sim/engine/batch_sizes.hpp"
+#include "sim/link_experiment/batch_sizes.hpp"
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ BatchSizes batch_sizes(const Link& link) {
   constexpr double samples_a_batch = 0x1p28;
   const double samples = dsp::cycles(mean_length(link), link.chain.sample_rate) * group_size;
   const auto groups = static_cast<std::uint64_t>(samples_a_batch / samples);
-  return {lanes, static_cast<std::uint32_t>(
-                     std::clamp<std::uint64_t>(groups * group_size, lanes, 8 * lanes))};
+  const auto most = std::clamp<std::uint64_t>(groups * group_size, lanes, 8 * lanes);
+  return {lanes, static_cast<std::uint32_t>(most)};
 }
 
 }  // namespace sim

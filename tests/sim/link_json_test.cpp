@@ -1,4 +1,4 @@
-#include "sim/report/report_json.hpp"
+#include "sim/link_experiment/link_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 
 #include "measured_point.hpp"
 #include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/link_columns.hpp"
 #include "tally_words.hpp"
 
 namespace {
@@ -23,18 +24,20 @@ TEST(Json, HoldsAllCountsAndRates) {
   result.axes = {{"receiver.range_m", "m", "distance", {7.5, 8}}};
   result.points = {measured_point(), {}};
   result.points[1].coordinates = {8};
-  const auto json = nlohmann::json::parse(sim::to_json(result));
-  EXPECT_EQ(json["title"], result.title);
-  EXPECT_EQ(json["seed"], result.seed);
-  EXPECT_EQ(json["result_digest"], sim::result_digest(result));
-  EXPECT_EQ(json["axes"][0]["values"], (std::vector<double>{7.5, 8}));
-  const auto& point = json["points"][0];
+  const auto object = nlohmann::json::parse(sim::to_json(result));
+  EXPECT_EQ(object["title"], result.title);
+  EXPECT_EQ(object["seed"], result.seed);
+  EXPECT_EQ(object["result_digest"], sim::result_digest(result));
+  EXPECT_EQ(object["axes"][0]["values"], (std::vector<double>{7.5, 8}));
+  const auto& point = object["points"][0];
   EXPECT_EQ(point["receiver.range_m"], 7.5);
   EXPECT_EQ(point["n_frames_lost"], 100);
   EXPECT_EQ(point["flr"], 0.1);
   EXPECT_EQ(point["stop_reason"], "max_frame_errors");
-  for (const sim::LinkColumn& column : sim::columns())
-    EXPECT_EQ(point.contains(column.name), !column.weighted) << column.name;
+  for (const auto& column : sim::link_columns().all())
+    if (column.is_stored()) {
+      EXPECT_EQ(point.contains(column.facts.name), column.is_of == nullptr) << column.facts.name;
+    }
 }
 
 sim::ExperimentResult two_modules() {
@@ -50,16 +53,16 @@ sim::ExperimentResult two_modules() {
 }
 
 TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
-  const auto json = nlohmann::json::parse(sim::to_json(two_modules()));
-  EXPECT_EQ(json["axes"][0]["values"], text_axes[0].labels);
-  EXPECT_EQ(json["points"][4]["receiver.module"], "a-longer-name");
-  EXPECT_EQ(json["points"][4]["receiver.range_m"], 2);
+  const auto object = nlohmann::json::parse(sim::to_json(two_modules()));
+  EXPECT_EQ(object["axes"][0]["values"], text_axes[0].labels);
+  EXPECT_EQ(object["points"][4]["receiver.module"], "a-longer-name");
+  EXPECT_EQ(object["points"][4]["receiver.range_m"], 2);
   const auto expected = nlohmann::json::parse(R"([
     {"receiver.module": "a-longer-name", "along": "receiver.range_m", "flr": 0.01,
      "kind": "all_below", "at": null, "low": null, "high": null},
     {"receiver.module": "TSOP4856", "along": "receiver.range_m", "flr": 0.01,
      "kind": "jump", "at": null, "low": 1.0, "high": 2.0}])");
-  auto crossings = json["crossings"];
+  auto crossings = object["crossings"];
   for (auto& crossing : crossings) {
     EXPECT_NEAR(crossing["not_ruled_out"].get<double>(), 0.0037, 1e-4) << "0 of 1000";
     crossing.erase("not_ruled_out");
@@ -78,34 +81,34 @@ TEST(Json, NamesEachRateForWhatItIs) {
   sim::ExperimentResult result;
   result.points = {measured_point()};
   result.points[0].tally.n_frames_undetected = 3;
-  const auto json = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const auto object = nlohmann::json::parse(sim::to_json(result))["points"][0];
   const sim::Tally& tally = result.points[0].tally;
   const auto expect = [&](const std::string& name, const sim::Estimate& e) {
-    EXPECT_EQ(json[name], e.value);
-    EXPECT_EQ(json[name + "_ci_low"], e.low);
-    EXPECT_EQ(json[name + "_ci_high"], e.high);
+    EXPECT_EQ(object[name], e.value);
+    EXPECT_EQ(object[name + "_ci_low"], e.low);
+    EXPECT_EQ(object[name + "_ci_high"], e.high);
   };
   expect("ber", sim::bit_error_ratio(tally, 0.95));
   expect("flr", sim::frame_loss_ratio(tally, 0.95));
   expect("uer", sim::undetected_error_ratio(tally, 0.95));
-  EXPECT_EQ(json["irradiance_mw_per_m2"], 0.312);
-  EXPECT_EQ(json["ambient_w_per_m2"], 0.6);
-  EXPECT_EQ(json["snr_db"], 14.25);
-  EXPECT_EQ(json["snr_bandwidth_hz"], 5000);
-  EXPECT_EQ(json["ebn0_db"], 21.3);
-  EXPECT_EQ(json["elapsed_s"], 2);
-  EXPECT_EQ(json["simulated_s"], 620);
+  EXPECT_EQ(object["irradiance_mw_per_m2"], 0.312);
+  EXPECT_EQ(object["ambient_w_per_m2"], 0.6);
+  EXPECT_EQ(object["snr_db"], 14.25);
+  EXPECT_EQ(object["snr_bandwidth_hz"], 5000);
+  EXPECT_EQ(object["ebn0_db"], 21.3);
+  EXPECT_EQ(object["elapsed_s"], 2);
+  EXPECT_EQ(object["simulated_s"], 620);
 }
 
 // Every counter under its own name: words of the tally are numbered.
 TEST(Json, NamesEachCounterForWhatItIs) {
-  sim::Words words{};
+  sim::CounterWords words{};
   std::iota(words.begin(), words.end(), 1);
   words[0] = words[5] = 1000;  // n_bits and n_frames, no fewer than what went wrong with them
   sim::ExperimentResult result;
   result.points.resize(1);
   result.points[0].tally = sim::tally_of(words);
-  const auto json = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const auto object = nlohmann::json::parse(sim::to_json(result))["points"][0];
   const std::vector<std::string> names{"n_bits",
                                        "n_bit_errors",
                                        "n_bytes",
@@ -128,7 +131,7 @@ TEST(Json, NamesEachCounterForWhatItIs) {
                                        "sum_bits_squared",
                                        "sum_bit_errors_times_bits"};
   ASSERT_EQ(names.size(), words.size());
-  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(json[names[i]], words[i]) << names[i];
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(object[names[i]], words[i]) << names[i];
 }
 
 TEST(Json, IsNullWhereNothingIsKnown) {

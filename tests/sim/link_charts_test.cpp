@@ -5,7 +5,7 @@
 
 #include "sim/columns/estimate_text.hpp"
 #include "sim/counting/statistics.hpp"
-#include "sim/report/result_charts.hpp"
+#include "sim/link_experiment/link_charts.hpp"
 #include "sim/section/swept_curves.hpp"
 
 namespace sim {

@@ -1,5 +1,5 @@
 #pragma once
-// What an experiment says to a program on stdout: one JSON object.
+// What a link says to a program on stdout: one JSON object.
 #include <string>
 
 #include "sim/result/ranking.hpp"

@@ -1,0 +1,21 @@
+#pragma once
+// What is said below a table of points, whatever experiment they are of.
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/counting/shard.hpp"
+
+namespace sim {
+
+/// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
+std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun);
+
+/// Which trials or runs of all these are; empty if none is missing.
+std::string shards_note(const std::vector<Shard>& shards);
+
+/// Where a result is kept, with its digest.
+std::string kept_line(const std::filesystem::path& place, const std::string& digest);
+
+}  // namespace sim

@@ -1,0 +1,122 @@
+#include "sim/link_experiment/link_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "sim/link/validity.hpp"
+#include "sim/link_experiment/link_columns.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/result/ranking.hpp"
+#include "sim/scenario/flags.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+using Kind = Crossing::Kind;
+
+/// A cell of a variable; what is not known is null.
+Json json_cell(const Dataset::Variable& variable, std::size_t i) {
+  if (const auto* reals = std::get_if<std::vector<double>>(&variable.values)) return reals->at(i);
+  const std::int64_t number = std::get<std::vector<std::int64_t>>(variable.values).at(i);
+  if (!variable.is_choice) return number;
+  if (number == no_choice) return nullptr;
+  return variable.flags.at(static_cast<std::size_t>(number));
+}
+
+Json json_coordinate(const Axis& axis, double coordinate) {
+  if (axis.is_text()) return axis.labels.at(static_cast<std::size_t>(coordinate));
+  return coordinate;
+}
+
+const char* crossing_name(Crossing::Kind kind) {
+  static constexpr std::array names{"fitted",    "jump",    "bracketed",    "all_below",
+                                    "all_above", "unclear", "not_monotone", "unfinished"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+/// JSON has no infinity.
+Json end_of(double end) { return std::isfinite(end) ? Json(end) : nullptr; }
+
+Json json_crossing(const ExperimentResult& result, const Ranking& ranking, const RowCrossing& row) {
+  Json json;
+  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
+    const Axis& other = result.axes[ranking.others[i]];
+    json[other.key] = json_coordinate(other, row.others[i]);
+  }
+  const Crossing& c = row.crossing;
+  const bool at_one_place =
+      c.kind == Kind::fitted || c.kind == Kind::jump || c.kind == Kind::bracketed;
+  json["along"] = result.axes[ranking.abscissa].key;
+  json["flr"] = ranking.flr;
+  json["kind"] = crossing_name(c.kind);
+  json["at"] = c.kind == Kind::fitted ? Json(c.at) : nullptr;
+  json["low"] = at_one_place ? end_of(c.low) : nullptr;
+  json["high"] = at_one_place ? end_of(c.high) : nullptr;
+  const bool has_bound =
+      c.kind == Kind::jump || c.kind == Kind::all_below || c.kind == Kind::all_above;
+  json["not_ruled_out"] = has_bound ? Json(c.bound) : nullptr;
+  return json;
+}
+
+/// In the order of the ranking.
+Json json_crossings(const ExperimentResult& result, const CrossingQuestion& question) {
+  Json json = Json::array();
+  const Ranking ranking = rank(result, question);
+  for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
+  return json;
+}
+
+Json json_axis(const Axis& a) {
+  Json json{{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}};
+  if (a.is_text())
+    json["values"] = a.labels;
+  else
+    json["values"] = a.values;
+  return json;
+}
+
+template <class Flag>
+Json raised_json(std::span<const Flag> table, std::uint64_t mask) {
+  Json names = Json::array();
+  for (const Flag* flag : raised(table, mask)) names.push_back(flag->name);
+  return names;
+}
+
+/// Point i, with the variables of the result file.
+Json json_point(const ExperimentResult& result, const Dataset& data, std::size_t i) {
+  const PointResult& p = result.points[i];
+  Json point;
+  for (std::size_t axis = 0; axis < result.axes.size(); ++axis)
+    point[result.axes[axis].key] = json_coordinate(result.axes[axis], p.coordinates[axis]);
+  point["outside"] = raised_json(validity_limits(), p.validity_flags);
+  point["alarm_names"] = raised_json(alarms(), p.alarms);
+  for (const Dataset::Variable& variable : data.variables)
+    point[variable.facts.name] = json_cell(variable, i);
+  return point;
+}
+
+}  // namespace
+
+std::string to_json(const ExperimentResult& result, const CrossingQuestion& question) {
+  Json json{{"title", result.title},
+            {"command", result.command},
+            {"seed", result.seed},
+            {"ci_level", result.ci_level},
+            {"eb_convention", "average"},
+            {"shards", shards_text(result.shards)},
+            {"result_digest", result_digest(result)}};
+  json["axes"] = Json::array();
+  for (const Axis& a : result.axes) json["axes"].push_back(json_axis(a));
+  json["points"] = Json::array();
+  const Dataset data = link_dataset(result);
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+    json["points"].push_back(json_point(result, data, i));
+  json["crossings"] = json_crossings(result, question);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sim

@@ -1,0 +1,124 @@
+#include "sim/link_experiment/link_measurement.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/counting/statistics.hpp"
+#include "sim/engine/counted_runs.hpp"
+#include "sim/engine/run_counting.hpp"
+#include "sim/link_experiment/batch_sizes.hpp"
+#include "sim/loading/point_scenario.hpp"
+#include "sim/result/alarms.hpp"
+#include "sim/result/unfinished.hpp"
+
+namespace sim {
+namespace {
+
+void put_counts(PointResult& point, const LinkTally& tally) {
+  point.tally = tally.sum.tally;
+  point.simulated_s = tally.sum.simulated_s;
+  point.n_samples = tally.sum.n_samples;
+  point.profile = tally.sum.profile;
+  point.elapsed_s = tally.elapsed_s;
+}
+
+void describe_link(PointResult& point, const Link& link) {
+  point.operating = link.operating;
+  point.validity_flags = link.validity_flags;
+  point.alarms = own_alarms(point);
+}
+
+std::vector<LinkTally> run_link_groups(const LinkSetup& setup, std::uint32_t first, int n,
+                                       const std::atomic<bool>* stop) {
+  std::vector<LinkTally> groups;
+  for (const GroupResult& group : run_groups(setup.link, first, n, stop, setup.profiled))
+    groups.push_back({group});
+  return groups;
+}
+
+bool fits_link(const LinkSetup&, const LinkTally& counted) {
+  const Tally& t = counted.sum.tally;
+  return t.n_frames_ok + t.n_frames_lost == t.n_frames && t.n_bit_errors <= t.n_bits &&
+         t.n_byte_errors <= t.n_bytes && t.n_frames_bit_errors <= t.n_frames;
+}
+
+/// The alarms of rows across the grid.
+void describe_rows(const LoadedScenario& scenario, std::vector<PointResult>& points) {
+  ExperimentResult result;
+  result.axes = scenario.sweep;
+  result.points = std::move(points);
+  add_row_alarms(result);
+  points = std::move(result.points);
+}
+
+}  // namespace
+
+constinit const Measurement<LinkSetup, LinkTally, PointResult> link_measurement{
+    .unreached =
+        [](const Scenario& s, const SourceLocations&, const std::vector<double>& coordinates) {
+          return PointResult{
+              .coordinates = coordinates, .stop = StopReason::interrupted, .rule = rule_of(s.stop)};
+        },
+    .prepare =
+        [](const Scenario& s, const SourceLocations&, const Workers& w) {
+          return LinkSetup{make_link(s), w.profiled};
+        },
+    .most_at_once = [](const LinkSetup& setup, std::uint32_t,
+                       int) { return batch_sizes(setup.link).most; },
+    .ratio = [](const LinkSetup&, const LinkTally& t,
+                double level) { return bit_error_ratio(t.sum.tally, level); },
+    .describe =
+        [](PointResult& point, const LinkSetup& setup, const LinkTally& tally) {
+          put_counts(point, tally);
+          describe_link(point, setup.link);
+        },
+    .fits = fits_link,
+    .group = group_size,
+    .run_groups = run_link_groups,
+    .least_at_once = [](const LinkSetup& setup) { return batch_sizes(setup.link).least; },
+    .loss = [](const LinkSetup&, const LinkTally& t,
+               double level) { return frame_loss_ratio(t.sum.tally, level); },
+    .losses = [](const LinkTally& t) { return worth_of_losses(t.sum.tally); },
+    .describe_sweep = describe_rows};
+
+PointResult run_point(const Link& link, const StopRule& stop, const Workers& workers,
+                      const PointResult& before,
+                      const std::function<void(const PointResult&)>& meanwhile) {
+  const LinkSetup setup{link, workers.profiled};
+  CountedRuns<LinkTally> counted{
+      .n = static_cast<std::uint32_t>(before.tally.n_frames),
+      .tally = {{before.tally, before.simulated_s, before.n_samples, before.profile},
+                before.elapsed_s}};
+  const auto point = [&] {
+    PointResult result{.operating = link.operating,
+                       .stop = counted.stop.value_or(StopReason::interrupted),
+                       .rule = stop,
+                       .validity_flags = link.validity_flags};
+    put_counts(result, counted.tally);
+    return result;
+  };
+  RunClock clock;
+  const AskedRuns asked{.all = static_cast<std::uint32_t>(stop.max_frames), .rule = stop};
+  PointCounting(link_measurement, setup, asked, clock).add_to(counted, {workers}, [&] {
+    if (meanwhile) meanwhile(point());
+  });
+  return point();
+}
+
+ExperimentResult run_link(const LoadedScenario& scenario, const Workers& workers) {
+  RunCounting counting(link_measurement, scenario);
+  for (std::size_t i = 0; i < counting.points().size(); ++i) counting.count(i, {workers});
+  counting.describe_sweep();
+  ExperimentResult result = unfinished(scenario, "");
+  result.points = counting.points();
+  return result;
+}
+
+void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
+  for (PointResult& point : result.points)
+    if (point.reached())
+      describe_link(point, make_link(point_scenario(scenario, point.coordinates)));
+  add_row_alarms(result);
+}
+
+}  // namespace sim

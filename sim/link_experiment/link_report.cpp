@@ -1,0 +1,57 @@
+#include "sim/link_experiment/link_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/link_charts.hpp"
+#include "sim/link_experiment/link_columns.hpp"
+#include "sim/link_experiment/link_json.hpp"
+#include "sim/link_experiment/link_notes.hpp"
+#include "sim/result/unfinished.hpp"
+#include "sim/threads/profile.hpp"
+
+namespace sim {
+namespace {
+
+using Swept = SweptPoints<PointResult>;
+
+ExperimentResult result_of(const Swept& swept) {
+  ExperimentResult result = unfinished(swept.scenario, swept.command);
+  result.shards = swept.shards;
+  result.points = swept.points;
+  return result;
+}
+
+/// Of frames that are drawn to fail the counts say nothing, their weights do.
+std::string progress_of(const PointResult& point) {
+  const double ber = bit_error_ratio(point.tally, ExperimentResult::ci_level).value;
+  return fmt::format(", {} lost{}, BER {}", point.tally.n_frames_lost,
+                     point.tally.is_weighted() ? " as drawn" : "",
+                     std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber));
+}
+
+std::string profile_of(const std::vector<PointResult>& points) {
+  Profile profile;
+  std::uint64_t samples = 0;
+  for (const PointResult& point : points) {
+    profile += point.profile;
+    samples += point.n_samples;
+  }
+  return profile_lines(profile, samples);
+}
+
+}  // namespace
+
+constinit const PointReport<PointResult> link_report{
+    .columns = link_columns,
+    .complete = complete_link,
+    .json = [](const Swept& swept) { return to_json(result_of(swept)); },
+    .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },
+    .notes = [](const Swept& swept) { return link_notes(result_of(swept)); },
+    .progress = progress_of,
+    .profile = profile_of};
+
+}  // namespace sim

@@ -1,0 +1,10 @@
+#pragma once
+// What a link says of its points.
+#include "sim/columns/point_report.hpp"
+#include "sim/result/result.hpp"
+
+namespace sim {
+
+extern const PointReport<PointResult> link_report;
+
+}  // namespace sim
