@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// Whether a stopped run left points unfinished, of which lines below say nothing; else empty.
+/// How many points a stopped run left unfinished; empty if none.
 std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t begun);
 
 /// Which trials or runs of all these are; empty if none is missing.

@@ -1,6 +1,7 @@
 #pragma once
 // The columns of a result. A column is declared once: its name, unit and meaning, its heading, and
-// how it is read of a point. The terminal's table, HDF5, JSON and the page are made of it.
+// how it is read of a point. The terminal's table, HDF5, JSON and the page, but for a link's, are
+// made of it.
 #include <algorithm>
 #include <cassert>
 #include <concepts>
@@ -42,7 +43,8 @@ struct ColumnFacts {
   bool is_text = false;
   /// In the table of points: a column for each element of its one dimension, so headed.
   std::function<TextColumn(const Label&, std::size_t element)> spread{};
-  bool is_known_before = false;  // the first run; otherwise a count is 0 then, and a real NaN
+  /// Before the first run; otherwise a point without runs has 0 (counts) or NaN (reals).
+  bool is_known_before = false;
   bool (*is_shown)(const LoadedScenario&) = nullptr;  // in the terminal's table; null: always
 
   bool is_stored() const { return !facts.name.empty(); }
@@ -56,7 +58,7 @@ struct Column : ColumnFacts {
   template <class Value>
   using Reader = std::function<Value(const Point&, std::size_t element)>;
 
-  /// Whole numbers. The digest of a result is made of those that are stored.
+  /// Whole numbers. The digest of a result, but for a link's, is made of those that are stored.
   struct Count {
     Reader<std::uint64_t> read;
   };
@@ -75,7 +77,7 @@ struct Column : ColumnFacts {
     Reader<std::string> read;
     VariableFacts texts;
   };
-  /// A bit for each of `names`; in the table as `text` has it.
+  /// A bit for each of `names`; in the table as `text` has it, where the column has a heading.
   struct Flags {
     Reader<std::uint64_t> read;
     std::vector<std::string> names;
@@ -90,8 +92,8 @@ struct Column : ColumnFacts {
 
   using Kind = std::variant<Count, Real, Ratio, Words, Flags, Choice>;
   Kind kind;
-  /// Whether results of such points have it; null: all have.
-  bool (*is_of)(const std::vector<Point>&) = nullptr;
+  /// Whether a result of such points has it; null: each has.
+  bool (*is_kept)(const std::vector<Point>&) = nullptr;
 
   Column& on(const std::vector<std::string>& dimensions) {
     over = dimensions;
@@ -109,8 +111,8 @@ struct Column : ColumnFacts {
     drawing = how;
     return *this;
   }
-  Column& only_of(bool (*points)(const std::vector<Point>&)) {
-    is_of = points;
+  Column& kept_if(bool (*condition)(const std::vector<Point>&)) {
+    is_kept = condition;
     return *this;
   }
   Column& known_before() {
@@ -136,7 +138,8 @@ struct ColumnDimension {
 };
 
 /// The columns of an experiment in the order of its files and of its table. The first one is a
-/// count without dimensions, called n_runs or n_trials: how many a point has.
+/// count without dimensions: how many runs, trials or frames a point has (n_runs, n_trials,
+/// n_frames).
 template <class Point>
 class Columns {
  public:
@@ -168,7 +171,7 @@ class Columns {
   }
   template <class Read>
   Column<Point>& flags(VariableFacts facts, Read read, std::vector<std::string> names,
-                       std::string (*text)(std::uint64_t)) {
+                       std::string (*text)(std::uint64_t) = nullptr) {
     return add(std::move(facts),
                typename Column<Point>::Flags{reader<std::uint64_t>(std::move(read)),
                                              std::move(names), text});
@@ -197,6 +200,7 @@ class Columns {
       dimensions_.push_back({dimension.facts, dimension.labels, dimension.length});
     for (const Column<Base>& column : columns.all()) {
       if (!column.is_stored()) continue;
+      assert(column.is_kept == nullptr);
       columns_.push_back({static_cast<const ColumnFacts&>(column), derived(column)});
       columns_.back().heading.width = 0;
       columns_.back().spread = nullptr;

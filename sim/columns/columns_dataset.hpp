@@ -41,7 +41,7 @@ class ColumnsDataset {
 
  private:
   bool is_stored(const Column<Point>& column) const {
-    return column.is_stored() && (column.is_of == nullptr || column.is_of(points_));
+    return column.is_stored() && (column.is_kept == nullptr || column.is_kept(points_));
   }
 
   /// Of a dimension.

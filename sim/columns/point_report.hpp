@@ -23,21 +23,24 @@ struct SweptPoints {
 template <class Point>
 struct PointReport {
   const Columns<Point>& (*columns)();
-  /// What more there is to say of a single point; null: nothing.
+
+  // ---- besides; null: nothing ----
+
+  /// What more there is to say of a single point.
   std::string (*details)(const LoadedScenario&, const Point&) = nullptr;
-
-  // ---- where that is not to be made of the columns; null: it is ----
-
   /// Puts into a dataset what the columns do not say.
   void (*complete)(Dataset&, const std::vector<Point>&) = nullptr;
-  std::string (*json)(const SweptPoints<Point>&) = nullptr;
-  std::vector<Chart> (*charts)(const SweptPoints<Point>&) = nullptr;
-  /// Below the table.
-  std::string (*notes)(const SweptPoints<Point>&) = nullptr;
-  /// Of the point at hand, behind its number of runs: ", 3 lost".
+  /// Of the current point, behind its number of runs: ", 3 lost".
   std::string (*progress)(const Point&) = nullptr;
   /// Where the time of the runs went.
   std::string (*profile)(const std::vector<Point>&) = nullptr;
+
+  // ---- in place of what is made of the columns; null: that ----
+
+  std::string (*json)(const SweptPoints<Point>&, const Dataset&) = nullptr;
+  std::vector<Chart> (*charts)(const SweptPoints<Point>&) = nullptr;
+  /// Below the table.
+  std::string (*notes)(const SweptPoints<Point>&) = nullptr;
 };
 
 }  // namespace sim

@@ -1,7 +1,5 @@
 #include "sim/columns/stop_column.hpp"
 
-#include <algorithm>
-
 #include "sim/loading/point_scenario.hpp"
 #include "sim/scenario/sweep.hpp"
 
@@ -14,7 +12,7 @@ std::vector<std::string> run_stop_names() {
   return names;
 }
 
-bool may_stop_early(const LoadedScenario& scenario) {
+bool has_ratio_rule(const LoadedScenario& scenario) {
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i)
     if (looks_at_ratio(
             rule_of(point_scenario(scenario, point_coordinates(scenario.sweep, i)).stop)))

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/columns/column.hpp"
@@ -14,8 +15,8 @@ namespace sim {
 /// The names of stop_reason_names(), but that all runs were done, which are not frames.
 std::vector<std::string> run_stop_names();
 
-/// Whether a stop rule may end a point of the scenario before it has all of its runs.
-bool may_stop_early(const LoadedScenario& scenario);
+/// Whether rel_ci or target_flr is set at any point.
+bool has_ratio_rule(const LoadedScenario& scenario);
 
 /// Adds the column of the reasons, which each point has as `stop`.
 template <class Point>
@@ -34,7 +35,7 @@ template <class Point>
 void add_stop_reason(Columns<Point>& columns) {
   add_stop_reason(columns, run_stop_names())
       .headed({{"", "", "stopped by"}, -10})
-      .shown_if(may_stop_early);
+      .shown_if(has_ratio_rule);
 }
 
 }  // namespace sim

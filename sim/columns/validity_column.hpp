@@ -20,8 +20,8 @@ std::vector<std::string> validity_flag_names();
 
 /// Adds the column of the points' masks, which each has as `validity_flags`.
 template <class Point>
-void add_validity_flags(Columns<Point>& columns) {
-  columns
+Column<Point>& add_validity_flags(Columns<Point>& columns) {
+  return columns
       .flags(
           {validity_flags_name, "1", "models that are outside of their range"},
           [](const Point& point) { return point.validity_flags; }, validity_flag_names(),

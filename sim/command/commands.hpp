@@ -50,7 +50,7 @@ struct RunRequest {
   bool plot = false;         // draw the ratios as characters
   bool profile = false;      // say where the time went
   bool plan = false;         // say what the run would take, and run nothing else
-  double time_budget_s = 0;  // choose stop.max_frames so that it takes so long; 0: as given
+  double time_budget_s = 0;  // choose how much is run so that it takes so long; 0: as given
   std::string command;       // as the user typed it
   ProgramInfo program;
 };

@@ -18,7 +18,7 @@
 namespace sim {
 namespace {
 
-std::string coordinates_of(const ExperimentResult& result, std::size_t point) {
+std::string coordinates_of(const LinkResult& result, std::size_t point) {
   std::string text;
   for (std::size_t i = 0; i < result.axes.size(); ++i)
     text += fmt::format("{} = {}, ", result.axes[i].key,
@@ -26,7 +26,7 @@ std::string coordinates_of(const ExperimentResult& result, std::size_t point) {
   return text;
 }
 
-std::string ratio_of(const ExperimentResult& result, const RatioTest& test) {
+std::string ratio_of(const LinkResult& result, const RatioTest& test) {
   const Tally& tally = result.points[test.point].tally;
   const bool loss = test.ratio == ComparedRatio::flr;
   const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, result.ci_level);
@@ -75,7 +75,7 @@ ExitCode code_of(bool agree) { return agree ? ExitCode::done : ExitCode::check_f
 
 ExitCode diff_links(const DiffRequest& request) {
   const StoredResult one = read_result(request.one), other = read_result(request.other);
-  const ExperimentResult &a = one.result, &b = other.result;
+  const LinkResult &a = one.result, &b = other.result;
   refuse_other_axes(request, a.axes, b.axes);
   const ResultComparison c = compare(a, b, request.alpha);
   std::string text = verdict(c, request.alpha);

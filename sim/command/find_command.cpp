@@ -139,12 +139,11 @@ class Finds {
   CrossingQuestion question() const { return {request_.flr, over_.key}; }
 
   /// As a sweep over all values that were looked at; a point that was not is unfinished.
-  ExperimentResult result() const {
+  LinkResult result() const {
     std::set<double> values{over_.low, over_.high};
     for (const auto& [coordinates, point] : counted_) values.insert(coordinates[axis_]);
-    ExperimentResult result =
-        unfinished(swept_over(scenario_, over_.key, values), request_.command);
-    for (PointResult& point : result.points) {
+    LinkResult result = unfinished(swept_over(scenario_, over_.key, values), request_.command);
+    for (LinkPoint& point : result.points) {
       const auto known = counted_.find(point.coordinates);
       if (known != counted_.end()) point = known->second;
     }
@@ -160,15 +159,14 @@ class Finds {
   std::optional<Tally> count_at(Coordinates at, double value) {
     at[axis_] = value;
     const Scenario scenario = checked_point(ends_, at);
-    const auto keep = [&](PointResult point, bool due) {
+    const auto keep = [&](LinkPoint point, bool due) {
       point.coordinates = at;
-      point.alarms = own_alarms(point);
       counted_[at] = std::move(point);
       if (due) keep_result();
     };
     keep(run_point(make_link(scenario), rule_of(scenario.stop),
-                   {.threads = threads_for(request_.threads), .interrupt = &interrupt_}, {},
-                   [&](const PointResult& p) { keep(p, checkpointer_.is_due()); }),
+                   {.threads = threads_for(request_.threads), .interrupt = &interrupt_},
+                   [&](const LinkPoint& p) { keep(p, checkpointer_.is_due()); }),
          false);
     if (!request_.json) print(table_.row(counted_[at]));
     if (checkpointer_.is_due_at_end()) keep_result();
@@ -180,12 +178,12 @@ class Finds {
   const Over over_;
   const LoadedScenario& scenario_;
   const LoadedScenario ends_;  // swept over both ends of the range
-  const PointTable<PointResult> table_;
+  const PointTable<LinkPoint> table_;
   const fs::path output_;
   Checkpointer checkpointer_;
   const std::atomic<bool>& interrupt_;
   const std::size_t axis_;
-  std::map<Coordinates, PointResult> counted_;
+  std::map<Coordinates, LinkPoint> counted_;
 };
 
 fs::path found_output(const FindRequest& request) {
@@ -201,11 +199,14 @@ ExitCode find_command(const FindRequest& request) {
   check_writable(output);
   const std::atomic<bool>& interrupt = heed_stop_signals();
   Finds finds(request, over, scenario, output, interrupt);
-  const auto keep_all = [&](const ExperimentResult& result) {
+  const auto json_of = [&](const LinkResult& result) {
+    return to_json(result, link_dataset(result), finds.question());
+  };
+  const auto keep_all = [&](const LinkResult& result) {
     keep_finished(
         output,
         [&](const fs::path& place) { write_dataset(place, link_dataset(result), request.program); },
-        [&] { return to_json(result, finds.question()); });
+        [&] { return json_of(result); });
   };
   try {
     finds.run();
@@ -213,10 +214,10 @@ ExitCode find_command(const FindRequest& request) {
     keep_all(finds.result());
     throw;
   }
-  const ExperimentResult result = finds.result();
+  const LinkResult result = finds.result();
   keep_all(result);
   if (request.json)
-    print_json(to_json(result, finds.question()) + "\n");
+    print_json(json_of(result) + "\n");
   else
     print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
           link_notes(result, finds.question()) + kept_line(output, result_digest(result)));

@@ -32,15 +32,14 @@ std::string name_of(const fs::path& path, const std::vector<fs::path>& all) {
 }
 
 /// Where the link fails, or else the first point.
-std::uint64_t point_to_look_at(const ExperimentResult& result) {
-  const PointResult* failing = failing_point(result);
+std::uint64_t point_to_look_at(const LinkResult& result) {
+  const LinkPoint* failing = failing_point(result);
   return static_cast<std::uint64_t>(failing == nullptr ? 0 : failing - result.points.data());
 }
 
 /// The trials of which a point's counts are, as far as their numbers are known: shards that were
 /// added up may leave some out.
-TrialRange counted_trials(const ExperimentResult& result, std::uint64_t point,
-                          const Scenario& scenario) {
+TrialRange counted_trials(const LinkResult& result, std::uint64_t point, const Scenario& scenario) {
   const auto most = static_cast<std::uint64_t>(scenario.stop.max_frames);
   const std::uint64_t begin = trials_of(result.shards.front(), most).first;
   return {begin, begin + result.points[point].tally.n_frames};

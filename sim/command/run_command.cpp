@@ -15,6 +15,7 @@
 #include "sim/loading/load_scenario.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/result/store.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
@@ -173,7 +174,7 @@ LoadedScenario load_with(const ScenarioOptions& options, const fs::path& scenari
 
 void refuse_other_than_link(const LoadedScenario& scenario, const std::string& command) {
   const std::string& experiment = scenario.base.experiment;
-  if (experiment != "link")
+  if (experiment != link_kind.name)
     throw bad_input(scenario.path.string(),
                     "an experiment \"" + experiment + "\" has no trials of a link",
                     command + " takes links; use run");

@@ -1,5 +1,5 @@
 #pragma once
-// What cosys-sim run does with a plan (sim/engine/plan): print it, or choose the frames by it.
+// Chooses how much is run by a plan (sim/engine/plan).
 #include "sim/command/commands.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/parallel_runs.hpp"

@@ -12,8 +12,6 @@ namespace {
 constexpr std::array reason_names{"max_frames", "max_frame_errors", "interrupted", "rel_ci",
                                   "target_flr"};
 
-constexpr double usual_level = 0.95;
-
 Side side_of(const Estimate& e, double level) {
   if (e.high < level) return Side::below;
   return e.low > level ? Side::above : Side::unknown;
@@ -41,13 +39,10 @@ Side side_of(const Tally& counted, double flr) {
   return side_of(frame_loss_ratio(counted, sure_level), flr);
 }
 
-std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted) {
-  const StopFigures figures{.ratio = [&](double level) { return bit_error_ratio(counted, level); },
-                            .loss = [&](double level) { return frame_loss_ratio(counted, level); },
-                            .losses = worth_of_losses(counted)};
-  if (const std::optional<StopReason> reason = stop_reason(rule, figures)) return reason;
-  if (counted.n_frames >= rule.max_frames) return StopReason::max_frames;
-  return std::nullopt;
+StopFigures figures_of(const Tally& counted) {
+  return {.ratio = [&](double level) { return bit_error_ratio(counted, level); },
+          .loss = [&](double level) { return frame_loss_ratio(counted, level); },
+          .losses = worth_of_losses(counted)};
 }
 
 bool looks_at_ratio(const StopRule& rule) { return rule.rel_ci > 0 || rule.target_flr > 0; }
@@ -60,11 +55,6 @@ std::optional<StopReason> stop_reason(const StopRule& rule, const StopFigures& c
   if (rule.target_flr > 0 && side_of(counted.loss(sure_level), rule.target_flr) != Side::unknown)
     return StopReason::target_flr;
   return std::nullopt;
-}
-
-std::optional<StopReason> stop_reason(const StopRule& rule,
-                                      const std::function<Estimate(double level)>& ratio) {
-  return stop_reason(rule, StopFigures{ratio, ratio});
 }
 
 std::uint32_t next_look(std::uint32_t done) {

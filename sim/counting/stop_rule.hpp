@@ -1,6 +1,6 @@
 #pragma once
-// When a point has been run long enough. A rule looks at what the first trials or runs counted, so
-// many as their order alone tells, so that it stops at the same one whatever the machine does.
+// When a point has been run long enough. A rule looks at the counts of the first runs only, at
+// fixed numbers of runs, so it stops at the same run on any machine.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -37,31 +37,29 @@ struct StopRule {
 /// Lost frames; weighted ones are worth as many as would say as much of both ratios.
 double worth_of_losses(const Tally& counted);
 
-/// The level of the interval that tells it.
+/// The levels of the intervals that rel_ci and target_flr look at.
+constexpr double usual_level = 0.95;
 constexpr double sure_level = 0.999;
 
 /// On which side of a level a point's frame loss surely is.
 enum class Side { unknown, below, above };
 Side side_of(const Tally& counted, double flr);
 
-/// Why a point of a link is finished with these counts; nothing while it is not.
-std::optional<StopReason> stop_reason(const StopRule& rule, const Tally& counted);
-
-// ---- of any experiment ----
-
 /// Whether a rule looks at a ratio or figure.
 bool looks_at_ratio(const StopRule& rule);
 
-/// What a rule looks at: of a level of confidence the ratio or figure of rel_ci, and the loss of
-/// target_flr; and the losses of max_frame_errors, where that rule has a meaning.
+/// What a rule looks at.
 struct StopFigures {
+  /// At a level of confidence: the ratio or figure of rel_ci, and the loss of target_flr.
   std::function<Estimate(double level)> ratio, loss;
-  double losses = 0;
+  double losses = 0;  // of max_frame_errors
 };
+
+/// Those of a link's trials: BER, FLR and worth_of_losses(). The tally must outlive them.
+StopFigures figures_of(const Tally& counted);
+
+/// Which rule has enough with these; nothing where none has. max_frames is not looked at.
 std::optional<StopReason> stop_reason(const StopRule& rule, const StopFigures& counted);
-/// The same where the ratio is the loss.
-std::optional<StopReason> stop_reason(const StopRule& rule,
-                                      const std::function<Estimate(double level)>& ratio);
 
 /// Behind how many runs a rule looks next: behind every eighth; behind 256 less often, as it then
 /// costs more and another eight say less.

@@ -5,7 +5,6 @@
 // it is thrown away.
 #include <algorithm>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -46,13 +45,15 @@ struct CountedRuns {
   static constexpr std::int16_t unfinished = -1;
 };
 
-/// Runs of a shard of a point, unless the rule needs fewer.
+/// The runs of a shard of a point: `all` of them from number `first` on, fewer where the rule has
+/// enough.
 struct AskedRuns {
   std::uint32_t first = 0, all = 0;
   StopRule rule{};
 };
 
-/// How long all threads of a process ran, and how much, in vain too.
+/// Seconds that the threads of a process spent in runs, added up, and how many runs they did, those
+/// thrown away included.
 struct RunClock {
   std::atomic<double> running_s = 0;
   std::atomic<std::uint64_t> n_runs = 0;
@@ -66,6 +67,7 @@ std::uint32_t least_batch(const Measurement<Setup, Tally, Point>& kind, const Se
   return kind.most_at_once(setup, runs, threads);
 }
 
+/// Counts runs of a point that is worked out.
 template <class Setup, class Tally, class Point>
 class PointCounting {
  public:
@@ -132,12 +134,12 @@ class PointCounting {
 
   /// A span for each look of the rule.
   Spans looks(std::uint32_t first, int n, const std::atomic<bool>* over) const {
-    const bool looks = looks_at_ratio(asked_.rule);
+    const bool has_ratio_rule = looks_at_ratio(asked_.rule);
     Spans spans;
     std::uint32_t done = first - asked_.first;
     for (const std::uint32_t end = done + static_cast<std::uint32_t>(n);
          done < end && !is_stopped(over);) {
-      const std::uint32_t next = looks ? std::min(end, next_look(done)) : end;
+      const std::uint32_t next = has_ratio_rule ? std::min(end, next_look(done)) : end;
       spans.push_back({next - done, kind_.run(setup_, asked_.first + done,
                                               static_cast<int>(next - done), over)});
       done = next;

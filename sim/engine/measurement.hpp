@@ -35,20 +35,23 @@ struct Measurement {
 
   /// A batch is whole groups, and a stop rule looks behind each.
   std::uint32_t group = 1;
-  /// In place of `run`: a tally of each group, which the last run may leave smaller.
+  /// In place of `run`, so that is null: a tally of each group. The last group may be smaller.
   std::vector<Tally> (*run_groups)(const Setup&, std::uint32_t first, int n,
                                    const std::atomic<bool>* stop) = nullptr;
-  /// Of a thread, where batches are small at first and at last. Null: most_at_once.
+  /// The smallest batch of a thread: batches are small at the start and at the end. Null:
+  /// most_at_once.
   std::uint32_t (*least_at_once)(const Setup&) = nullptr;
+
+  /// What the points of a sweep say of each other. Null: nothing.
+  void (*describe_sweep)(const LoadedScenario&, std::vector<Point>&) = nullptr;
 
   // ---- experiments that count losses besides that ratio ----
 
-  /// At which stop.target_flr looks. Null: `ratio`.
+  /// The loss that stop.target_flr looks at. Null: `ratio`.
   Estimate (*loss)(const Setup&, const Tally&, double level) = nullptr;
-  /// Of which stop.max_frame_errors are enough. Null: runs hang together too much for such a rule.
+  /// The number that stop.max_frame_errors limits. Null: there is no such rule, as the runs depend
+  /// on each other too much.
   double (*losses)(const Tally&) = nullptr;
-  /// What the points of a sweep say of each other. Null: nothing.
-  void (*describe_sweep)(const LoadedScenario&, std::vector<Point>&) = nullptr;
 
   Estimate loss_of(const Setup& setup, const Tally& tally, double level) const {
     return (loss != nullptr ? loss : ratio)(setup, tally, level);

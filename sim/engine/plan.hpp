@@ -26,8 +26,8 @@ struct RunPilot {
 /// Whether the rule may need fewer than all runs.
 bool may_stop_early(const RunPilot& pilot);
 
-/// After how many runs the rule will stop the point, or so; of what no run showed, as of losses
-/// where none was lost, it expects nothing, and the limit of runs remains.
+/// About how many runs the point will have when its rule ends it. A rule whose losses no run of the
+/// pilot showed is not expected to end it: then the limit remains.
 double expected_runs(const RunPilot& pilot);
 
 /// Wall-clock time of a point; of all.

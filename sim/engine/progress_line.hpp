@@ -15,10 +15,10 @@ std::string time_left(double share, double elapsed_s);
 struct RunStatus {
   std::size_t point = 0, points = 1;  // the one at hand, 0-based, of so many
   double share = 0;                   // of that point
-  std::string counted{};              // "120 of 200 runs"
+  std::string counted{};              // "120 of at most 200 runs"
 };
 
-/// With how many of all runs were done: "120 of 200 runs", and what more there is to say.
+/// With how many runs were done: "120 of at most 200 runs", and what more there is to say.
 RunStatus runs_status(RunStatus at, std::uint64_t done, std::uint64_t all, const std::string& unit,
                       const std::string& more);
 

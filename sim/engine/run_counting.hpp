@@ -45,7 +45,7 @@ class RunCounting {
       const std::vector<double> coordinates = point_coordinates(scenario.sweep, i);
       const Scenario point = point_scenario(scenario, coordinates);
       points_.push_back(kind.unreached(point, scenario.places, coordinates));
-      asked_.push_back({runs_asked_for(point), rule_of(point.stop)});
+      asked_.push_back({.all = runs_asked_for(point), .rule = rule_of(point.stop)});
       if (kind.losses == nullptr) asked_.back().rule.max_frame_errors = 0;
     }
   }
@@ -60,11 +60,12 @@ class RunCounting {
             .n_runs = clock_.n_runs};
   }
 
-  /// How many points have any run, and how many all runs of the shards.
+  /// How many points have a run.
   std::size_t n_begun() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(counted_, [](const auto& parts) { return !parts.empty(); }));
   }
+  /// How many points have all runs of all shards, or as many as a rule wants.
   std::size_t n_finished() const {
     std::size_t n = 0;
     for (std::size_t i = 0; i < counted_.size(); ++i) n += is_finished(i) ? 1 : 0;
@@ -88,7 +89,7 @@ class RunCounting {
       if (counted_[i].empty()) continue;
       if (!workers.interrupted()) set_up(i, workers);
       if (workers.interrupted()) return;
-      bring_up_to_date();
+      describe_current();
     }
   }
 
@@ -106,7 +107,7 @@ class RunCounting {
       if (meanwhile) meanwhile(part.n, asked.all);
     });
     if (part.n == 0) counted_[i].erase(std::ranges::find(counted_[i], 0U, &CountedRuns<Tally>::n));
-    bring_up_to_date();
+    describe_current();
   }
 
   /// Does some runs of a point, which are not counted, to see what they take and give.
@@ -119,10 +120,11 @@ class RunCounting {
                    .rule = asked.rule,
                    .group = kind_.group,
                    .setup_s = watch.lap()};
-    const CountedRuns<Tally> counted = pilot_runs(asked, workers, pilot.run_s);
+    const auto [counted, seconds] = pilot_runs(asked, workers);
     if (counted.n == 0) return pilot;
+    pilot.run_s = seconds / counted.n;
     pilot.counted = counted.n;
-    pilot.ratio = kind_.ratio(*setup_, counted.tally, 0.95);
+    pilot.ratio = kind_.ratio(*setup_, counted.tally, usual_level);
     pilot.loss = kind_.loss_of(*setup_, counted.tally, sure_level);
     if (kind_.losses != nullptr) pilot.losses = kind_.losses(counted.tally);
     return pilot;
@@ -133,15 +135,15 @@ class RunCounting {
     if (kind_.describe_sweep != nullptr) kind_.describe_sweep(scenario_, points_);
   }
 
-  /// Describes the point at hand, to be called by `meanwhile`, by the runs that it has.
-  void bring_up_to_date() {
+  /// Describes the current point by the runs counted so far. `meanwhile` may call it.
+  void describe_current() {
     const Stopwatch watch;
-    describe_at_hand();
+    describe_counted();
     describing_s_ += watch.seconds();
   }
 
  private:
-  void describe_at_hand() {
+  void describe_counted() {
     const std::vector<CountedRuns<Tally>>& parts = counted_[at_hand_];
     Point& point = points_[at_hand_];
     point.stop = stop_of(at_hand_);
@@ -156,8 +158,8 @@ class RunCounting {
     if (n > 0) kind_.describe(point, *setup_, sum);
   }
 
-  /// What ended the point's shards: an interrupt, if one did, or a rule, before that there were no
-  /// more runs.
+  /// Why the point has no more runs: interrupted where a shard is unfinished, else the rule that
+  /// ended a shard, else max_frames.
   StopReason stop_of(std::size_t i) const {
     if (!is_finished(i)) return StopReason::interrupted;
     for (const CountedRuns<Tally>& part : counted_[i])
@@ -239,29 +241,32 @@ class RunCounting {
   }
 
   AskedRuns runs_in(const Shard& shard, std::size_t point) const {
-    const TrialRange range = runs_of(shard, asked_[point].runs, kind_.group);
+    const TrialRange range = runs_of(shard, asked_[point].all, kind_.group);
     return {static_cast<std::uint32_t>(range.first),
             static_cast<std::uint32_t>(range.last - range.first),
             share_of(asked_[point].rule, shard)};
   }
 
-  /// A batch of each thread, or as many more as take so long that starting threads does not count;
-  /// with the time of a run.
-  CountedRuns<Tally> pilot_runs(AskedRuns asked, const Workers& workers, double& run_s) {
+  struct TimedRuns {
+    CountedRuns<Tally> counted{};
+    double seconds = 0;
+  };
+
+  /// A batch of each thread, or more: as many as take so long that starting threads does not count.
+  TimedRuns pilot_runs(AskedRuns asked, const Workers& workers) {
     constexpr double long_enough_s = 0.02;
+    constexpr std::uint32_t enough = 1U << 28U;
     const auto threads = static_cast<std::uint32_t>(workers.threads);
     const std::uint32_t share = divided_up(divided_up(asked.all, threads), kind_.group);
     const std::uint32_t batch = least_batch(kind_, *setup_, asked.all, workers.threads);
-    asked.all = threads * std::clamp(share * kind_.group, 1U, batch);
     asked.rule = {};
-    while (true) {
+    for (asked.all = threads * std::clamp(share * kind_.group, 1U, batch);; asked.all *= 4) {
       const Stopwatch watch;
-      CountedRuns<Tally> counted;
+      TimedRuns runs;
       PointCounting<Setup, Tally, Point>(kind_, *setup_, asked, clock_)
-          .add_to(counted, {workers}, {});
-      run_s = watch.seconds() / std::max(counted.n, 1U);
-      if (watch.seconds() > long_enough_s || workers.interrupted()) return counted;
-      asked.all *= 4;
+          .add_to(runs.counted, {workers}, {});
+      runs.seconds = watch.seconds();
+      if (runs.seconds > long_enough_s || asked.all > enough || workers.interrupted()) return runs;
     }
   }
 
@@ -270,12 +275,7 @@ class RunCounting {
   const std::vector<Shard> shards_;
   Counted counted_;
   std::vector<Point> points_;
-  /// Of a point: how many runs, unless its rule needs fewer.
-  struct Asked {
-    std::uint32_t runs;
-    StopRule rule;
-  };
-  std::vector<Asked> asked_;  // of each point
+  std::vector<AskedRuns> asked_;  // of each point, all shards together
   std::size_t at_hand_ = 0;
   std::optional<Setup> setup_;  // of the point at hand
   double preparing_s_ = 0, describing_s_ = 0;

@@ -16,14 +16,15 @@ namespace sim {
 namespace {
 
 /// A shard does not see the ratio of all, and weighted losses cannot be divided.
-void check_rule(const Scenario& point, const std::string& option) {
+void check_rule(const Scenario& point, bool counts_losses, const std::string& option) {
   const StopRule rule = rule_of(point.stop);
-  const bool of_frames = &kind_of(point) == &link_kind;
   if (looks_at_ratio(rule))
     throw bad_input(option, "--rel-ci and --target-flr need the counts of all shards",
-                    of_frames ? "use --max-frames and --max-frame-errors, which can be shared out"
-                              : "use " + amount_key(point) + ", which can be shared out");
-  if (of_frames && rule.max_frame_errors > 0 && method_of(point.simulation) == Method::importance)
+                    counts_losses
+                        ? "use --max-frames and --max-frame-errors, which can be shared out"
+                        : "use " + amount_key(point) + ", which can be shared out");
+  if (counts_losses && rule.max_frame_errors > 0 &&
+      method_of(point.simulation) == Method::importance)
     throw bad_input(option, "what weighted losses are worth cannot be shared out",
                     "add --max-frame-errors 0");
 }
@@ -40,12 +41,13 @@ void check_amount(const Scenario& point, const Shard& shard, std::uint32_t group
 
 }  // namespace
 
-void check_shard(const LoadedScenario& scenario, const Shard& shard, std::uint32_t group) {
+void check_shard(const LoadedScenario& scenario, const Shard& shard, std::uint32_t group,
+                 bool counts_losses) {
   if (shard == Shard{}) return;
   const std::string option = "--shard " + shards_text({shard});
   for (std::size_t i = 0; i < count_points(scenario.sweep); ++i) {
     const Scenario point = point_scenario(scenario, point_coordinates(scenario.sweep, i));
-    check_rule(point, option);
+    check_rule(point, counts_losses, option);
     check_amount(point, shard, group, option);
   }
 }

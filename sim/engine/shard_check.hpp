@@ -7,8 +7,9 @@
 
 namespace sim {
 
-/// Throws Failure(bad_input) where a point, whose runs are counted in such groups, cannot be shared
-/// out like this.
-void check_shard(const LoadedScenario& scenario, const Shard& shard, std::uint32_t group);
+/// Throws Failure(bad_input) where a point cannot be shared out like this. Its runs are counted in
+/// groups of this size; `counts_losses`: stop.max_frame_errors is a rule of the experiment.
+void check_shard(const LoadedScenario& scenario, const Shard& shard, std::uint32_t group,
+                 bool counts_losses);
 
 }  // namespace sim

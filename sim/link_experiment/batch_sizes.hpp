@@ -1,5 +1,5 @@
 #pragma once
-// How many trials a thread takes at once: what the processor's lanes, memory and the clock ask for.
+// How many trials a thread takes at once, by lanes, memory and time.
 #include <cstdint>
 
 #include "channel/chain.hpp"

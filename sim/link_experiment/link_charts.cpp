@@ -17,7 +17,7 @@
 namespace sim {
 namespace {
 
-std::string curve_name(const std::vector<Axis>& axes, std::size_t over, const PointResult& point,
+std::string curve_name(const std::vector<Axis>& axes, std::size_t over, const LinkPoint& point,
                        bool is_theory) {
   const std::string others = other_values(axes, {over}, point.coordinates);
   if (others.empty()) return is_theory ? "theory" : "simulated";
@@ -36,11 +36,11 @@ struct Ratio {
   const char* title;
   const char* label;
   std::optional<double> level;
-  Estimate (*estimate)(const PointResult&, double level);
+  Estimate (*estimate)(const LinkPoint&, double level);
   double OperatingPoint::*theory;  // null where there is none
 };
 
-Estimate bit_errors_of(const PointResult& point, double level) {
+Estimate bit_errors_of(const LinkPoint& point, double level) {
   return bit_error_ratio(point.tally, level);
 }
 
@@ -48,14 +48,14 @@ constexpr Ratio ratios[] = {
     {"Bit errors", "bit error ratio (BER)", {}, bit_errors_of, &OperatingPoint::ber_theory},
     {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_of, nullptr}};
 
-Chart chart_of(const ExperimentResult& result, std::size_t over, const Ratio& ratio) {
+Chart chart_of(const LinkResult& result, std::size_t over, const Ratio& ratio) {
   Chart chart{.title = ratio.title,
               .description = fmt::format("{} over {}, {:g} % intervals", ratio.label,
                                          result.axes[over].key, 100 * result.ci_level),
               .x = chart_axis(result.axes[over]),
               .y = {.label = ratio.label, .logarithmic = true, .level = ratio.level},
               .curves = {}};
-  for (const PointResult& point : result.points) {
+  for (const LinkPoint& point : result.points) {
     if (!point.reached()) continue;
     const double x = point.coordinates[over];
     const Estimate estimate = ratio.estimate(point, result.ci_level);
@@ -81,7 +81,7 @@ std::optional<std::size_t> drawn_over(const std::vector<Axis>& axes) {
 
 }  // namespace
 
-std::vector<Chart> result_charts(const ExperimentResult& result) {
+std::vector<Chart> result_charts(const LinkResult& result) {
   const std::optional<std::size_t> over = drawn_over(result.axes);
   std::vector<Chart> charts;
   if (!over) return charts;
@@ -92,9 +92,9 @@ std::vector<Chart> result_charts(const ExperimentResult& result) {
   return charts;
 }
 
-std::vector<HeatMap> result_maps(const ExperimentResult& result) {
+std::vector<HeatMap> result_maps(const LinkResult& result) {
   std::vector<MapValue> losses;
-  for (const PointResult& point : result.points) {
+  for (const LinkPoint& point : result.points) {
     const Estimate loss = frame_loss_of(point, result.ci_level);
     losses.push_back({loss.value, estimate_text(loss)});
   }

@@ -13,10 +13,10 @@ namespace sim {
 /// the most values, where that one stands still), a curve for each combination of the others, and
 /// theory where there is one. Points without an error are limits; those never reached are left out.
 /// Empty where no number was swept.
-std::vector<Chart> result_charts(const ExperimentResult& result);
+std::vector<Chart> result_charts(const LinkResult& result);
 
 /// FLR over the two swept numbers with the most values, a map for each combination of the others'
 /// values. Empty where less than two numbers were swept.
-std::vector<HeatMap> result_maps(const ExperimentResult& result);
+std::vector<HeatMap> result_maps(const LinkResult& result);
 
 }  // namespace sim

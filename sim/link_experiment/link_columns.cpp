@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,15 +18,16 @@
 #include "sim/link_experiment/link_notes.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
 
-using Point = PointResult;
+using Point = LinkPoint;
 
-constexpr double ci_level = ExperimentResult::ci_level;
+constexpr double ci_level = LinkResult::ci_level;
 
 Column<Point>& add_counter(Columns<Point>& columns, const TallyCounter& counter) {
   return columns.count({counter.name, "1", counter.meaning},
@@ -121,13 +123,10 @@ void add_costs(Columns<Point>& columns) {
 }
 
 void add_marks(Columns<Point>& columns) {
-  columns.flags(
-      {validity_flags_name, "1", "limits of the models' validity that the point leaves"},
-      [](const Point& p) { return p.validity_flags; }, validity_flag_names(), validity_mark);
+  add_validity_flags(columns).headed({{}, 0});
   columns.flags(
       {"alarms", "1", "why the counts are to be distrusted"},
-      [](const Point& p) { return p.alarms; }, flag_names(alarms()),
-      [](std::uint64_t) { return std::string(); });
+      [](const Point& p) { return p.alarms; }, flag_names(alarms()));
   const auto reasons = stop_reason_names();
   add_stop_reason(columns, {reasons.begin(), reasons.end()});
   columns.words({}, [](const Point& p) { return p.reached() ? closing_text(p) : "-"; })
@@ -141,11 +140,11 @@ void add_spread(Columns<Point>& columns, const std::string& ratio, WeightedSum W
               const Weighted& weighted = p.tally.weighted;
               return (weighted.*sum).coefficient_of_variation(weighted.n_groups);
             })
-      .only_of(is_weighted);
+      .kept_if(is_weighted);
   columns
       .real({ratio + "_ess", "1", "effective sample size of " + ratio},
             [sum](const Point& p) { return (p.tally.weighted.*sum).effective_size(); })
-      .only_of(is_weighted);
+      .kept_if(is_weighted);
 }
 
 void add_weights(Columns<Point>& columns) {
@@ -159,7 +158,7 @@ void add_weights(Columns<Point>& columns) {
                 return counter.sum(weighted);
               })
         .known_before()
-        .only_of(is_weighted);
+        .kept_if(is_weighted);
 }
 
 Columns<Point> made_columns() {
@@ -197,7 +196,7 @@ std::string interval_methods(bool weighted) {
 
 }  // namespace
 
-const Columns<PointResult>& link_columns() {
+const Columns<LinkPoint>& link_columns() {
   static const Columns<Point> columns = made_columns();
   return columns;
 }
@@ -209,7 +208,7 @@ bool has_theory(const LoadedScenario& scenario) {
   return matched;
 }
 
-void complete_link(Dataset& data, const std::vector<PointResult>& points) {
+void complete_link(Dataset& data, const std::vector<LinkPoint>& points) {
   data.digest = result_digest(data.axes, points);
   data.attributes = {{"ci_level", ci_level}, {"ci_method", interval_methods(is_weighted(points))}};
   for (Dataset::Variable& variable : data.variables) {
@@ -222,11 +221,11 @@ void complete_link(Dataset& data, const std::vector<PointResult>& points) {
   }
 }
 
-Dataset link_dataset(const ExperimentResult& result) {
+Dataset link_dataset(const LinkResult& result) {
   Dataset data{.title = result.title,
                .scenario_toml = result.scenario_toml,
                .command = result.command,
-               .experiment = "link",
+               .experiment = std::string(link_kind.name),
                .seed = result.seed,
                .axes = result.axes,
                .shards = result.shards};

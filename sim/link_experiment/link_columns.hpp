@@ -8,16 +8,16 @@
 
 namespace sim {
 
-const Columns<PointResult>& link_columns();
+const Columns<LinkPoint>& link_columns();
 
 /// Whether a receiver of the sweep is one that theory knows.
 bool has_theory(const LoadedScenario& scenario);
 
-/// A dataset of the points' columns has besides: the digest of links, and what its variables and
-/// intervals mean.
-void complete_link(Dataset& data, const std::vector<PointResult>& points);
+/// Adds what the columns do not say: the digest of links, and attributes that explain intervals,
+/// snr_db and ebn0_db.
+void complete_link(Dataset& data, const std::vector<LinkPoint>& points);
 
 /// A link's result as it is written.
-Dataset link_dataset(const ExperimentResult& result);
+Dataset link_dataset(const LinkResult& result);
 
 }  // namespace sim

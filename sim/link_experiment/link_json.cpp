@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include "sim/link/validity.hpp"
-#include "sim/link_experiment/link_columns.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/scenario/flags.hpp"
@@ -41,7 +43,7 @@ const char* crossing_name(Crossing::Kind kind) {
 /// JSON has no infinity.
 Json end_of(double end) { return std::isfinite(end) ? Json(end) : nullptr; }
 
-Json json_crossing(const ExperimentResult& result, const Ranking& ranking, const RowCrossing& row) {
+Json json_crossing(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   Json json;
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& other = result.axes[ranking.others[i]];
@@ -63,7 +65,7 @@ Json json_crossing(const ExperimentResult& result, const Ranking& ranking, const
 }
 
 /// In the order of the ranking.
-Json json_crossings(const ExperimentResult& result, const CrossingQuestion& question) {
+Json json_crossings(const LinkResult& result, const CrossingQuestion& question) {
   Json json = Json::array();
   const Ranking ranking = rank(result, question);
   for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
@@ -87,8 +89,8 @@ Json raised_json(std::span<const Flag> table, std::uint64_t mask) {
 }
 
 /// Point i, with the variables of the result file.
-Json json_point(const ExperimentResult& result, const Dataset& data, std::size_t i) {
-  const PointResult& p = result.points[i];
+Json json_point(const LinkResult& result, const Dataset& data, std::size_t i) {
+  const LinkPoint& p = result.points[i];
   Json point;
   for (std::size_t axis = 0; axis < result.axes.size(); ++axis)
     point[result.axes[axis].key] = json_coordinate(result.axes[axis], p.coordinates[axis]);
@@ -101,18 +103,15 @@ Json json_point(const ExperimentResult& result, const Dataset& data, std::size_t
 
 }  // namespace
 
-std::string to_json(const ExperimentResult& result, const CrossingQuestion& question) {
-  Json json{{"title", result.title},
-            {"command", result.command},
-            {"seed", result.seed},
-            {"ci_level", result.ci_level},
-            {"eb_convention", "average"},
-            {"shards", shards_text(result.shards)},
-            {"result_digest", result_digest(result)}};
+std::string to_json(const LinkResult& result, const Dataset& data,
+                    const CrossingQuestion& question) {
+  Json json{{"title", result.title},       {"command", result.command},
+            {"seed", result.seed},         {"ci_level", result.ci_level},
+            {"eb_convention", "average"},  {"shards", shards_text(result.shards)},
+            {"result_digest", data.digest}};
   json["axes"] = Json::array();
   for (const Axis& a : result.axes) json["axes"].push_back(json_axis(a));
   json["points"] = Json::array();
-  const Dataset data = link_dataset(result);
   for (std::size_t i = 0; i < result.points.size(); ++i)
     json["points"].push_back(json_point(result, data, i));
   json["crossings"] = json_crossings(result, question);

@@ -1,9 +1,9 @@
 #include "sim/link_experiment/link_measurement.hpp"
 
-#include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <utility>
 
-#include "sim/counting/statistics.hpp"
 #include "sim/engine/counted_runs.hpp"
 #include "sim/engine/run_counting.hpp"
 #include "sim/link_experiment/batch_sizes.hpp"
@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-void put_counts(PointResult& point, const LinkTally& tally) {
+void put_counts(LinkPoint& point, const LinkTally& tally) {
   point.tally = tally.sum.tally;
   point.simulated_s = tally.sum.simulated_s;
   point.n_samples = tally.sum.n_samples;
@@ -22,7 +22,7 @@ void put_counts(PointResult& point, const LinkTally& tally) {
   point.elapsed_s = tally.elapsed_s;
 }
 
-void describe_link(PointResult& point, const Link& link) {
+void describe_link(LinkPoint& point, const Link& link) {
   point.operating = link.operating;
   point.validity_flags = link.validity_flags;
   point.alarms = own_alarms(point);
@@ -43,8 +43,8 @@ bool fits_link(const LinkSetup&, const LinkTally& counted) {
 }
 
 /// The alarms of rows across the grid.
-void describe_rows(const LoadedScenario& scenario, std::vector<PointResult>& points) {
-  ExperimentResult result;
+void describe_rows(const LoadedScenario& scenario, std::vector<LinkPoint>& points) {
+  LinkResult result;
   result.axes = scenario.sweep;
   result.points = std::move(points);
   add_row_alarms(result);
@@ -53,10 +53,10 @@ void describe_rows(const LoadedScenario& scenario, std::vector<PointResult>& poi
 
 }  // namespace
 
-constinit const Measurement<LinkSetup, LinkTally, PointResult> link_measurement{
+constinit const Measurement<LinkSetup, LinkTally, LinkPoint> link_measurement{
     .unreached =
         [](const Scenario& s, const SourceLocations&, const std::vector<double>& coordinates) {
-          return PointResult{
+          return LinkPoint{
               .coordinates = coordinates, .stop = StopReason::interrupted, .rule = rule_of(s.stop)};
         },
     .prepare =
@@ -66,9 +66,9 @@ constinit const Measurement<LinkSetup, LinkTally, PointResult> link_measurement{
     .most_at_once = [](const LinkSetup& setup, std::uint32_t,
                        int) { return batch_sizes(setup.link).most; },
     .ratio = [](const LinkSetup&, const LinkTally& t,
-                double level) { return bit_error_ratio(t.sum.tally, level); },
+                double level) { return figures_of(t.sum.tally).ratio(level); },
     .describe =
-        [](PointResult& point, const LinkSetup& setup, const LinkTally& tally) {
+        [](LinkPoint& point, const LinkSetup& setup, const LinkTally& tally) {
           put_counts(point, tally);
           describe_link(point, setup.link);
         },
@@ -76,25 +76,19 @@ constinit const Measurement<LinkSetup, LinkTally, PointResult> link_measurement{
     .group = group_size,
     .run_groups = run_link_groups,
     .least_at_once = [](const LinkSetup& setup) { return batch_sizes(setup.link).least; },
+    .describe_sweep = describe_rows,
     .loss = [](const LinkSetup&, const LinkTally& t,
-               double level) { return frame_loss_ratio(t.sum.tally, level); },
-    .losses = [](const LinkTally& t) { return worth_of_losses(t.sum.tally); },
-    .describe_sweep = describe_rows};
+               double level) { return figures_of(t.sum.tally).loss(level); },
+    .losses = [](const LinkTally& t) { return figures_of(t.sum.tally).losses; }};
 
-PointResult run_point(const Link& link, const StopRule& stop, const Workers& workers,
-                      const PointResult& before,
-                      const std::function<void(const PointResult&)>& meanwhile) {
+LinkPoint run_point(const Link& link, const StopRule& stop, const Workers& workers,
+                    const std::function<void(const LinkPoint&)>& meanwhile) {
   const LinkSetup setup{link, workers.profiled};
-  CountedRuns<LinkTally> counted{
-      .n = static_cast<std::uint32_t>(before.tally.n_frames),
-      .tally = {{before.tally, before.simulated_s, before.n_samples, before.profile},
-                before.elapsed_s}};
+  CountedRuns<LinkTally> counted;
   const auto point = [&] {
-    PointResult result{.operating = link.operating,
-                       .stop = counted.stop.value_or(StopReason::interrupted),
-                       .rule = stop,
-                       .validity_flags = link.validity_flags};
+    LinkPoint result{.stop = counted.stop.value_or(StopReason::interrupted), .rule = stop};
     put_counts(result, counted.tally);
+    describe_link(result, link);
     return result;
   };
   RunClock clock;
@@ -105,17 +99,15 @@ PointResult run_point(const Link& link, const StopRule& stop, const Workers& wor
   return point();
 }
 
-ExperimentResult run_link(const LoadedScenario& scenario, const Workers& workers) {
+LinkResult run_link(const LoadedScenario& scenario, const Workers& workers) {
   RunCounting counting(link_measurement, scenario);
   for (std::size_t i = 0; i < counting.points().size(); ++i) counting.count(i, {workers});
   counting.describe_sweep();
-  ExperimentResult result = unfinished(scenario, "");
-  result.points = counting.points();
-  return result;
+  return link_result(scenario, "", counting.points());
 }
 
-void describe_points(const LoadedScenario& scenario, ExperimentResult& result) {
-  for (PointResult& point : result.points)
+void describe_points(const LoadedScenario& scenario, LinkResult& result) {
+  for (LinkPoint& point : result.points)
     if (point.reached())
       describe_link(point, make_link(point_scenario(scenario, point.coordinates)));
   add_row_alarms(result);

@@ -2,14 +2,14 @@
 // A link as an experiment: its runs are the trials of sim/trial, counted in groups of eight.
 #include <functional>
 #include <type_traits>
-#include <vector>
 
 #include "sim/counting/stop_rule.hpp"
 #include "sim/engine/checkpoint_bytes.hpp"
 #include "sim/engine/measurement.hpp"
 #include "sim/link/link.hpp"
-#include "sim/result/ranking.hpp"
 #include "sim/result/result.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/threads/parallel_runs.hpp"
 #include "sim/trial/trial.hpp"
 
 namespace sim {
@@ -37,21 +37,18 @@ struct LinkTally {
   }
 };
 
-extern const Measurement<LinkSetup, LinkTally, PointResult> link_measurement;
+extern const Measurement<LinkSetup, LinkTally, LinkPoint> link_measurement;
 
-/// One point by itself, to its stop, without coordinates. Throws Failure(environment) if the
+/// One point by itself, to its stop, without coordinates. `meanwhile` is called from this thread, a
+/// few times a second, with what an interrupt would leave. Throws Failure(environment) if the
 /// machine does not give as many threads.
-/// `before`: what an interrupt left of the same point, which is gone on with; trials are counted in
-/// the order of their numbers, so it ends as if there had been no interrupt. `meanwhile` is called
-/// from this thread, a few times a second, with what an interrupt would leave.
-PointResult run_point(const Link& link, const StopRule& stop, const Workers& workers = {},
-                      const PointResult& before = {},
-                      const std::function<void(const PointResult&)>& meanwhile = {});
+LinkPoint run_point(const Link& link, const StopRule& stop, const Workers& workers = {},
+                    const std::function<void(const LinkPoint&)>& meanwhile = {});
 
 /// All points of a sweep; fewer if interrupted. For those who need no file and no table.
-ExperimentResult run_link(const LoadedScenario& scenario, const Workers& workers);
+LinkResult run_link(const LoadedScenario& scenario, const Workers& workers);
 
 /// Operating points, flags and alarms of what is counted: files do not keep them.
-void describe_points(const LoadedScenario& scenario, ExperimentResult& result);
+void describe_points(const LoadedScenario& scenario, LinkResult& result);
 
 }  // namespace sim

@@ -20,9 +20,9 @@ constexpr const char* alarm_sign = "!!";
 
 /// How many errors more than theory the samples should make: of the points where bits failed, that
 /// where it is most.
-std::string theory_note(const ExperimentResult& result) {
+std::string theory_note(const LinkResult& result) {
   double most = 0;
-  for (const PointResult& p : result.points) {
+  for (const LinkPoint& p : result.points) {
     const double more = p.operating.ber_sampled / p.operating.ber_theory - 1;
     const bool has_failed = bit_error_ratio(p.tally, result.ci_level).value > 0;
     if (has_failed && std::isfinite(more) && std::abs(more) > std::abs(most)) most = more;
@@ -33,7 +33,7 @@ std::string theory_note(const ExperimentResult& result) {
       100 * std::abs(most), most > 0 ? "more" : "fewer");
 }
 
-std::string target_note(const ExperimentResult& result) {
+std::string target_note(const LinkResult& result) {
   if (std::ranges::none_of(result.points, may_stop_by_target)) return "";
   return "frame loss ratios are median-unbiased and their intervals allow for a stop by "
          "target_flr; "
@@ -60,15 +60,15 @@ std::string theory_text(double ber) {
   return ber < 0.01 ? scientific_text(ber, 3) : fmt::format("{:.4f}", ber);
 }
 
-std::string closing_text(const PointResult& point) {
+std::string closing_text(const LinkPoint& point) {
   return stop_reason_name(point.stop) +
          mark(validity_limits(), point.validity_flags, validity_sign) +
          mark(alarms(), point.alarms, alarm_sign);
 }
 
-std::string mark_notes(const ExperimentResult& result) {
+std::string mark_notes(const LinkResult& result) {
   std::uint64_t validity_flags = 0, alarming = 0;
-  for (const PointResult& p : result.points) {
+  for (const LinkPoint& p : result.points) {
     validity_flags |= p.validity_flags;
     alarming |= p.alarms;
   }
@@ -79,9 +79,9 @@ std::string mark_notes(const ExperimentResult& result) {
 namespace {
 
 /// All points that are counted, or all that are weighted.
-Tally sum_of(const ExperimentResult& result, bool weighted) {
+Tally sum_of(const LinkResult& result, bool weighted) {
   Tally all;
-  for (const PointResult& p : result.points)
+  for (const LinkPoint& p : result.points)
     if (p.tally.is_weighted() == weighted) all += p.tally;
   return all;
 }
@@ -113,17 +113,17 @@ std::string reasons_note(const Tally& all) {
 
 }  // namespace
 
-std::string loss_reasons(const ExperimentResult& result) {
+std::string loss_reasons(const LinkResult& result) {
   return reasons_note(sum_of(result, false)) + weighted_note(sum_of(result, true));
 }
 
-std::string link_notes(const ExperimentResult& result, const CrossingQuestion& question) {
+std::string link_notes(const LinkResult& result, const CrossingQuestion& question) {
   return mark_notes(result) + loss_reasons(result) + ranking_lines(result, rank(result, question));
 }
 
-std::string missing_lines(const ExperimentResult& result) {
-  const auto begun = std::ranges::count_if(result.points, &PointResult::reached);
-  const auto finished = std::ranges::count_if(result.points, [](const PointResult& p) {
+std::string missing_lines(const LinkResult& result) {
+  const auto begun = std::ranges::count_if(result.points, &LinkPoint::reached);
+  const auto finished = std::ranges::count_if(result.points, [](const LinkPoint& p) {
     return p.reached() && p.stop != StopReason::interrupted;
   });
   return unfinished_note(result.points.size(), static_cast<std::size_t>(finished),

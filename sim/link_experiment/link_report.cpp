@@ -16,27 +16,26 @@
 namespace sim {
 namespace {
 
-using Swept = SweptPoints<PointResult>;
+using Swept = SweptPoints<LinkPoint>;
 
-ExperimentResult result_of(const Swept& swept) {
-  ExperimentResult result = unfinished(swept.scenario, swept.command);
+LinkResult result_of(const Swept& swept) {
+  LinkResult result = link_result(swept.scenario, swept.command, swept.points);
   result.shards = swept.shards;
-  result.points = swept.points;
   return result;
 }
 
 /// Of frames that are drawn to fail the counts say nothing, their weights do.
-std::string progress_of(const PointResult& point) {
-  const double ber = bit_error_ratio(point.tally, ExperimentResult::ci_level).value;
+std::string progress_of(const LinkPoint& point) {
+  const double ber = bit_error_ratio(point.tally, LinkResult::ci_level).value;
   return fmt::format(", {} lost{}, BER {}", point.tally.n_frames_lost,
                      point.tally.is_weighted() ? " as drawn" : "",
                      std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber));
 }
 
-std::string profile_of(const std::vector<PointResult>& points) {
+std::string profile_of(const std::vector<LinkPoint>& points) {
   Profile profile;
   std::uint64_t samples = 0;
-  for (const PointResult& point : points) {
+  for (const LinkPoint& point : points) {
     profile += point.profile;
     samples += point.n_samples;
   }
@@ -45,13 +44,13 @@ std::string profile_of(const std::vector<PointResult>& points) {
 
 }  // namespace
 
-constinit const PointReport<PointResult> link_report{
+constinit const PointReport<LinkPoint> link_report{
     .columns = link_columns,
     .complete = complete_link,
-    .json = [](const Swept& swept) { return to_json(result_of(swept)); },
-    .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },
-    .notes = [](const Swept& swept) { return link_notes(result_of(swept)); },
     .progress = progress_of,
-    .profile = profile_of};
+    .profile = profile_of,
+    .json = [](const Swept& swept, const Dataset& data) { return to_json(result_of(swept), data); },
+    .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },
+    .notes = [](const Swept& swept) { return link_notes(result_of(swept)); }};
 
 }  // namespace sim

@@ -5,6 +5,6 @@
 
 namespace sim {
 
-extern const PointReport<PointResult> link_report;
+extern const PointReport<LinkPoint> link_report;
 
 }  // namespace sim

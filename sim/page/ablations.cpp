@@ -66,7 +66,7 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
 /// One point of a sweep, run again with changes.
 class Rerun {
  public:
-  Rerun(const LoadedScenario& scenario, const ExperimentResult& result, const PointResult& point,
+  Rerun(const LoadedScenario& scenario, const LinkResult& result, const LinkPoint& point,
         const Workers& workers)
       : scenario_(scenario), workers_(workers) {
     for (std::size_t i = 0; i < result.axes.size(); ++i) {
@@ -103,17 +103,17 @@ class Rerun {
 };
 
 /// Whether a point is of the link that comes first; all are where there is no ranking.
-bool is_of_first(const PointResult& point, const Ranking& ranking) {
+bool is_of_first(const LinkPoint& point, const Ranking& ranking) {
   for (std::size_t i = 0; i < ranking.others.size(); ++i)
     if (point.coordinates[ranking.others[i]] != ranking.rows.front().others[i]) return false;
   return true;
 }
 
-const PointResult* nearest_to_half(const ExperimentResult& result, const Ranking& ranking) {
+const LinkPoint* nearest_to_half(const LinkResult& result, const Ranking& ranking) {
   constexpr double half = 0.5;
-  const PointResult* found = nullptr;
+  const LinkPoint* found = nullptr;
   double least = 0;
-  for (const PointResult& point : result.points) {
+  for (const LinkPoint& point : result.points) {
     if (!point.reached() || !is_of_first(point, ranking)) continue;
     const double loss = frame_loss_ratio(point.tally, result.ci_level).value;
     const bool nearer = loss >= half ? least < half || loss < least : loss > least && least < half;
@@ -124,8 +124,7 @@ const PointResult* nearest_to_half(const ExperimentResult& result, const Ranking
 
 /// Whether it is known that the loss only rises or only falls along the ranking's axis, whose
 /// values have logarithms and may lie between those of the sweep.
-bool goes_one_way(const Ranking& ranking, const ExperimentResult& result,
-                  const PointResult& point) {
+bool goes_one_way(const Ranking& ranking, const LinkResult& result, const LinkPoint& point) {
   using Kind = Crossing::Kind;
   if (ranking.rows.empty() || point.coordinates[ranking.abscissa] <= 0) return false;
   const Axis& axis = result.axes[ranking.abscissa];
@@ -162,16 +161,15 @@ HalfLoss half_loss_of(const Rerun& rerun, const Trouble& trouble, const Axis& al
 
 }  // namespace
 
-const PointResult* failing_point(const ExperimentResult& result) {
+const LinkPoint* failing_point(const LinkResult& result) {
   const Ranking ranking = rank(result);
   if (ranking.best_first && !ranking.rows.empty())
-    if (const PointResult* best = nearest_to_half(result, ranking)) return best;
+    if (const LinkPoint* best = nearest_to_half(result, ranking)) return best;
   return nearest_to_half(result, {});
 }
 
-Ablations ablate(const LoadedScenario& scenario, const ExperimentResult& result,
-                 const Workers& workers) {
-  const PointResult* point = failing_point(result);
+Ablations ablate(const LoadedScenario& scenario, const LinkResult& result, const Workers& workers) {
+  const LinkPoint* point = failing_point(result);
   if (point == nullptr || has_theory(scenario) || is_weighted(result)) return {};
   const Rerun rerun(scenario, result, *point, workers);
   const LoadedScenario whole = rerun.load();

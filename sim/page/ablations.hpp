@@ -28,15 +28,14 @@ struct Ablations {
 /// Where the link fails, of several that are compared the one that comes first: the point that
 /// loses the least of those that lose half their frames, or else the one that loses the most. Null
 /// where no frame is lost.
-const PointResult* failing_point(const ExperimentResult& result);
+const LinkPoint* failing_point(const LinkResult& result);
 
 /// At the failing point, with 100 frames each, or fewer where a trial has more than 2e6 samples, 20
 /// at least; and, where it has at most 4e6, how far each goes before half of 20 frames are lost.
 /// Empty where there is none, of ideal receivers, which noise alone troubles, and of weighted
 /// trials. Without what the scenario's other keys need, as an envelope a threshold far above noise.
 /// Worth nothing after an interrupt.
-Ablations ablate(const LoadedScenario& scenario, const ExperimentResult& result,
-                 const Workers& workers);
+Ablations ablate(const LoadedScenario& scenario, const LinkResult& result, const Workers& workers);
 
 /// The changes with which the loss is clearly less, at 95 %. What carries farthest comes first, as
 /// far as that is known.

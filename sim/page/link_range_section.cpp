@@ -15,7 +15,7 @@
 namespace sim {
 namespace {
 
-std::vector<std::string> reach_head(const ExperimentResult& result, const Ranking& ranking) {
+std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ranking) {
   std::vector<std::string> head;
   if (ranking.best_first) head.emplace_back("place");
   for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
@@ -24,14 +24,12 @@ std::vector<std::string> reach_head(const ExperimentResult& result, const Rankin
   return head;
 }
 
-std::string crossing_of(const ExperimentResult& result, const Ranking& ranking,
-                        const RowCrossing& row) {
+std::string crossing_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   return crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
 }
 
 /// In a sentence.
-std::string reach_words(const ExperimentResult& result, const Ranking& ranking,
-                        const RowCrossing& row) {
+std::string reach_words(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   std::string words = crossing_of(result, ranking, row);
   if (row.validity_flags == 0) return words;
   return fmt::format("{}, {}: {}", words, validity_words,
@@ -39,15 +37,13 @@ std::string reach_words(const ExperimentResult& result, const Ranking& ranking,
 }
 
 /// In a table, with its mark.
-std::string reach_text(const ExperimentResult& result, const Ranking& ranking,
-                       const RowCrossing& row) {
+std::string reach_text(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   std::string words = crossing_of(result, ranking, row);
   if (row.validity_flags == 0) return words;
   return words + "  " + raised_mark(validity_limits(), row.validity_flags, validity_sign);
 }
 
-std::string link_of(const ExperimentResult& result, const Ranking& ranking,
-                    const RowCrossing& row) {
+std::string link_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   std::vector<Axis> axes;
   for (const std::size_t axis : ranking.others) axes.push_back(result.axes[axis]);
   return place_text(axes, row.others);
@@ -55,7 +51,7 @@ std::string link_of(const ExperimentResult& result, const Ranking& ranking,
 
 }  // namespace
 
-std::vector<LinkRange> link_ranges_of(const ExperimentResult& result, const Ranking& ranking) {
+std::vector<LinkRange> link_ranges_of(const LinkResult& result, const Ranking& ranking) {
   std::vector<LinkRange> ranges;
   for (const RowCrossing& row : ranking.rows)
     ranges.push_back({result.axes[ranking.abscissa].key, link_of(result, ranking, row),
@@ -64,7 +60,7 @@ std::vector<LinkRange> link_ranges_of(const ExperimentResult& result, const Rank
   return ranges;
 }
 
-PageSection link_range_section(const ExperimentResult& result, const Ranking& ranking) {
+PageSection link_range_section(const LinkResult& result, const Ranking& ranking) {
   PageTable table{.head = reach_head(result, ranking), .rows = {}, .is_answer = true};
   for (const RowCrossing& row : ranking.rows) {
     std::vector<std::string> cells;

@@ -8,9 +8,9 @@
 namespace sim {
 
 /// One for each of the ranking's rows, in its order.
-std::vector<LinkRange> link_ranges_of(const ExperimentResult& result, const Ranking& ranking);
+std::vector<LinkRange> link_ranges_of(const LinkResult& result, const Ranking& ranking);
 
 /// As a table with a column for each swept key; at least one row.
-PageSection link_range_section(const ExperimentResult& result, const Ranking& ranking);
+PageSection link_range_section(const LinkResult& result, const Ranking& ranking);
 
 }  // namespace sim

@@ -37,7 +37,7 @@ std::vector<std::uint64_t> fates_of(const Tally& t) {
 }
 
 /// Of trials as they come by nature.
-ShareBars fates_of(const ExperimentResult& result) {
+ShareBars fates_of(const LinkResult& result) {
   const SweptRows rows(result.axes);
   ShareBars bars{.title = "What became of the frames",
                  .description = rows.joins_points()
@@ -48,13 +48,13 @@ ShareBars fates_of(const ExperimentResult& result) {
                  .are_shares = rows.joins_points(),
                  .kinds = {std::begin(fates), std::end(fates)},
                  .rows = {}};
-  for (const PointResult& point : result.points)
+  for (const LinkPoint& point : result.points)
     if (point.reached() && !point.tally.is_weighted())
       add_counts(bars, rows.label(point.coordinates), rows.weighed(fates_of(point.tally)));
   return bars;
 }
 
-PageSection fates_section(const ExperimentResult& result) {
+PageSection fates_section(const LinkResult& result) {
   const ShareBars bars = fates_of(result);
   PageSection section =
       bars.rows.empty() ? PageSection{.heading = bars.title} : shares_section("fates", bars);
@@ -87,18 +87,18 @@ bool hide_each_other(const Chart& chart) {
   return chart.curves.size() > curve_hues + static_cast<std::size_t>(theories);
 }
 
-void add_maps(ReportSection& report, const ExperimentResult& result) {
+void add_maps(ReportSection& report, const LinkResult& result) {
   const bool come_first = std::ranges::any_of(report.charts, hide_each_other);
   for (const HeatMap& map : result_maps(result))
     (come_first ? report.first : report.sections).push_back(map_section("frame-loss-map", map));
 }
 
-void add_ranking(ReportSection& report, const ExperimentResult& result, const Ranking& ranking) {
+void add_ranking(ReportSection& report, const LinkResult& result, const Ranking& ranking) {
   report.link_ranges = link_ranges_of(result, ranking);
   if (ranking.rows.size() > 1) report.first.push_back(link_range_section(result, ranking));
 }
 
-PageSection trial_section(const ExperimentResult& result, const ShownTrial& shown) {
+PageSection trial_section(const LinkResult& result, const ShownTrial& shown) {
   const TracedTrial& trial = shown.trial;
   const std::string which =
       fmt::format("Trial {} of point {}", trial.origin.trial, trial.origin.point);
@@ -132,8 +132,7 @@ void add_frames(ReportSection& report, const FrameStatistics& frames) {
   report.sections.back().text = delays_text(frames);
 }
 
-void add_shown_trial(ReportSection& report, const ExperimentResult& result,
-                     const ShownTrial& shown) {
+void add_shown_trial(ReportSection& report, const LinkResult& result, const ShownTrial& shown) {
   report.sections.push_back(trial_section(result, shown));
   if (!shown.trial.taps.integrator.empty() && !channel::is_matched(shown.module))
     report.sections.push_back(
@@ -144,7 +143,7 @@ void add_shown_trial(ReportSection& report, const ExperimentResult& result,
 }  // namespace
 
 ReportSection link_section(const LinkReport& link) {
-  const ExperimentResult& result = link.result;
+  const LinkResult& result = link.result;
   ReportSection report{
       link.name, result.title,
       setup_words(link.settings) + summary_of(result, link.ablations) + marked_points(result)};
@@ -152,7 +151,7 @@ ReportSection link_section(const LinkReport& link) {
   report.scenario = scenario_section(result.command, result.scenario_toml);
   const Ranking ranking = rank(result);
   add_ranking(report, result, ranking);
-  const ExperimentResult drawn = best_first(result, ranking);
+  const LinkResult drawn = best_first(result, ranking);
   report.charts = result_charts(drawn);
   add_maps(report, drawn);
   report.sections.push_back(fates_section(result));

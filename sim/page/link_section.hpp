@@ -15,7 +15,7 @@ namespace sim {
 
 struct LinkReport {
   std::string name;  // of its file
-  ExperimentResult result;
+  LinkResult result;
   Ablations ablations;
   FrameStatistics frames{};  // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};

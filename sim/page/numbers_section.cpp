@@ -16,13 +16,13 @@
 namespace sim {
 namespace {
 
-bool has_theory(const ExperimentResult& result) {
-  return std::ranges::any_of(result.points, [](const PointResult& point) {
+bool has_theory(const LinkResult& result) {
+  return std::ranges::any_of(result.points, [](const LinkPoint& point) {
     return !std::isnan(point.operating.ber_theory);
   });
 }
 
-std::vector<std::string> head_of(const ExperimentResult& result, bool theory) {
+std::vector<std::string> head_of(const LinkResult& result, bool theory) {
   std::vector<std::string> head;
   for (const Axis& axis : result.axes) head.push_back(axis_name(axis));
   for (const char* name :
@@ -34,8 +34,7 @@ std::vector<std::string> head_of(const ExperimentResult& result, bool theory) {
   return head;
 }
 
-std::vector<std::string> row_of(const ExperimentResult& result, const PointResult& point,
-                                bool theory) {
+std::vector<std::string> row_of(const LinkResult& result, const LinkPoint& point, bool theory) {
   std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
   row.push_back(irradiance_text(point.operating.irradiance_mw_per_m2));
   row.push_back(decibel_text(point.operating.snr_db));
@@ -50,25 +49,25 @@ std::vector<std::string> row_of(const ExperimentResult& result, const PointResul
   return row;
 }
 
-PageTable table_of(const ExperimentResult& result) {
+PageTable table_of(const LinkResult& result) {
   const bool theory = has_theory(result);
   PageTable table{.head = head_of(result, theory), .rows = {}};
-  for (const PointResult& point : result.points)
+  for (const LinkPoint& point : result.points)
     if (point.reached()) table.rows.push_back(row_of(result, point, theory));
   return table;
 }
 
 }  // namespace
 
-PageSection numbers_section(const ExperimentResult& result) {
+PageSection numbers_section(const LinkResult& result) {
   return {.heading = "All numbers", .text = mark_notes(result), .table = table_of(result)};
 }
 
-std::string marked_points(const ExperimentResult& result) {
+std::string marked_points(const LinkResult& result) {
   const auto outside = std::ranges::count_if(
-      result.points, [](const PointResult& point) { return point.validity_flags != 0; });
+      result.points, [](const LinkPoint& point) { return point.validity_flags != 0; });
   const auto alarming = std::ranges::count_if(
-      result.points, [](const PointResult& point) { return point.alarms != 0; });
+      result.points, [](const LinkPoint& point) { return point.alarms != 0; });
   std::vector<std::string> marks;
   if (outside > 0) marks.push_back(fmt::format("{} {}", outside, validity_words));
   if (alarming > 0) marks.push_back(fmt::format("{} with an alarm", alarming));

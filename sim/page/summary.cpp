@@ -32,16 +32,16 @@ std::string ended(std::string lines) {
 }
 
 /// Of several points together the ratio means nothing.
-std::string size_of(const ExperimentResult& result) {
+std::string size_of(const LinkResult& result) {
   Tally all;
-  for (const PointResult& point : result.points) all += point.tally;
-  const auto points = std::ranges::count_if(result.points, &PointResult::reached);
+  for (const LinkPoint& point : result.points) all += point.tally;
+  const auto points = std::ranges::count_if(result.points, &LinkPoint::reached);
   std::string more;
   if (is_weighted(result))
     more = ", as drawn by importance sampling";
   else if (points == 1)
     more = ": frame loss ratio " +
-           estimate_text(frame_loss_of(*std::ranges::find_if(result.points, &PointResult::reached),
+           estimate_text(frame_loss_of(*std::ranges::find_if(result.points, &LinkPoint::reached),
                                        result.ci_level));
   return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
                      points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
@@ -50,7 +50,7 @@ std::string size_of(const ExperimentResult& result) {
 
 /// "TSSP4056 (between 12 and 14 m)": those that reach farthest, where all are compared with each
 /// other.
-std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& ranking,
+std::vector<std::string> best_of(const LinkResult& result, const Ranking& ranking,
                                  const std::vector<LinkRange>& link_ranges) {
   std::vector<std::string> names;
   const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
@@ -67,7 +67,7 @@ std::vector<std::string> best_of(const ExperimentResult& result, const Ranking& 
 }
 
 /// Where there are many rows they have a section of their own.
-std::string reach_of(const ExperimentResult& result) {
+std::string reach_of(const LinkResult& result) {
   const Ranking ranking = rank(result);
   if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
   const std::vector<LinkRange> link_ranges = link_ranges_of(result, ranking);
@@ -90,8 +90,8 @@ std::string noise_note(const OperatingPoint& at) {
       std::isfinite(at.ber_theory) ? "in the bandwidth of a bit" : "behind the band-pass");
 }
 
-std::string where_it_fails(const ExperimentResult& result) {
-  const PointResult* point = failing_point(result);
+std::string where_it_fails(const LinkResult& result) {
+  const LinkPoint* point = failing_point(result);
   if (point == nullptr) return "";
   const std::string place = place_text(result.axes, point->coordinates);
   return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
@@ -139,18 +139,18 @@ std::string what_limits(const Ablations& ablations) {
 }
 
 /// Curves would end without a word.
-std::string without_estimate(const ExperimentResult& result) {
-  const auto unknown = std::ranges::count_if(result.points, [&](const PointResult& point) {
+std::string without_estimate(const LinkResult& result) {
+  const auto unknown = std::ranges::count_if(result.points, [&](const LinkPoint& point) {
     return point.reached() && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
   });
   if (unknown == 0) return "";
   return fmt::format("{} of {} points have no estimate and are missing in the curves.\n", unknown,
-                     std::ranges::count_if(result.points, &PointResult::reached));
+                     std::ranges::count_if(result.points, &LinkPoint::reached));
 }
 
 }  // namespace
 
-std::string summary_of(const ExperimentResult& result, const Ablations& ablations) {
+std::string summary_of(const LinkResult& result, const Ablations& ablations) {
   return ended(sentence(missing_lines(result))) + size_of(result) + without_estimate(result) +
          reach_of(result) + where_it_fails(result) + what_limits(ablations);
 }

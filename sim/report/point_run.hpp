@@ -77,7 +77,7 @@ class PointRun : public ReadyRun {
 
   void show_and_keep(std::size_t i, std::uint32_t done, std::uint32_t all) {
     const bool keeps = checkpointer_.is_due();
-    if (keeps || report_.progress != nullptr) counting_.bring_up_to_date();
+    if (keeps || report_.progress != nullptr) counting_.describe_current();
     progress_.show(runs_status({.point = i, .points = counting_.points().size()}, done, all,
                                amount_unit(run_.scenario.base), progress_text(i)));
     if (keeps) checkpointer_.keep([&] { write(); });
@@ -96,14 +96,16 @@ class PointRun : public ReadyRun {
   void end(const std::string& missing) {
     const Stopwatch watch;
     const Dataset data = dataset();
-    conclude(
-        run_, rows_, data,
-        {.json =
-             [&] { return report_.json != nullptr ? report_.json(swept()) : dataset_json(data); },
-         .plots = [&] { return charts_as_text(charts(data)); },
-         .missing = missing,
-         .notes = report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data),
-         .details = details()});
+    conclude(run_, rows_, data,
+             {.json =
+                  [&] {
+                    return report_.json != nullptr ? report_.json(swept(), data)
+                                                   : dataset_json(data);
+                  },
+              .plots = [&] { return charts_as_text(charts(data)); },
+              .missing = missing,
+              .notes = report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data),
+              .details = details()});
     writing_s_ += watch.seconds();
     if (run_.profile) say(profile_text());
   }
@@ -176,8 +178,10 @@ std::unique_ptr<ReadyRun> ready_run(ExperimentRun run, const Measurement<Setup, 
 template <const auto& kind, const auto& report>
 constexpr ExperimentEngine experiment_engine{
     .ready = [](ExperimentRun run) { return ready_run(std::move(run), kind, report); },
-    .check_shard = [](const LoadedScenario& scenario,
-                      const Shard& shard) { check_shard(scenario, shard, kind.group); },
+    .check_shard =
+        [](const LoadedScenario& scenario, const Shard& shard) {
+          check_shard(scenario, shard, kind.group, kind.losses != nullptr);
+        },
     .plan =
         [](const LoadedScenario& scenario, const Shard& shard, const Workers& workers) {
           return plan_table(scenario, run_pilots(kind, scenario, shard, workers), workers.threads);

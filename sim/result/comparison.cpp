@@ -111,7 +111,7 @@ std::size_t ResultComparison::different() const {
   return points.size();
 }
 
-ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha) {
+ResultComparison compare(const LinkResult& a, const LinkResult& b, double alpha) {
   ResultComparison comparison{.equal = result_digest(a) == result_digest(b)};
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Tally &one = a.points[i].tally, &other = b.points[i].tally;

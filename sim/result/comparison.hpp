@@ -32,7 +32,7 @@ struct ResultComparison {
 
 /// Both must have the same axes. `alpha`: probability of calling equals different, all tests
 /// together.
-ResultComparison compare(const ExperimentResult& a, const ExperimentResult& b, double alpha);
+ResultComparison compare(const LinkResult& a, const LinkResult& b, double alpha);
 
 /// Whether they have the same keys and values.
 bool same_axes(const std::vector<Axis>& a, const std::vector<Axis>& b);

@@ -33,9 +33,9 @@ struct Observation {
 using Observations = std::vector<Observation>;
 
 // In the direction in which the loss rises.
-Observations observations_of(const ExperimentResult& result) {
+Observations observations_of(const LinkResult& result) {
   Observations all;
-  for (const PointResult& p : result.points) {
+  for (const LinkPoint& p : result.points) {
     if (!p.reached()) continue;
     const LossCount count{static_cast<double>(p.tally.n_frames),
                           static_cast<double>(p.tally.n_frames_lost)};
@@ -67,15 +67,15 @@ Crossing whole_sweep(Kind kind, const Observations& all) {
   return {kind, (low + high) / 2, low, high};
 }
 
-Crossing nothing_counted(const ExperimentResult& result) {
+Crossing nothing_counted(const LinkResult& result) {
   if (result.points.empty()) return {};
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   return {Kind::unfinished, unknown, unknown, unknown};
 }
 
 /// Whether points that were never reached lie beyond those that were: a sweep that is not done.
-bool goes_on(const ExperimentResult& result, const Crossing& counted) {
-  return std::ranges::any_of(result.points, [&](const PointResult& p) {
+bool goes_on(const LinkResult& result, const Crossing& counted) {
+  return std::ranges::any_of(result.points, [&](const LinkPoint& p) {
     return p.coordinates.at(0) < counted.low || p.coordinates.at(0) > counted.high;
   });
 }
@@ -213,7 +213,7 @@ Crossing fitted_crossing(const Observations& all, double level, double ci_level)
 
 }  // namespace
 
-Crossing frame_loss_crossing(const ExperimentResult& result, double level) {
+Crossing frame_loss_crossing(const LinkResult& result, double level) {
   assert(result.axes.size() == 1 && level > 0 && level < 1);
   const Observations all = observations_of(result);
   const auto is_bad = [=](const Observation& o) { return o.ratio() > level; };

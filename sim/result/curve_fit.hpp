@@ -30,6 +30,6 @@ struct Crossing {
 /// For an experiment with exactly one axis; points never reached are left out, but where they lie
 /// beyond those that were and could hold the crossing. Intervals are those of the result's
 /// ci_level.
-Crossing frame_loss_crossing(const ExperimentResult& result, double level = 0.01);
+Crossing frame_loss_crossing(const LinkResult& result, double level = 0.01);
 
 }  // namespace sim

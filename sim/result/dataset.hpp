@@ -49,7 +49,8 @@ struct Dataset {
   /// of earlier versions.
   std::string checkpoint{};
   std::vector<Attribute> attributes{};  // of the file
-  std::string digest{};                 // of a link, whose digest is older; empty: of all counts
+  std::string
+      digest{};  // of a link (result_digest); empty: dataset_digest() makes it of all counts
 };
 
 /// A choice that is not known.

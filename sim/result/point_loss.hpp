@@ -7,10 +7,10 @@
 namespace sim {
 
 /// Whether the point's rule has a target; of weighted trials none has.
-bool may_stop_by_target(const PointResult& point);
+bool may_stop_by_target(const LinkPoint& point);
 
 /// Then median-unbiased, with an interval that allows for the stop (sim/counting/stopped_loss.hpp);
 /// NaN where nothing was counted.
-Estimate frame_loss_of(const PointResult& point, double level);
+Estimate frame_loss_of(const LinkPoint& point, double level);
 
 }  // namespace sim

@@ -34,14 +34,14 @@ Ranking axes_of(const std::vector<Axis>& axes, const CrossingQuestion& question)
 /// One line of the grid, as an experiment of its own.
 struct Row {
   std::vector<double> others;
-  ExperimentResult line;
+  LinkResult line;
 };
 
 /// The lines in the order in which the grid comes to them.
-std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
+std::vector<Row> rows_of(const LinkResult& result, const Ranking& at) {
   std::vector<Row> rows;
   std::map<std::vector<double>, std::size_t> known;
-  for (const PointResult& p : result.points) {
+  for (const LinkPoint& p : result.points) {
     std::vector<double> others;
     for (const std::size_t axis : at.others) others.push_back(p.coordinates[axis]);
     const auto [row, is_new] = known.try_emplace(others, rows.size());
@@ -56,15 +56,15 @@ std::vector<Row> rows_of(const ExperimentResult& result, const Ranking& at) {
   return rows;
 }
 
-std::uint64_t validity_flags_of(const ExperimentResult& line) {
+std::uint64_t validity_flags_of(const LinkResult& line) {
   std::uint64_t all = 0;
-  for (const PointResult& p : line.points) all |= p.validity_flags;
+  for (const LinkPoint& p : line.points) all |= p.validity_flags;
   return all;
 }
 
-double loss_at(const ExperimentResult& result, std::size_t axis, double coordinate) {
+double loss_at(const LinkResult& result, std::size_t axis, double coordinate) {
   double frames = 0, lost = 0;
-  for (const PointResult& p : result.points) {
+  for (const LinkPoint& p : result.points) {
     if (p.coordinates[axis] != coordinate || p.tally.is_weighted()) continue;
     frames += static_cast<double>(p.tally.n_frames);
     lost += static_cast<double>(p.tally.n_frames_lost);
@@ -72,7 +72,7 @@ double loss_at(const ExperimentResult& result, std::size_t axis, double coordina
   return frames > 0 ? lost / frames : 0;
 }
 
-bool more_is_better(const ExperimentResult& result, std::size_t abscissa) {
+bool more_is_better(const LinkResult& result, std::size_t abscissa) {
   const auto [low, high] = std::ranges::minmax(result.axes[abscissa].values);
   return loss_at(result, abscissa, low) > loss_at(result, abscissa, high);
 }
@@ -111,8 +111,7 @@ struct Standing {
   bool equals(const Standing& o) const { return group == o.group && merit == o.merit; }
 };
 
-Standing standing_of(const ExperimentResult& result, const Ranking& ranking,
-                     const RowCrossing& row) {
+Standing standing_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   Standing standing{{}, row.merit, row.validity_flags != 0};
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& axis = result.axes[ranking.others[i]];
@@ -123,7 +122,7 @@ Standing standing_of(const ExperimentResult& result, const Ranking& ranking,
   return standing;
 }
 
-void sort_best_first(const ExperimentResult& result, Ranking& ranking) {
+void sort_best_first(const LinkResult& result, Ranking& ranking) {
   const auto standing = [&](const RowCrossing& row) { return standing_of(result, ranking, row); };
   std::ranges::stable_sort(ranking.rows, std::less<>(), standing);
   std::size_t begin = 0;  // of the group
@@ -156,7 +155,7 @@ struct ListColumn {
   }
 };
 
-std::vector<ListColumn> columns_of(const ExperimentResult& result, const Ranking& ranking) {
+std::vector<ListColumn> columns_of(const LinkResult& result, const Ranking& ranking) {
   std::vector<ListColumn> columns;
   for (std::size_t i = 0; i < ranking.others.size(); ++i) {
     const Axis& axis = result.axes[ranking.others[i]];
@@ -177,7 +176,7 @@ std::string without_end_blanks(std::string line) {
   return line + '\n';
 }
 
-std::string list(const ExperimentResult& result, const Ranking& ranking) {
+std::string list(const LinkResult& result, const Ranking& ranking) {
   const Axis& abscissa = result.axes[ranking.abscissa];
   const std::vector<ListColumn> columns = columns_of(result, ranking);
   const auto place = [&](const std::string& text) {
@@ -208,7 +207,7 @@ std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named)
   return abscissa;
 }
 
-Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
+Ranking rank(const LinkResult& result, const CrossingQuestion& question) {
   Ranking ranking = axes_of(result.axes, question);
   if (ranking.abscissa == Ranking::none) return ranking;
   ranking.more_is_better = more_is_better(result, ranking.abscissa);
@@ -222,7 +221,7 @@ Ranking rank(const ExperimentResult& result, const CrossingQuestion& question) {
   return ranking;
 }
 
-ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranking) {
+LinkResult best_first(const LinkResult& result, const Ranking& ranking) {
   if (!ranking.best_first || ranking.others.size() != 1) return result;
   const std::size_t named = ranking.others.front();
   const Axis& axis = result.axes[named];
@@ -234,7 +233,7 @@ ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranki
   std::size_t stride = 1;  // from a value's points to the next value's
   for (std::size_t i = named + 1; i < result.axes.size(); ++i)
     stride *= result.axes[i].values.size();
-  ExperimentResult sorted = result;
+  LinkResult sorted = result;
   for (std::size_t place = 0; place < from.size(); ++place)
     sorted.axes[named].labels[place] = axis.labels[from[place]];
   for (std::size_t i = 0; i < sorted.points.size(); ++i) {
@@ -245,7 +244,7 @@ ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranki
   return sorted;
 }
 
-std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking) {
+std::string ranking_lines(const LinkResult& result, const Ranking& ranking) {
   if (ranking.rows.empty()) return "";
   if (!ranking.others.empty()) return list(result, ranking);
   const RowCrossing& row = ranking.rows.front();

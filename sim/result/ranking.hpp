@@ -46,13 +46,13 @@ std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named 
 /// is reached last first; then those of which no crossing can be told, those beyond the level at
 /// all points, and last, without a place, those that are not counted far enough. Of equals the ones
 /// that no limit of validity flags come first. Empty for weighted results.
-Ranking rank(const ExperimentResult& result, const CrossingQuestion& question = {});
+Ranking rank(const LinkResult& result, const CrossingQuestion& question = {});
 
 /// The same result with the values of its axis of texts in the order of its ranking, where that
 /// goes best first and there is no axis but these texts and that of the loss; else as it is.
-ExperimentResult best_first(const ExperimentResult& result, const Ranking& ranking);
+LinkResult best_first(const LinkResult& result, const Ranking& ranking);
 
 /// The ranking in words, one line a row; empty where there is nothing to say.
-std::string ranking_lines(const ExperimentResult& result, const Ranking& ranking);
+std::string ranking_lines(const LinkResult& result, const Ranking& ranking);
 
 }  // namespace sim

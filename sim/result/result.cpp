@@ -21,7 +21,7 @@ void append_labels(std::string& bytes, const Axis& axis) {
   }
 }
 
-void append_point(std::string& bytes, const PointResult& p) {
+void append_point(std::string& bytes, const LinkPoint& p) {
   append(bytes, p.coordinates.size());
   for (const double c : p.coordinates) append(bytes, std::bit_cast<std::uint64_t>(c));
   for (const TallyCounter& counter : tally_counters()) append(bytes, p.tally.*counter.count);
@@ -33,20 +33,20 @@ void append_point(std::string& bytes, const PointResult& p) {
 
 }  // namespace
 
-bool is_weighted(const std::vector<PointResult>& points) {
-  return std::ranges::any_of(points, [](const PointResult& p) { return p.tally.is_weighted(); });
+bool is_weighted(const std::vector<LinkPoint>& points) {
+  return std::ranges::any_of(points, [](const LinkPoint& p) { return p.tally.is_weighted(); });
 }
 
-bool is_weighted(const ExperimentResult& result) { return is_weighted(result.points); }
+bool is_weighted(const LinkResult& result) { return is_weighted(result.points); }
 
-std::string result_digest(const std::vector<Axis>& axes, const std::vector<PointResult>& points) {
+std::string result_digest(const std::vector<Axis>& axes, const std::vector<LinkPoint>& points) {
   std::string bytes;
   for (const Axis& axis : axes) append_labels(bytes, axis);
-  for (const PointResult& p : points) append_point(bytes, p);
+  for (const LinkPoint& p : points) append_point(bytes, p);
   return digest_of(bytes);
 }
 
-std::string result_digest(const ExperimentResult& result) {
+std::string result_digest(const LinkResult& result) {
   return result_digest(result.axes, result.points);
 }
 

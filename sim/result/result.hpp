@@ -14,7 +14,7 @@
 
 namespace sim {
 
-struct PointResult {
+struct LinkPoint {
   std::vector<double> coordinates{};  // one value an axis
   OperatingPoint operating{};
   Tally tally{};
@@ -31,7 +31,7 @@ struct PointResult {
   bool reached() const { return tally.n_frames > 0; }
 };
 
-struct ExperimentResult {
+struct LinkResult {
   std::string title;
   std::string scenario_toml;  // whole text, enough to repeat the run
   std::string command;        // the command that repeats it
@@ -39,18 +39,16 @@ struct ExperimentResult {
   static constexpr double ci_level = 0.95;  // of all intervals
   std::vector<Shard> shards{Shard{}};       // whose trials these are
   std::vector<Axis> axes;
-  std::vector<PointResult>
-      points;  // all points of the grid, row-major; unfinished ones have n_frames 0
+  std::vector<LinkPoint> points;  // of the grid, row-major; those never reached have no frames
 };
 
 /// Whether trials of any point have weights.
-bool is_weighted(const std::vector<PointResult>& points);
-bool is_weighted(const ExperimentResult& result);
+bool is_weighted(const std::vector<LinkPoint>& points);
+bool is_weighted(const LinkResult& result);
 
 /// Hash (32 hex digits) of all counts and sums of weights of all points with their coordinates and
-/// of nothing else:
-/// equal digests, equal results.
-std::string result_digest(const std::vector<Axis>& axes, const std::vector<PointResult>& points);
-std::string result_digest(const ExperimentResult& result);
+/// of nothing else: equal digests, equal results.
+std::string result_digest(const std::vector<Axis>& axes, const std::vector<LinkPoint>& points);
+std::string result_digest(const LinkResult& result);
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/text/digest.hpp"
 #include "sim/text/new_file.hpp"
 
@@ -66,7 +67,8 @@ void add_checkpoint(NetcdfFile& file, const std::string& checkpoint) {
 }
 
 std::string image_of(const Dataset& data, const ProgramInfo& program) {
-  NetcdfFile file(data.experiment == "link" ? link_result_type : experiment_result_type, program);
+  NetcdfFile file(data.experiment == link_kind.name ? link_result_type : experiment_result_type,
+                  program);
   for (const Axis& axis : data.axes) add_axis(file, axis);
   for (const Dataset::Dimension& d : data.dimensions)
     std::visit([&](const auto& values) { file.add_dimension(d.facts, span_of(values)); }, d.values);

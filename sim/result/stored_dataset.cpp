@@ -9,6 +9,7 @@
 #include "sim/failure.hpp"
 #include "sim/result/netcdf_reader.hpp"
 #include "sim/result/stored_result.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/digest.hpp"
 
@@ -92,7 +93,8 @@ void check(const StoredDataset& stored, const NetcdfReader& file, const std::str
   };
   if (file.text("experiment") != stored.scenario.base.experiment)
     refuse("its scenario is of another experiment");
-  if (stored.scenario.base.experiment == "link") refuse("results of links are of another type");
+  if (stored.scenario.base.experiment == link_kind.name)
+    refuse("results of links are of another type");
   if (!has_all_cells(stored.data)) refuse("its variables do not fit its sweep");
   if (!std::ranges::all_of(stored.data.dimensions, has_numbers))
     refuse("a dimension has an element that is no number");

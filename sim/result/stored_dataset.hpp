@@ -1,5 +1,6 @@
 #pragma once
-// A result of an experiment that is not a link, read back from its file.
+// A result of an experiment that is not a link, read back from its file; and what the runs of any
+// counted.
 #include <filesystem>
 
 #include "sim/result/dataset.hpp"

@@ -19,7 +19,7 @@
 namespace sim {
 namespace {
 
-using Points = std::vector<PointResult>;
+using Points = std::vector<LinkPoint>;
 
 /// Puts the cells of a variable into the points. False where it does not have one for each of them,
 /// or `set` says that no file of ours has such a cell.
@@ -32,7 +32,7 @@ bool put(const std::vector<Cell>& cells, Points& points, const Set& set) {
 }
 
 bool read_counter(const NetcdfReader& file, Points& points, const TallyCounter& counter) {
-  return put(file.integers(counter.name), points, [&](PointResult& p, std::int64_t value) {
+  return put(file.integers(counter.name), points, [&](LinkPoint& p, std::int64_t value) {
     p.tally.*counter.count = static_cast<std::uint64_t>(value);
     return true;
   });
@@ -41,27 +41,27 @@ bool read_counter(const NetcdfReader& file, Points& points, const TallyCounter& 
 /// Only files of importance sampling have them.
 bool read_weights(const NetcdfReader& file, Points& points, const WeightCounter& counter) {
   return !file.has(counter.name) ||
-         put(file.reals(counter.name), points, [&](PointResult& p, double value) {
+         put(file.reals(counter.name), points, [&](LinkPoint& p, double value) {
            counter.sum(p.tally.weighted) = value;
            return true;
          });
 }
 
 bool read_stop_reasons(const NetcdfReader& file, Points& points) {
-  return put(file.integers("stop_reason"), points, [](PointResult& p, std::int64_t value) {
+  return put(file.integers("stop_reason"), points, [](LinkPoint& p, std::int64_t value) {
     p.stop = value == missing_int16 ? StopReason::interrupted : static_cast<StopReason>(value);
     return value == missing_int16 || (value >= 0 && value < std::ssize(stop_reason_names()));
   });
 }
 
 bool read_cost(const NetcdfReader& file, Points& points, const char* name,
-               double PointResult::*cost) {
+               double LinkPoint::*cost) {
   return put(file.reals(name), points,
-             [&](PointResult& p, double value) { return p.*cost = value, true; });
+             [&](LinkPoint& p, double value) { return p.*cost = value, true; });
 }
 
 bool read_samples(const NetcdfReader& file, Points& points) {
-  return put(file.integers("n_samples"), points, [](PointResult& p, std::int64_t value) {
+  return put(file.integers("n_samples"), points, [](LinkPoint& p, std::int64_t value) {
     return p.n_samples = static_cast<std::uint64_t>(value), true;
   });
 }
@@ -72,14 +72,14 @@ bool read_points(const NetcdfReader& file, Points& points) {
   const auto weights = [&](const WeightCounter& c) { return read_weights(file, points, c); };
   return std::ranges::all_of(tally_counters(), counter) &&
          std::ranges::all_of(weight_counters(), weights) && read_stop_reasons(file, points) &&
-         read_cost(file, points, "elapsed_s", &PointResult::elapsed_s) &&
-         read_cost(file, points, "simulated_s", &PointResult::simulated_s) &&
+         read_cost(file, points, "elapsed_s", &LinkPoint::elapsed_s) &&
+         read_cost(file, points, "simulated_s", &LinkPoint::simulated_s) &&
          read_samples(file, points);
 }
 
 /// Puts counts, reasons, costs and shards of the file into `result`, which has the points of its
 /// sweep. False if they do not fit the sweep, or the digest that the file has of them.
-bool read_counts(const NetcdfReader& file, ExperimentResult& result) {
+bool read_counts(const NetcdfReader& file, LinkResult& result) {
   const auto shards = shards_of(file);
   result.shards = shards.value_or(std::vector<Shard>());
   return shards && read_points(file, result.points) &&

@@ -35,7 +35,7 @@ LoadedScenario readable_scenario(const Origin& origin, const std::filesystem::pa
 struct StoredResult {
   Origin origin;
   LoadedScenario scenario;  // the one that it carries
-  ExperimentResult result;  // without operating points, which follow from the scenario
+  LinkResult result;        // without operating points, which follow from the scenario
 };
 
 /// Throws Failure(bad_input) for a file that is no result, or damaged.

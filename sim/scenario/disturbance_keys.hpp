@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/keys.hpp"
+#include "sim/scenario/key.hpp"
 
 namespace sim {
 

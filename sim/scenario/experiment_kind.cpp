@@ -72,7 +72,7 @@ std::string kinds_with(std::string_view key) {
 }
 
 std::string remedy(const ExperimentKind& kind, std::string_view key) {
-  if (key.starts_with("stop.") && !kind.amount.empty())
+  if (key.starts_with("stop."))
     return fmt::format("set {}, or stop.rel_ci to end at a width of the interval", kind.amount);
   return fmt::format("remove it, or write experiment = {} before the first table", kinds_with(key));
 }
@@ -80,7 +80,10 @@ std::string remedy(const ExperimentKind& kind, std::string_view key) {
 }  // namespace
 
 constinit const ExperimentKind link_kind{
-    .name = "link", .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"}};
+    .name = "link",
+    .tables = {"device.", "receiver.", "simulation.", "stop.", "led.yaw_deg"},
+    .amount = "stop.max_frames",
+    .unit = "frames"};
 
 const std::vector<const ExperimentKind*>& experiment_kinds() { return known_kinds(); }
 
@@ -94,14 +97,9 @@ const ExperimentKind& kind_of(const Scenario& scenario) {
   return **std::ranges::find(known_kinds(), scenario.experiment, &ExperimentKind::name);
 }
 
-std::string amount_key(const Scenario& scenario) {
-  const std::string_view amount = kind_of(scenario).amount;
-  return amount.empty() ? "stop.max_frames" : std::string(amount);
-}
+std::string amount_key(const Scenario& scenario) { return std::string(kind_of(scenario).amount); }
 
-std::string amount_unit(const Scenario& scenario) {
-  return &kind_of(scenario) == &link_kind ? "frames" : "runs";
-}
+std::string amount_unit(const Scenario& scenario) { return std::string(kind_of(scenario).unit); }
 
 std::uint32_t runs_asked_for(Scenario scenario) {
   const Key& key = *find_key(amount_key(scenario));

@@ -11,10 +11,11 @@
 namespace sim {
 
 struct ExperimentKind {
-  std::string_view name;        // "arena"
-  std::string_view tables[12];  // keys that it has besides those of all: "path.", "device.baud"
-  bool has_modules = true;      // receiver modules and UARTs, with all of their keys
-  std::string_view amount{};    // the key of how much is simulated, where it is not [stop]
+  std::string_view name;           // "arena"
+  std::string_view tables[12];     // keys that it has besides those of all: "path.", "device.baud"
+  bool has_modules = true;         // receiver modules and UARTs, with all of their keys
+  std::string_view amount;         // the key of how much is simulated: "arena.runs"
+  std::string_view unit = "runs";  // what that counts
   std::vector<Key> (*keys)() = nullptr;  // of its own tables; null: none
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/scenario/keys.hpp"
+#include "sim/scenario/key.hpp"
 
 namespace sim {
 

@@ -243,10 +243,6 @@ class KeyTable {
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  return (low_open ? value > low : value >= low) && value <= high;
-}
-
 std::string part_giving(const std::string& name) {
   if (name.starts_with("module.")) return "receiver.module";
   const bool of_floor = std::ranges::any_of(

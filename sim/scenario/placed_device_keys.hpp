@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/keys.hpp"
+#include "sim/scenario/key.hpp"
 
 namespace sim {
 

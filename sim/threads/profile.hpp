@@ -22,7 +22,7 @@ struct Profile {
 /// where samples were made.
 std::string profile_lines(const Profile& profile, std::uint64_t n_samples);
 
-/// Of an experiment that is not a link, the same in seconds.
+/// Where the time of a whole run went, of any experiment.
 struct RunProfile {
   double preparing_s = 0;   // of the points
   double running_s = 0;     // of all threads

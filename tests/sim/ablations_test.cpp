@@ -17,7 +17,7 @@ TEST(Ablations, FindTheGainControlOfTheQuickstart) {
       {"stop.max_frames=8", "receiver.range_m=2,2.3,3", "simulation.sample_rate_hz=250000"},
       {COSYS_SOURCE_DIR "/scenarios"});
   const std::atomic<bool> never = false;
-  const ExperimentResult result = run_link(scenario, {.threads = 2});
+  const LinkResult result = run_link(scenario, {.threads = 2});
   const Ablations found = ablate(scenario, result, {2, &never});
   EXPECT_EQ(found.place, "receiver.range_m = 2.3 m");
   std::vector<std::string> names;

@@ -11,8 +11,8 @@ namespace sim {
 namespace {
 
 /// Frames of 170 bits, each with so many wrong.
-PointResult point_of_errors(std::uint64_t frames, std::uint64_t wrong_bits_each) {
-  PointResult p;
+LinkPoint point_of_errors(std::uint64_t frames, std::uint64_t wrong_bits_each) {
+  LinkPoint p;
   p.tally.n_frames = frames;
   p.tally.n_bits = frames * 170;
   p.tally.n_bit_errors = frames * wrong_bits_each;
@@ -24,7 +24,7 @@ PointResult point_of_errors(std::uint64_t frames, std::uint64_t wrong_bits_each)
   return p;
 }
 
-std::string names_of(const PointResult& point) { return raised_names(alarms(), own_alarms(point)); }
+std::string names_of(const LinkPoint& point) { return raised_names(alarms(), own_alarms(point)); }
 
 TEST(Alarms, AreRaisedByAPointItself) {
   EXPECT_EQ(names_of(point_of_errors(100, 17)), "");
@@ -34,7 +34,7 @@ TEST(Alarms, AreRaisedByAPointItself) {
 }
 
 TEST(Alarms, TheoryIsThatOfTheReceiver) {
-  PointResult p = point_of_errors(100, 17);
+  LinkPoint p = point_of_errors(100, 17);
   p.operating.ber_theory = 0.1;
   EXPECT_EQ(names_of(p), "");
   p.operating.ber_theory = 0.12;
@@ -47,7 +47,7 @@ TEST(Alarms, TheoryIsThatOfTheReceiver) {
 
 // Q(sqrt(2)) = 0.079 at 0 dB with 3 dB to spare: of 200 frames without an error there are too many.
 TEST(Alarms, NoErrorsWhereTheoryExpectsMany) {
-  PointResult p = point_of_errors(200, 0);
+  LinkPoint p = point_of_errors(200, 0);
   p.operating.ebn0_db = 0;
   EXPECT_EQ(names_of(p), "impossible");
   p.tally.n_frames = 20;  // which may be luck
@@ -67,14 +67,14 @@ TEST(Alarms, MatchedReceiversRaiseNone) {
       const Link link = link_of(
           {std::string("receiver.module=") + receiver, std::string("receiver.ebn0_db=") + ebn0,
            "simulation.sample_rate_hz=250000", "simulation.warmup_messages=0"});
-      const PointResult p = run_point(link, {.max_frames = 80}, {.threads = 2});
+      const LinkPoint p = run_point(link, {.max_frames = 80}, {.threads = 2});
       EXPECT_EQ(names_of(p), "") << receiver << ebn0;
     }
   }
 }
 
-ExperimentResult row_of(const std::vector<std::uint64_t>& lost) {
-  ExperimentResult result;
+LinkResult row_of(const std::vector<std::uint64_t>& lost) {
+  LinkResult result;
   result.axes = {{"receiver.range_m", "m", "", {}, {}}};
   for (const std::uint64_t n : lost) {
     result.axes[0].values.push_back(static_cast<double>(result.points.size() + 1));
@@ -87,9 +87,9 @@ ExperimentResult row_of(const std::vector<std::uint64_t>& lost) {
 }
 
 TEST(Alarms, ACurveThatGoesUpAndDownIsOne) {
-  for (const PointResult& p : row_of({0, 500, 0}).points)
+  for (const LinkPoint& p : row_of({0, 500, 0}).points)
     EXPECT_EQ(raised_names(alarms(), p.alarms), "monotone");
-  for (const PointResult& p : row_of({0, 20, 15, 500}).points) EXPECT_EQ(p.alarms, 0u);
+  for (const LinkPoint& p : row_of({0, 20, 15, 500}).points) EXPECT_EQ(p.alarms, 0u);
 }
 
 TEST(Alarms, TheDocsListEveryAlarm) {

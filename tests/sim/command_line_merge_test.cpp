@@ -63,7 +63,7 @@ TEST_F(Merge, SaysWhichTrialsTheSumHas) {
 TEST_F(Merge, AStoppedShardIsToldAndNotOverwritten) {
   run_shard("1/2");
   Running running = start_program({"run", "s.toml", "-q", "-n", "100000", "--shard", "2/2"});
-  running.line();
+  while (!files().contains("s-2of2.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   running.finish(SIGTERM);
   EXPECT_EQ(program({"merge", "s-2of2.h5", "-o", "sum.h5"}).err,
             "cosys-sim: some points are unfinished (their shards were stopped) run those shards "
@@ -127,7 +127,7 @@ TEST_F(Merge, RefusesWhatCannotBeSharedOut) {
         std::string("--shard: ") + shard + wrong + " (wrong usage) see cosys-sim run --help");
   expect_refused({"run", "s.toml", "--shard", "1/16"}, 2,
                  "--shard 1/16 (of 16 frames none is left for it) use fewer shards or more "
-                 "frames, at least eight for each");
+                 "frames, at least 8 for each");
   expect_refused({"run", "s.toml", "--shard", "1/2", "--rel-ci", "0.1"}, 2,
                  "--shard 1/2 (--rel-ci and --target-flr need the counts of all shards) use "
                  "--max-frames and --max-frame-errors, which can be shared out");

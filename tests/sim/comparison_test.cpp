@@ -28,11 +28,11 @@ TEST(FisherExact, GoesOnIntoTheNormalApproximation) {
   EXPECT_NEAR(normal / exact, 1, 0.05);
 }
 
-sim::ExperimentResult drawn(const std::vector<double>& losses, std::uint64_t frames,
-                            std::mt19937_64& random) {
-  sim::ExperimentResult result;
+sim::LinkResult drawn(const std::vector<double>& losses, std::uint64_t frames,
+                      std::mt19937_64& random) {
+  sim::LinkResult result;
   for (const double loss : losses) {
-    sim::PointResult p;
+    sim::LinkPoint p;
     p.tally.n_frames = frames;
     p.tally.n_frames_lost = std::binomial_distribution<std::uint64_t>(frames, loss)(random);
     result.points.push_back(p);
@@ -67,8 +67,8 @@ TEST(Comparison, TwiceTheLossIsFound) {
 }
 
 /// Points of frames that are all lost, with this many wrong bits of 170 on average, in bursts.
-sim::ExperimentResult lost(const std::vector<double>& errors, std::mt19937_64& random) {
-  sim::ExperimentResult result;
+sim::LinkResult lost(const std::vector<double>& errors, std::mt19937_64& random) {
+  sim::LinkResult result;
   for (const double mean : errors) {
     sim::Tally tally{.n_frames = 100, .n_frames_lost = 100};
     for (int frame = 0; frame < 100; ++frame) {

@@ -13,17 +13,17 @@ namespace {
 
 using Kind = sim::Crossing::Kind;
 
-void add_point(sim::ExperimentResult& result, double x, std::uint64_t lost, std::uint64_t frames) {
-  sim::PointResult point{.coordinates = {x}};
+void add_point(sim::LinkResult& result, double x, std::uint64_t lost, std::uint64_t frames) {
+  sim::LinkPoint point{.coordinates = {x}};
   point.tally.n_frames = frames;
   point.tally.n_frames_lost = lost;
   result.axes[0].values.push_back(x);
   result.points.push_back(point);
 }
 
-sim::ExperimentResult sweep(const std::vector<double>& at, const std::vector<std::uint64_t>& lost,
-                            std::uint64_t frames = 1000) {
-  sim::ExperimentResult result;
+sim::LinkResult sweep(const std::vector<double>& at, const std::vector<std::uint64_t>& lost,
+                      std::uint64_t frames = 1000) {
+  sim::LinkResult result;
   result.axes = {{"receiver.range_m", "m", "distance", {}}};
   for (std::size_t i = 0; i < at.size(); ++i) add_point(result, at[i], lost[i], frames);
   return result;
@@ -31,8 +31,8 @@ sim::ExperimentResult sweep(const std::vector<double>& at, const std::vector<std
 
 using Loss = std::function<double(double)>;
 
-sim::ExperimentResult drawn_sweep(const std::vector<double>& at, const Loss& loss, unsigned seed,
-                                  std::uint64_t frames = 2000) {
+sim::LinkResult drawn_sweep(const std::vector<double>& at, const Loss& loss, unsigned seed,
+                            std::uint64_t frames = 2000) {
   std::mt19937_64 random(seed);
   std::vector<std::uint64_t> lost;
   for (const double x : at) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gtest/gtest.h"
+#include "link_rule.hpp"
 #include "link_table.hpp"
 #include "scenarios.hpp"
 #include "sim/counting/shard.hpp"
@@ -90,14 +91,15 @@ TEST(DecisionDeterminism, AnyNumberOfThreadsAndAnyInterrupt) {
   const Link link = link_of(keys());
   for (const StopRule& stop :
        {StopRule{.max_frames = 12345}, {.max_frames = 1000000, .max_frame_errors = 500}}) {
-    const PointResult whole = run_point(link, stop, {.threads = 1});
+    const LinkPoint whole = run_point(link, stop, {.threads = 1});
     EXPECT_GT(whole.tally.n_frames_lost, 0u);
     for (const int threads : {2, 8})
       EXPECT_EQ(run_point(link, stop, {.threads = threads}).tally, whole.tally) << threads;
-    const PointResult part = run_point(link, {.max_frames = 808}, {.threads = 2});
-    const PointResult rest = run_point(link, stop, {.threads = 3}, part);
-    EXPECT_EQ(rest.tally, whole.tally);
-    EXPECT_NEAR(rest.simulated_s / whole.simulated_s, 1, 1e-12);
+    CountedRuns<LinkTally> part;
+    go_on(part, link, {.max_frames = 808}, {.threads = 2});
+    go_on(part, link, stop, {.threads = 3});
+    EXPECT_EQ(part.tally.sum.tally, whole.tally);
+    EXPECT_NEAR(part.tally.sum.simulated_s / whole.simulated_s, 1, 1e-12);
   }
 }
 
@@ -139,7 +141,7 @@ TEST(Decision, SimulatesTimeButNoSamples) {
 }
 
 TEST(Decision, ProfileHasNoSamplesToDivideBy) {
-  const PointResult point =
+  const LinkPoint point =
       run_point(link_of(keys()), {.max_frames = 800}, {.threads = 2, .profiled = true});
   EXPECT_GT(point.profile.decisions_s, 0);
   EXPECT_GT(point.profile.decoding_s, 0);
@@ -150,7 +152,7 @@ TEST(Decision, ProfileHasNoSamplesToDivideBy) {
 }
 
 TEST(Decision, TableShowsHowManyTimesFasterThanTheLinkInFewDigits) {
-  PointResult point;
+  LinkPoint point;
   point.tally.n_frames = 1;
   point.elapsed_s = 1;
   point.simulated_s = 2.34e6;

@@ -184,7 +184,7 @@ TEST(Envelope, StretchesDoNotOverlap) {
 }
 
 TEST(Envelope, MakesNoSamples) {
-  const PointResult point =
+  const LinkPoint point =
       run_point(link_of(keys()), {.max_frames = 8}, {.threads = 1, .profiled = true});
   EXPECT_EQ(point.n_samples, 0u);
   EXPECT_GT(point.simulated_s, 8 * 2 * 0.28);

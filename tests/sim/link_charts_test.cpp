@@ -11,9 +11,8 @@
 namespace sim {
 namespace {
 
-PointResult charted_point(std::vector<double> coordinates, std::uint64_t frames,
-                          std::uint64_t lost) {
-  PointResult point{.coordinates = std::move(coordinates)};
+LinkPoint charted_point(std::vector<double> coordinates, std::uint64_t frames, std::uint64_t lost) {
+  LinkPoint point{.coordinates = std::move(coordinates)};
   point.tally.n_frames = frames;
   point.tally.n_frames_lost = point.tally.n_bit_errors = lost;
   point.tally.n_frames_ok = frames - lost;
@@ -50,7 +49,7 @@ TEST(ChartAxis, IsLogarithmicWhereValuesGrowByFactors) {
 }
 
 TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"receiver.ebn0_db", "dB", "energy", {0, 10, 20}}};
   result.points = {charted_point({0}, 10, 5), charted_point({10}, 10, 0),
                    charted_point({20}, 0, 0)};
@@ -78,7 +77,7 @@ TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
 }
 
 TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"receiver.range_m", "m", "", {0.1, 100, 1000}},
                  {"receiver.module", "", "", {0, 1}, {"A", "B"}}};
   for (const double range : {0.1, 100.0, 1000.0})
@@ -93,7 +92,7 @@ TEST(ResultCharts, HaveACurveForEachCombinationOfTheOtherAxes) {
 
 // fluorescent.toml sweeps more ballasts than brightnesses, and the answer is a brightness.
 TEST(ResultCharts, AreOverTheNumberOfWhichTheAnswerSpeaks) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"disturbance.lamp.ballast_hz", "Hz", "", {25e3, 28e3, 60e3}},
                  {"disturbance.lamp.irradiance_w_per_m2", "W m-2", "", {0.001, 0.05}}};
   for (const double ballast : result.axes[0].values)
@@ -105,7 +104,7 @@ TEST(ResultCharts, AreOverTheNumberOfWhichTheAnswerSpeaks) {
 }
 
 TEST(ResultCharts, AreOverTheWidestWhereTheAnswersNumberStandsStill) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"receiver.range_m", "m", "", {5}}, {"led.current_ma", "mA", "", {10, 20}}};
   for (const double current : {10, 20}) result.points.push_back(charted_point({5, current}, 10, 1));
   EXPECT_EQ(result_charts(result)[1].x.label, "led.current_ma [mA]");
@@ -113,7 +112,7 @@ TEST(ResultCharts, AreOverTheWidestWhereTheAnswersNumberStandsStill) {
 
 // The first curve's theory comes to be known after the second's.
 TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"device.interval_min_ms", "ms", "", {100, 200}},
                  {"receiver.ebn0_db", "dB", "", {0, 10}}};
   for (const double ebn0 : {0, 10})
@@ -131,14 +130,14 @@ TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
 }
 
 TEST(ResultCharts, OfASinglePointAreNone) {
-  ExperimentResult result;
+  LinkResult result;
   result.points = {charted_point({}, 10, 5)};
   EXPECT_TRUE(result_charts(result).empty());
   EXPECT_TRUE(result_maps(result).empty());
 }
 
 TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
                  {"receiver.range_m", "m", "", {1, 2, 3}},
                  {"ambient.daylight_lux", "lx", "", {0, 100}}};
@@ -162,7 +161,7 @@ TEST(ResultMaps, AreOfTheTwoWidestAxesForEachCombinationOfTheOthers) {
 }
 
 TEST(ResultMaps, AreInTheOrderOfTheSweepAndNotTooMany) {
-  ExperimentResult result;
+  LinkResult result;
   result.axes = {{"device.baud", "Bd", "", {600, 1200}},
                  {"receiver.range_m", "m", "", {1, 2, 3}},
                  {"ambient.daylight_lux", "lx", "", {0, 1, 2}},

@@ -18,13 +18,13 @@ using sim::measured_point;
 using sim::text_axes;
 
 TEST(Json, HoldsAllCountsAndRates) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.title = "a \"quoted\" title";
   result.seed = 18446744073709551615U;
   result.axes = {{"receiver.range_m", "m", "distance", {7.5, 8}}};
   result.points = {measured_point(), {}};
   result.points[1].coordinates = {8};
-  const auto object = nlohmann::json::parse(sim::to_json(result));
+  const auto object = nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)));
   EXPECT_EQ(object["title"], result.title);
   EXPECT_EQ(object["seed"], result.seed);
   EXPECT_EQ(object["result_digest"], sim::result_digest(result));
@@ -36,12 +36,12 @@ TEST(Json, HoldsAllCountsAndRates) {
   EXPECT_EQ(point["stop_reason"], "max_frame_errors");
   for (const auto& column : sim::link_columns().all())
     if (column.is_stored()) {
-      EXPECT_EQ(point.contains(column.facts.name), column.is_of == nullptr) << column.facts.name;
+      EXPECT_EQ(point.contains(column.facts.name), column.is_kept == nullptr) << column.facts.name;
     }
 }
 
-sim::ExperimentResult two_modules() {
-  sim::ExperimentResult result;
+sim::LinkResult two_modules() {
+  sim::LinkResult result;
   result.axes = text_axes;
   const std::vector<std::uint64_t> lost{0, 1000, 1000, 0, 0, 0};
   for (std::size_t i = 0; i < 6; ++i) {
@@ -53,7 +53,8 @@ sim::ExperimentResult two_modules() {
 }
 
 TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
-  const auto object = nlohmann::json::parse(sim::to_json(two_modules()));
+  const auto object =
+      nlohmann::json::parse(sim::to_json(two_modules(), sim::link_dataset(two_modules())));
   EXPECT_EQ(object["axes"][0]["values"], text_axes[0].labels);
   EXPECT_EQ(object["points"][4]["receiver.module"], "a-longer-name");
   EXPECT_EQ(object["points"][4]["receiver.range_m"], 2);
@@ -71,17 +72,18 @@ TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
 }
 
 TEST(Json, TextsCountInTheDigest) {
-  sim::ExperimentResult result = two_modules();
+  sim::LinkResult result = two_modules();
   const std::string before = sim::result_digest(result);
   result.axes[0].labels[1] = "another";
   EXPECT_NE(sim::result_digest(result), before);
 }
 
 TEST(Json, NamesEachRateForWhatItIs) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.points = {measured_point()};
   result.points[0].tally.n_frames_undetected = 3;
-  const auto object = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const auto object =
+      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
   const sim::Tally& tally = result.points[0].tally;
   const auto expect = [&](const std::string& name, const sim::Estimate& e) {
     EXPECT_EQ(object[name], e.value);
@@ -105,10 +107,11 @@ TEST(Json, NamesEachCounterForWhatItIs) {
   sim::CounterWords words{};
   std::iota(words.begin(), words.end(), 1);
   words[0] = words[5] = 1000;  // n_bits and n_frames, no fewer than what went wrong with them
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.points.resize(1);
   result.points[0].tally = sim::tally_of(words);
-  const auto object = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const auto object =
+      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
   const std::vector<std::string> names{"n_bits",
                                        "n_bit_errors",
                                        "n_bytes",
@@ -135,10 +138,11 @@ TEST(Json, NamesEachCounterForWhatItIs) {
 }
 
 TEST(Json, IsNullWhereNothingIsKnown) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.title = "not \xff UTF-8";
   result.points = {{}};
-  const auto point = nlohmann::json::parse(sim::to_json(result))["points"][0];
+  const auto point =
+      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
   EXPECT_EQ(point["n_frames"], 0);
   for (const char* name : {"ber", "flr_ci_low", "uer", "snr_db", "stop_reason"}) {
     EXPECT_TRUE(point[name].is_null()) << name;

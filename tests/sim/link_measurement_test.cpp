@@ -1,4 +1,5 @@
-// The engine: the same counts for any number of threads, stops where the rule says, counts exactly.
+// A link's trials: the same counts for any number of threads, stops where the rule says, counts
+// exactly.
 #include "sim/link_experiment/link_measurement.hpp"
 
 #include <pthread.h>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
+#include "link_rule.hpp"
 #include "scenarios.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/engine/run_counting.hpp"
@@ -27,42 +29,42 @@ Link middling_link(const std::string& seed = "1") {
                   "simulation.seed=" + seed});
 }
 
-PointResult run(const Link& link, const StopRule& stop, int threads) {
+LinkPoint run(const Link& link, const StopRule& stop, int threads) {
   return run_point(link, stop, {.threads = threads});
 }
 
-TEST(EngineDeterminism, AnyNumberOfThreads) {
+TEST(LinkDeterminism, AnyNumberOfThreads) {
   const Link link = middling_link();
-  const PointResult one = run(link, {.max_frames = 80}, 1);
+  const LinkPoint one = run(link, {.max_frames = 80}, 1);
   for (const int threads : {2, 8}) {
-    const PointResult many = run(link, {.max_frames = 80}, threads);
+    const LinkPoint many = run(link, {.max_frames = 80}, threads);
     EXPECT_EQ(many.tally, one.tally) << threads;
     EXPECT_EQ(many.n_samples, one.n_samples) << threads;
   }
   EXPECT_GT(one.tally.n_frames_lost, 0u);
 }
 
-TEST(EngineDeterminism, SequentialStopToo) {
+TEST(LinkDeterminism, SequentialStopToo) {
   const Link link = middling_link();
   const StopRule stop{.max_frames = 100000, .max_frame_errors = 10};
-  const PointResult one = run(link, stop, 1);
+  const LinkPoint one = run(link, stop, 1);
   EXPECT_EQ(one.stop, StopReason::max_frame_errors);
   EXPECT_GE(one.tally.n_frames_lost, 10u);
   EXPECT_LT(one.tally.n_frames_lost, 10u + channel::lanes_per_group);
   for (const int threads : {2, 8}) EXPECT_EQ(run(link, stop, threads).tally, one.tally) << threads;
 }
 
-TEST(Engine, SumIsThatOfItsGroups) {
+TEST(LinkMeasurement, SumIsThatOfItsGroups) {
   const Link link = middling_link();
   Tally sum;
   for (std::uint32_t first = 0; first < 40; first += 8) sum += run_group(link, first, 8).tally;
   EXPECT_EQ(run(link, {.max_frames = 40}, 2).tally, sum);
 }
 
-TEST(Engine, CountsExactlyAsManyFramesAsAsked) {
+TEST(LinkMeasurement, CountsExactlyAsManyFramesAsAsked) {
   const Link link = link_of(clear_link());
   for (const std::uint64_t frames : {1u, 7u, 8u, 9u, 21u}) {
-    const PointResult result = run(link, {.max_frames = frames}, 2);
+    const LinkPoint result = run(link, {.max_frames = frames}, 2);
     EXPECT_EQ(result.tally.n_frames, frames);
     EXPECT_EQ(result.stop, StopReason::max_frames);
     EXPECT_GT(result.simulated_s, 0);
@@ -72,17 +74,17 @@ TEST(Engine, CountsExactlyAsManyFramesAsAsked) {
 const std::vector<std::string> half_lost{"receiver.range_m=2.2", "simulation.sample_rate_hz=250000",
                                          "simulation.warmup_messages=1"};
 
-TEST(EngineDeterminism, OfNoFramesIsOver) {
-  const PointResult result = run(link_of(half_lost), {.max_frames = 0}, 2);
+TEST(LinkDeterminism, OfNoFramesIsOver) {
+  const LinkPoint result = run(link_of(half_lost), {.max_frames = 0}, 2);
   EXPECT_EQ(result.stop, StopReason::max_frames);
   EXPECT_EQ(result.tally.n_frames, 0u);
 }
 
 // A point is finished as soon as its interval is as narrow as asked, and not a group before.
-TEST(EngineDeterminism, MeasuredStopsWhereTheIntervalIsNarrow) {
+TEST(LinkDeterminism, MeasuredStopsWhereTheIntervalIsNarrow) {
   const Link link = link_of(half_lost);
   const StopRule stop{.max_frames = 100000, .rel_ci = 0.2};
-  const PointResult result = run(link, stop, 2);
+  const LinkPoint result = run(link, stop, 2);
   const auto relative = [](const Tally& tally) {
     const Estimate e = bit_error_ratio(tally, 0.95);
     return (e.high - e.low) / 2 / e.value;
@@ -94,13 +96,13 @@ TEST(EngineDeterminism, MeasuredStopsWhereTheIntervalIsNarrow) {
   EXPECT_EQ(run(link, stop, 1).tally, result.tally);
 }
 
-TEST(EngineDeterminism, MeasuredStopsWhereTheLossIsTold) {
+TEST(LinkDeterminism, MeasuredStopsWhereTheLossIsTold) {
   const Link link = link_of(half_lost);
   const double flr = frame_loss_ratio(run(link, {.max_frames = 800}, 2).tally, 0.95).value;
   ASSERT_TRUE(flr > 0.05 && flr < 0.95) << flr;
   for (const double target : {flr / 2, (1 + flr) / 2}) {
     const StopRule stop{.max_frames = 100000, .target_flr = target};
-    const PointResult result = run(link, stop, 2);
+    const LinkPoint result = run(link, stop, 2);
     EXPECT_EQ(result.stop, StopReason::target_flr);
     const Estimate e = frame_loss_ratio(result.tally, 0.999);
     EXPECT_TRUE(target < flr ? e.low > target : e.high < target) << target;
@@ -109,12 +111,12 @@ TEST(EngineDeterminism, MeasuredStopsWhereTheLossIsTold) {
 }
 
 // What is asked for costs time, not counts; what is not asked for is not measured.
-TEST(Engine, AProfileHasTheTimeOfEveryStage) {
+TEST(LinkMeasurement, AProfileHasTheTimeOfEveryStage) {
   for (const char* receiver : {"TSOP4856", "ideal-coherent"}) {
     const Link link =
         link_of({std::string("receiver.module=") + receiver, "simulation.sample_rate_hz=250000"});
-    const PointResult plain = run(link, {.max_frames = 16}, 2);
-    const PointResult profiled =
+    const LinkPoint plain = run(link, {.max_frames = 16}, 2);
+    const LinkPoint profiled =
         run_point(link, {.max_frames = 16}, {.threads = 2, .profiled = true});
     EXPECT_EQ(profiled.tally, plain.tally);
     EXPECT_EQ(plain.profile.decoding_s + plain.profile.chain_s[0], 0);
@@ -127,19 +129,19 @@ TEST(Engine, AProfileHasTheTimeOfEveryStage) {
   }
 }
 
-TEST(Engine, InterruptKeepsWhatIsComplete) {
+TEST(LinkMeasurement, InterruptKeepsWhatIsComplete) {
   const std::atomic<bool> interrupt = true;
-  const PointResult result = run_point(link_of(clear_link()), {.max_frames = 4000000000u},
-                                       {.threads = 2, .interrupt = &interrupt});
+  const LinkPoint result = run_point(link_of(clear_link()), {.max_frames = 4000000000u},
+                                     {.threads = 2, .interrupt = &interrupt});
   EXPECT_EQ(result.stop, StopReason::interrupted);
   EXPECT_EQ(result.tally.n_frames % channel::lanes_per_group, 0u);
 }
 
 const StopRule endless{.max_frames = 4000000000u};
 
-TEST(Engine, AFailureToReportEndsThePoint) {
-  const auto fails = [](const PointResult&) { throw Failure(ExitCode::environment, "no disk"); };
-  EXPECT_THROW(run_point(link_of(clear_link()), endless, {.threads = 2}, {}, fails), Failure);
+TEST(LinkMeasurement, AFailureToReportEndsThePoint) {
+  const auto fails = [](const LinkPoint&) { throw Failure(ExitCode::environment, "no disk"); };
+  EXPECT_THROW(run_point(link_of(clear_link()), endless, {.threads = 2}, fails), Failure);
 }
 
 #ifndef __SANITIZE_THREAD__  // gives threads stacks of its own size
@@ -172,7 +174,7 @@ class RoomForFewThreads {
   rlimit limit_{};
 };
 
-TEST(Engine, ThreadsThatDoNotStartEndThePoint) {
+TEST(LinkMeasurement, ThreadsThatDoNotStartEndThePoint) {
   const Link link = link_of(clear_link());
   const RoomForFewThreads room;
   std::string message = "no failure";
@@ -186,9 +188,7 @@ TEST(Engine, ThreadsThatDoNotStartEndThePoint) {
 }
 #endif
 
-ExperimentResult experiment(const std::string& text) {
-  return run_link(loaded(text), {.threads = 2});
-}
+LinkResult experiment(const std::string& text) { return run_link(loaded(text), {.threads = 2}); }
 
 const std::string base = R"([stop]
 max_frames = 16
@@ -201,7 +201,7 @@ irradiance_w_per_m2 = 20
 )";
 
 // Inserting a point into a sweep, or turning its axes, changes no other point.
-TEST(EngineDeterminism, NeighboursInTheSweepDoNotMatter) {
+TEST(LinkDeterminism, NeighboursInTheSweepDoNotMatter) {
   const auto two = experiment(base + "receiver.range_m = [2, 3]\n");
   const auto three = experiment(base + "receiver.range_m = [2, 2.5, 3]\n");
   EXPECT_EQ(two.points[0].tally, three.points[0].tally);
@@ -209,16 +209,16 @@ TEST(EngineDeterminism, NeighboursInTheSweepDoNotMatter) {
   EXPECT_NE(three.points[1].tally, three.points[2].tally);
 }
 
-TEST(Engine, ProgressIsWhatAnInterruptLeaves) {
+TEST(LinkMeasurement, ProgressIsWhatAnInterruptLeaves) {
   std::atomic<bool> interrupt = false;
   const LoadedScenario scenario =
       loaded(base + "stop.max_frames = [4e9, 16]\n", {"stop.max_frame_errors=0"});
   RunCounting counting(link_measurement, scenario);
-  PointResult seen;
+  LinkPoint seen;
   const RunCounters by{{.threads = 2, .interrupt = &interrupt}};
   for (std::size_t i = 0; i < 2; ++i)
     counting.count(i, by, [&](std::uint32_t done, std::uint32_t) {
-      counting.bring_up_to_date();
+      counting.describe_current();
       seen = counting.points()[i];
       EXPECT_EQ(seen.tally.n_frames, done);
       interrupt = interrupt || done > 0;
@@ -231,33 +231,29 @@ TEST(Engine, ProgressIsWhatAnInterruptLeaves) {
 }
 
 // Interrupted anywhere and gone on with, by other numbers of threads, a point ends the same.
-TEST(EngineDeterminism, AnInterruptedPointEndsAsIfNothingHadBeen) {
+TEST(LinkDeterminism, AnInterruptedPointEndsAsIfNothingHadBeen) {
   const Link link = link_of(
       {"receiver.range_m=2.2", "simulation.sample_rate_hz=250000", "simulation.warmup_messages=1"});
   for (const StopRule& stop :
        {StopRule{.max_frames = 45}, {.max_frames = 200, .max_frame_errors = 20}}) {
-    const PointResult whole = run(link, stop, 2);
-    PointResult part;
-    int interrupts = 0;
-    do {
+    const LinkPoint whole = run(link, stop, 2);
+    CountedRuns<LinkTally> part;
+    for (int interrupts = 0; !part.stop; ++interrupts) {
       std::atomic<bool> interrupt = false;
-      const auto at_once = [&](const PointResult& p) {
-        interrupt = p.tally.n_frames > part.tally.n_frames;
-      };
-      const PointResult before = part;
-      part = run_point(link, stop, {.threads = 1 + interrupts % 3, .interrupt = &interrupt}, before,
-                       at_once);
-      EXPECT_GE(part.elapsed_s, before.elapsed_s);
-      interrupts += part.stop == StopReason::interrupted;
-    } while (part.stop == StopReason::interrupted);
-    EXPECT_EQ(part.tally, whole.tally);
-    EXPECT_EQ(part.stop, whole.stop);
-    EXPECT_DOUBLE_EQ(part.simulated_s, whole.simulated_s);
-    EXPECT_EQ(part.n_samples, whole.n_samples);
+      const std::uint32_t before = part.n;
+      const double elapsed_s = part.tally.elapsed_s;
+      go_on(part, link, stop, {.threads = 1 + interrupts % 3, .interrupt = &interrupt},
+            [&] { interrupt = part.n > before; });
+      EXPECT_GE(part.tally.elapsed_s, elapsed_s);
+    }
+    EXPECT_EQ(part.tally.sum.tally, whole.tally);
+    EXPECT_EQ(*part.stop, whole.stop);
+    EXPECT_DOUBLE_EQ(part.tally.sum.simulated_s, whole.simulated_s);
+    EXPECT_EQ(part.tally.sum.n_samples, whole.n_samples);
   }
 }
 
-TEST(Engine, GridIsRowMajor) {
+TEST(LinkMeasurement, GridIsRowMajor) {
   const auto result =
       experiment(base + "receiver.range_m = [2, 3]\ndevice.carrier_hz = [56000, 59000]\n");
   ASSERT_EQ(result.points.size(), 4u);
@@ -268,7 +264,7 @@ TEST(Engine, GridIsRowMajor) {
   EXPECT_LT(result.points[1].operating.snr_db, result.points[0].operating.snr_db);
 }
 
-TEST(EngineDeterminism, SeedsGiveOtherNoise) {
+TEST(LinkDeterminism, SeedsGiveOtherNoise) {
   const auto with_seed = [](const char* seed) {
     return run(middling_link(seed), {.max_frames = 40}, 2).tally;
   };

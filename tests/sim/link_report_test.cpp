@@ -42,8 +42,8 @@ TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
 }
 
 TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
-  const ExperimentResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
-  const ExperimentResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
+  const LinkResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
+  const LinkResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
   const Page page = page_of({link_section({"one", one, {}}), link_section({"two", two, {}})});
   EXPECT_EQ(page.summary.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
                               "2 m; two: between 2 and 3 m.\none: "),
@@ -53,7 +53,7 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   EXPECT_EQ(page.sections[0].table->rows,
             (std::vector<std::vector<std::string>>{{"two", "between 2 and 3 m"},
                                                    {"one", "between 1 and 2 m"}}));
-  ExperimentResult lamps = two;
+  LinkResult lamps = two;
   lamps.axes[0].key = "ambient.irradiance_w_per_m2";
   EXPECT_EQ(page_of({link_section({"one", one, {}}), link_section({"lamps", lamps, {}})})
                 .sections[0]
@@ -97,8 +97,7 @@ TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
 }
 
 TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
-  ExperimentResult result =
-      sweep_of({point_of(1, 10, 0), point_of(2, 10, 10), point_of(3, 10, 10)});
+  LinkResult result = sweep_of({point_of(1, 10, 0), point_of(2, 10, 10), point_of(3, 10, 10)});
   result.points[0].validity_flags = 1;
   result.points[0].operating.ber_theory = 0.25;
   result.points[1].alarms = result.points[2].alarms = 1;
@@ -119,7 +118,7 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
 }
 
 TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
-  ExperimentResult result = sweep_of({point_of(1, 10, 0)});
+  LinkResult result = sweep_of({point_of(1, 10, 0)});
   result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
   const ReportSection part = link_section({"file", result, {}});
   EXPECT_EQ(part.sections.back().table->rows[0][2], "-");
@@ -134,7 +133,7 @@ TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
 
 /// So many modules at 1 and 2 m, with theory.
 std::vector<std::string> headings_of(std::size_t modules) {
-  ExperimentResult result = sweep_of({});
+  LinkResult result = sweep_of({});
   Axis names{"receiver.module", "", "", {}};
   for (std::size_t i = 0; i < modules; ++i) {
     names.values.push_back(static_cast<double>(i));
@@ -163,7 +162,7 @@ TEST(Report, HasTheMapAboveMoreCurvesThanCanBeToldApart) {
 }
 
 TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
-  ExperimentResult result = sweep_of({});
+  LinkResult result = sweep_of({});
   result.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
                  {"receiver.range_m", "m", "", {}}};
   for (int x = 0; x < 40; ++x) result.axes[1].values.push_back(x);

@@ -9,14 +9,14 @@
 
 namespace sim {
 
-inline PointTable<PointResult> link_table(const std::vector<Axis>& axes, bool theory = false) {
+inline PointTable<LinkPoint> link_table(const std::vector<Axis>& axes, bool theory = false) {
   LoadedScenario scenario =
       loaded("", {theory ? "receiver.module=ideal-coherent" : "receiver.module=TSOP4856"});
   scenario.sweep = axes;
   return {link_columns(), scenario, {}};
 }
 
-inline std::string link_row(const PointResult& point, const std::vector<Axis>& axes = {}) {
+inline std::string link_row(const LinkPoint& point, const std::vector<Axis>& axes = {}) {
   return link_table(axes).row(point);
 }
 

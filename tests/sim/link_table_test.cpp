@@ -21,7 +21,7 @@ const std::vector<sim::Axis> range_and_ambient{
     {"receiver.range_m", "m", "distance", {7.5}},
     {"ambient.irradiance_w_per_m2", "W/m2", "ambient irradiance", {0.6}}};
 
-std::string row(const sim::PointResult& p) { return sim::link_row(p, one_axis); }
+std::string row(const sim::LinkPoint& p) { return sim::link_row(p, one_axis); }
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -34,14 +34,14 @@ TEST(TableRow, ShowsTheWholePoint) {
 }
 
 TEST(TableRow, ShowsNoErrorsAsAnUpperLimit) {
-  sim::PointResult p = measured_point();
+  sim::LinkPoint p = measured_point();
   p.tally.n_frames_lost = 0;
   EXPECT_TRUE(has(row(p), "  < 3.7e-3  ")) << row(p);  // 1 - 0.025^(1/1000)
   EXPECT_FALSE(has(row(p), "[0")) << row(p);
 }
 
 TEST(TableRow, ShowsWhatIsNotKnownAsADash) {
-  sim::PointResult p;
+  sim::LinkPoint p;
   p.coordinates = {7.5};
   std::istringstream cells(row(p));
   std::vector<std::string> words;
@@ -50,7 +50,7 @@ TEST(TableRow, ShowsWhatIsNotKnownAsADash) {
 }
 
 TEST(TableRow, GivesMoreDigitsToMoreCounts) {
-  sim::PointResult p = measured_point();
+  sim::LinkPoint p = measured_point();
   p.tally.n_frames = 100;
   p.tally.n_frames_lost = 10;
   EXPECT_TRUE(has(row(p), "  0.10 [0.04, 0.18]  ")) << row(p);
@@ -62,7 +62,7 @@ TEST(TableRow, GivesMoreDigitsToMoreCounts) {
 TEST(TableRow, KeepsItsColumnsFromNanosToMegas) {
   const auto header = lines_of(sim::link_table(one_axis).head());
   for (const double size : {1e-9, 1.2345e-4, 0.3, 1.0, 1e3, 1e6}) {
-    sim::PointResult p = measured_point();
+    sim::LinkPoint p = measured_point();
     p.coordinates = {size};
     p.operating.irradiance_mw_per_m2 = size;
     p.operating.snr_db = std::log10(size) * 10;
@@ -75,7 +75,7 @@ TEST(TableRow, KeepsItsColumnsFromNanosToMegas) {
 }
 
 TEST(TableRow, FitsAScreenWithTwoAxes) {
-  sim::PointResult p = measured_point();
+  sim::LinkPoint p = measured_point();
   p.coordinates = {7.5, 0.6};
   EXPECT_LE(sim::link_row(p, range_and_ambient).size(), 160U);
   for (const auto& line : lines_of(sim::link_table(range_and_ambient).head()))
@@ -83,7 +83,7 @@ TEST(TableRow, FitsAScreenWithTwoAxes) {
 }
 
 TEST(TableRow, ShowsTextsToTheLeftInAColumnAsWideAsTheLongest) {
-  sim::PointResult p = measured_point();
+  sim::LinkPoint p = measured_point();
   p.coordinates = {0, 3};
   EXPECT_TRUE(sim::link_row(p, text_axes).starts_with("TSOP4856                3  "));
   p.coordinates = {1, 3};
@@ -102,9 +102,9 @@ TEST(TableHeader, NamesTheAxesAndUnits) {
 }
 
 TEST(LossReasons, AreThoseOfAllPointsTogether) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.points = {measured_point(), measured_point()};
-  for (sim::PointResult& p : result.points) p.tally.n_frames_lost = 0;
+  for (sim::LinkPoint& p : result.points) p.tally.n_frames_lost = 0;
   EXPECT_EQ(sim::loss_reasons(result), "");
   result.points[0].tally.n_frames_lost = 30;
   result.points[0].tally.n_frames_unheard = 10;
@@ -116,7 +116,7 @@ TEST(LossReasons, AreThoseOfAllPointsTogether) {
 }
 
 TEST(MissingLines, CountsWhatAStopLeft) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.points = {measured_point(), measured_point(), {}};
   result.points[1].stop = sim::StopReason::interrupted;
   EXPECT_EQ(

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-inline PointResult point_of(double x, std::uint64_t frames, std::uint64_t lost) {
-  PointResult point{.coordinates = {x}};
+inline LinkPoint point_of(double x, std::uint64_t frames, std::uint64_t lost) {
+  LinkPoint point{.coordinates = {x}};
   point.operating.snr_db = 30 - x;
   point.tally.n_frames = frames;
   point.tally.n_frames_lost = point.tally.n_frames_unheard = lost;
@@ -18,13 +18,13 @@ inline PointResult point_of(double x, std::uint64_t frames, std::uint64_t lost) 
   return point;
 }
 
-inline ExperimentResult sweep_of(std::vector<PointResult> points) {
-  ExperimentResult result;
+inline LinkResult sweep_of(std::vector<LinkPoint> points) {
+  LinkResult result;
   result.title = "Title";
   result.scenario_toml = "text";
   result.command = "command";
   Axis axis{"receiver.range_m", "m", "range", {}};
-  for (const PointResult& point : points) axis.values.push_back(point.coordinates[0]);
+  for (const LinkPoint& point : points) axis.values.push_back(point.coordinates[0]);
   result.axes = {axis};
   result.points = std::move(points);
   return result;

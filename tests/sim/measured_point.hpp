@@ -5,8 +5,8 @@
 
 namespace sim {
 
-inline PointResult measured_point() {
-  PointResult p;
+inline LinkPoint measured_point() {
+  LinkPoint p;
   p.coordinates = {7.5};
   p.operating = {0.312, 0.6, 14.25, 5000, 21.3};
   p.tally.n_frames = 1000;

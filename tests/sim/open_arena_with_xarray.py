@@ -20,7 +20,10 @@ def check_variable(variable, expected):
     assert list(variable.dims) == expected["dimensions"], variable
     values = variable.values.ravel().tolist()
     assert len(values) == len(expected["values"]), variable
+    texts = variable.attrs.get("flag_meanings", "").split()
     for got, wanted in zip(values, expected["values"]):
+        if isinstance(wanted, str):
+            wanted = texts.index(wanted)
         assert same(got, wanted), (variable.name, got, wanted)
     assert variable.attrs["units"] and variable.attrs["long_name"], variable
 

@@ -14,8 +14,8 @@ namespace sim {
 namespace {
 
 /// A point of which 16 frames were sent.
-PointResult sixteen_frames() {
-  PointResult point;
+LinkPoint sixteen_frames() {
+  LinkPoint point;
   point.tally.n_frames = 16;
   point.tally.n_frames_lost = 3;
   point.tally.n_bits = 1000;
@@ -23,7 +23,7 @@ PointResult sixteen_frames() {
   return point;
 }
 
-void show_at_once(bool shown, const PointResult& point = sixteen_frames()) {
+void show_at_once(bool shown, const LinkPoint& point = sixteen_frames()) {
   ProgressLine line(shown, std::chrono::milliseconds(0));
   line.show(runs_status({.point = 1, .points = 2}, 16, 4000000000u, "frames",
                         link_report.progress(point)));
@@ -48,7 +48,7 @@ TEST(ProgressLine, SaysHowLongItWillTakeOnceThatCanBeKnown) {
 
 // Of frames that are drawn to fail the counts say nothing, their weights do.
 TEST(ProgressLine, SaysOfWeightedFramesWhatTheyAreWorth) {
-  PointResult drawn = sixteen_frames();
+  LinkPoint drawn = sixteen_frames();
   drawn.tally.weighted.n_groups = 2;
   testing::internal::CaptureStderr();
   show_at_once(true, drawn);

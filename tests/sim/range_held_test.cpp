@@ -11,6 +11,7 @@
 #include "sim/engine/search.hpp"
 #include "sim/link/theory.hpp"
 #include "sim/result/crossing_text.hpp"
+#include "tests/sim/link_rule.hpp"
 
 namespace {
 
@@ -37,9 +38,9 @@ double truth_of(const DrawnSweep& sweep) {
   return low;
 }
 
-sim::ExperimentResult drawn(const DrawnSweep& sweep, std::uint64_t seed) {
+sim::LinkResult drawn(const DrawnSweep& sweep, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  std::vector<sim::PointResult> points;
+  std::vector<sim::LinkPoint> points;
   const long steps = std::lround((sweep.last - sweep.first) / sweep.step);
   for (long i = 0; i <= steps; ++i) {
     const double x = sweep.first + static_cast<double>(i) * sweep.step;
@@ -67,13 +68,13 @@ held::Experiment fitted(const DrawnSweep& sweep) {
 }
 
 /// As `find` looks for it, between the ends of the sweep with so many frames a point at most.
-sim::ExperimentResult searched(const DrawnSweep& sweep, std::uint64_t seed) {
+sim::LinkResult searched(const DrawnSweep& sweep, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const sim::StopRule rule{.max_frames = sweep.frames, .target_flr = sweep.level};
-  std::vector<sim::PointResult> points;
+  std::vector<sim::LinkPoint> points;
   const auto count = [&](double x) -> std::optional<sim::Tally> {
     std::binomial_distribution<std::uint64_t> lost_of_eight(8, sweep.loss(x));
-    sim::PointResult point = sim::point_of(x, 0, 0);
+    sim::LinkPoint point = sim::point_of(x, 0, 0);
     while (!sim::stop_reason(rule, point.tally)) {
       point.tally.n_frames += 8;
       point.tally.n_frames_lost += lost_of_eight(random);

@@ -24,8 +24,8 @@ sim::Axis modules(std::vector<std::string> labels) {
   return axis;
 }
 
-sim::PointResult ranked_point(std::vector<double> coordinates, std::uint64_t lost) {
-  sim::PointResult p;
+sim::LinkPoint ranked_point(std::vector<double> coordinates, std::uint64_t lost) {
+  sim::LinkPoint p;
   p.coordinates = std::move(coordinates);
   p.tally.n_frames = 1000;
   p.tally.n_frames_lost = lost;
@@ -33,8 +33,8 @@ sim::PointResult ranked_point(std::vector<double> coordinates, std::uint64_t los
 }
 
 /// Rows by columns; the columns are the abscissa.
-sim::ExperimentResult grid(const sim::Axis& rows, const sim::Axis& columns, const Losses& lost) {
-  sim::ExperimentResult result;
+sim::LinkResult grid(const sim::Axis& rows, const sim::Axis& columns, const Losses& lost) {
+  sim::LinkResult result;
   result.axes = {rows, columns};
   for (std::size_t i = 0; i < lost.size(); ++i)
     for (std::size_t j = 0; j < lost[i].size(); ++j)
@@ -43,14 +43,14 @@ sim::ExperimentResult grid(const sim::Axis& rows, const sim::Axis& columns, cons
 }
 
 /// The same with its axes exchanged; points need no order here.
-sim::ExperimentResult turned(const sim::ExperimentResult& result) {
-  sim::ExperimentResult other = result;
+sim::LinkResult turned(const sim::LinkResult& result) {
+  sim::LinkResult other = result;
   std::swap(other.axes[0], other.axes[1]);
-  for (sim::PointResult& p : other.points) std::swap(p.coordinates[0], p.coordinates[1]);
+  for (sim::LinkPoint& p : other.points) std::swap(p.coordinates[0], p.coordinates[1]);
   return other;
 }
 
-std::string lines(const sim::ExperimentResult& result) {
+std::string lines(const sim::LinkResult& result) {
   return sim::ranking_lines(result, sim::rank(result));
 }
 
@@ -79,7 +79,7 @@ TEST(Ranking, SortsTextsBestFirst) {
 TEST(Ranking, EachRowIsTheCrossingOfItsOwnSweep) {
   const auto result = grid(modules(part_names), range, losses);
   for (const auto& row : sim::rank(result).rows) {
-    sim::ExperimentResult alone;
+    sim::LinkResult alone;
     alone.axes = {range};
     for (std::size_t j = 0; j < 4; ++j)
       alone.points.push_back(ranked_point({range.values[j]}, losses[index_of(row)][j]));
@@ -95,13 +95,13 @@ TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
   const sim::Axis falling{"receiver.range_m", "m", "distance", {4, 3, 2, 1}};
   Losses reversed = losses;
   for (auto& row : reversed) std::ranges::reverse(row);
-  const auto check = [](const sim::ExperimentResult& result, std::size_t text, std::size_t number) {
-    const sim::ExperimentResult sorted = sim::best_first(result, sim::rank(result));
+  const auto check = [](const sim::LinkResult& result, std::size_t text, std::size_t number) {
+    const sim::LinkResult sorted = sim::best_first(result, sim::rank(result));
     EXPECT_EQ(sorted.axes[text].labels,
               (std::vector<std::string>{"far", "jump", "fitted-part", "short", "odd", "dead"}));
     ASSERT_EQ(sorted.points.size(), result.points.size());
     for (std::size_t i = 0; i < sorted.points.size(); ++i) {
-      const sim::PointResult& p = sorted.points[i];
+      const sim::LinkPoint& p = sorted.points[i];
       EXPECT_EQ(p.coordinates, sim::point_coordinates(sorted.axes, i));
       const std::string& name =
           sorted.axes[text].labels[static_cast<std::size_t>(p.coordinates[text])];
@@ -111,14 +111,14 @@ TEST(BestFirst, OrdersTheTextsAndTheirPoints) {
     }
   };
   check(grid(modules(part_names), falling, reversed), 0, 1);
-  sim::ExperimentResult last = turned(grid(modules(part_names), range, losses));
-  std::ranges::sort(last.points, {}, &sim::PointResult::coordinates);
+  sim::LinkResult last = turned(grid(modules(part_names), range, losses));
+  std::ranges::sort(last.points, {}, &sim::LinkPoint::coordinates);
   check(last, 1, 0);
 }
 
 TEST(BestFirst, LeavesOthersAsTheyAre) {
   auto weighted = grid(modules(part_names), range, losses);
-  for (sim::PointResult& p : weighted.points) p.tally.weighted.n_groups = 1;
+  for (sim::LinkPoint& p : weighted.points) p.tally.weighted.n_groups = 1;
   EXPECT_EQ(sim::best_first(weighted, sim::rank(weighted)).axes[0].labels, part_names);
   const sim::Axis current{"led.current_ma", "mA", "current", {10, 20, 50, 100, 200, 300}};
   const auto numbers = grid(current, range, losses);
@@ -192,7 +192,7 @@ TEST(Ranking, OfTwoAxesOfNumbersTheLastIsTheAbscissa) {
 
 TEST(Ranking, EachCombinationOfTheOtherAxesIsARow) {
   const sim::Axis baud{"device.baud", "Bd", "line rate", {300, 1200}};
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.axes = {baud, range, modules({"near", "far"})};
   for (const double b : baud.values)
     for (const double metres : range.values)
@@ -210,7 +210,7 @@ TEST(Ranking, EachCombinationOfTheOtherAxesIsARow) {
 
 // An interrupted run counts the near points of all, or of some, alone.
 TEST(Ranking, GivesWhatIsNotCountedFarEnoughNoPlace) {
-  sim::ExperimentResult result =
+  sim::LinkResult result =
       grid(modules({"begun", "never", "dead", "done"}), range,
            {{0, 0, 0, 0}, {0, 0, 0, 0}, {1000, 1000, 1000, 1000}, {0, 1000, 1000, 1000}});
   for (std::size_t untouched = 2; untouched < 8; ++untouched)
@@ -225,7 +225,7 @@ TEST(Ranking, GivesWhatIsNotCountedFarEnoughNoPlace) {
 }
 
 TEST(Ranking, OfOneAxisIsOneSentence) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.axes = {range};
   for (const double x : range.values) result.points.push_back(ranked_point({x}, x < 3 ? 0 : 1000));
   EXPECT_EQ(
@@ -234,7 +234,7 @@ TEST(Ranking, OfOneAxisIsOneSentence) {
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {
-  sim::ExperimentResult result;
+  sim::LinkResult result;
   result.points = {ranked_point({}, 0)};
   EXPECT_EQ(lines(result), "");
   result.axes = {modules({"a"})};

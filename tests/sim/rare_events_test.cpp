@@ -14,7 +14,7 @@ namespace sim {
 namespace {
 
 /// A point whose trials need no more before them than a line that may have lost its end.
-PointResult point(std::vector<std::string> set, const std::string& method, std::uint64_t frames) {
+LinkPoint point(std::vector<std::string> set, const std::string& method, std::uint64_t frames) {
   set.insert(set.end(), {"simulation.method=" + method, "simulation.warmup_messages=1"});
   const Link link = link_of(set);
   return run_point(link, {.max_frames = frames}, {.threads = threads_for(0)});
@@ -34,7 +34,7 @@ class RareEventsInTheory : public testing::TestWithParam<Closed> {};
 
 TEST_P(RareEventsInTheory, MeasuredBitErrorRatio) {
   const Closed at = GetParam();
-  const PointResult measured = point(set_of(at.module, at.ebn0_db), "importance", 640);
+  const LinkPoint measured = point(set_of(at.module, at.ebn0_db), "importance", 640);
   const double theory = measured.operating.ber_theory;
   EXPECT_NEAR(std::log10(theory), std::log10(at.ber), 0.3) << theory;
   EXPECT_NEAR(bit_error_ratio(measured.tally, 0.95).value / measured.operating.ber_sampled, 1, 0.2);

@@ -245,7 +245,7 @@ TEST(RunCounting, IsBroughtUpToDateWhileItGoesOn) {
   counting.count(0, {{.threads = 1, .interrupt = &stop}},
                  [&](std::uint32_t done, std::uint32_t all) {
                    EXPECT_EQ(all, all_runs);
-                   counting.bring_up_to_date();
+                   counting.describe_current();
                    EXPECT_EQ(counting.points()[0].runs, first_numbers(done));
                    stop = done == 9;
                  });

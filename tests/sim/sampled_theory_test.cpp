@@ -49,8 +49,8 @@ TEST(SampledTheory, IsNotOfDecisions) {
   EXPECT_TRUE(std::isnan(link_at("4", {"simulation.fidelity=decision"}).operating.ber_sampled));
 }
 
-PointResult told_point(double theory, double sampled, std::uint64_t errors) {
-  PointResult point;
+LinkPoint told_point(double theory, double sampled, std::uint64_t errors) {
+  LinkPoint point;
   point.operating.ber_theory = theory;
   point.operating.ber_sampled = sampled;
   point.tally.n_frames = 100;
@@ -61,7 +61,7 @@ PointResult told_point(double theory, double sampled, std::uint64_t errors) {
 
 // Where it is bright no bit fails, and no ratio of theories means anything.
 TEST(SampledTheory, IsToldOfPointsWhereBitsFailed) {
-  ExperimentResult result;
+  LinkResult result;
   result.points = {told_point(1e-2, 1.01e-2, 170), told_point(1e-3, 1.03e-3, 17),
                    told_point(1e-50, 1e-48, 0), told_point(0, 1e-300, 0)};
   EXPECT_EQ(

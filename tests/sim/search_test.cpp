@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/counting/stop_rule.hpp"
+#include "tests/sim/link_rule.hpp"
 
 namespace sim {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/counting/statistics.hpp"
 #include "sim/counting/stop_rule.hpp"
 #include "tests/sim/held_intervals.hpp"
+#include "tests/sim/link_rule.hpp"
 
 namespace {
 

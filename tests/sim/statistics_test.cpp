@@ -294,8 +294,8 @@ TEST(TallySum, AddsEveryWeightedSum) {
   EXPECT_EQ(largest, 2);  // of bit errors and of frames lost
 }
 
-sim::ExperimentResult one_point() {
-  sim::ExperimentResult result;
+sim::LinkResult one_point() {
+  sim::LinkResult result;
   result.axes = {{"receiver.range_m", "m", "distance", {2.5}}};
   CounterWords words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i;
@@ -306,16 +306,16 @@ sim::ExperimentResult one_point() {
 TEST(Digest, DependsOnEveryCounterAndCoordinate) {
   const std::string digest = sim::result_digest(one_point());
   for (std::size_t i = 0; i < CounterWords{}.size(); ++i) {
-    sim::ExperimentResult other = one_point();
+    sim::LinkResult other = one_point();
     auto words = words_of(other.points[0].tally);
     words[i] ^= std::uint64_t{1} << 40;
     other.points[0].tally = tally_of(words);
     EXPECT_NE(sim::result_digest(other), digest) << i;
   }
-  sim::ExperimentResult elsewhere = one_point();
+  sim::LinkResult elsewhere = one_point();
   elsewhere.points[0].coordinates[0] = 2.6;
   EXPECT_NE(sim::result_digest(elsewhere), digest);
-  sim::ExperimentResult longer = one_point();
+  sim::LinkResult longer = one_point();
   longer.points.push_back(longer.points[0]);
   EXPECT_NE(sim::result_digest(longer), digest);
 }
@@ -323,11 +323,11 @@ TEST(Digest, DependsOnEveryCounterAndCoordinate) {
 TEST(Digest, DependsOnEveryWeightedSum) {
   sim::WeightWords sums{};
   sums.fill(1);
-  sim::ExperimentResult weighted = one_point();
+  sim::LinkResult weighted = one_point();
   weighted.points[0].tally.weighted = std::bit_cast<sim::Weighted>(sums);
   for (double& sum : sums) {
     sum = 2;
-    sim::ExperimentResult other = weighted;
+    sim::LinkResult other = weighted;
     other.points[0].tally.weighted = std::bit_cast<sim::Weighted>(sums);
     EXPECT_NE(sim::result_digest(other), sim::result_digest(weighted));
     sum = 1;
@@ -335,7 +335,7 @@ TEST(Digest, DependsOnEveryWeightedSum) {
 }
 
 TEST(Digest, DependsOnNothingElse) {
-  sim::ExperimentResult other = one_point();
+  sim::LinkResult other = one_point();
   other.title = other.command = other.scenario_toml = "other";
   other.seed = 99;
   other.points[0].elapsed_s = 3;

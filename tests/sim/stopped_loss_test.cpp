@@ -13,6 +13,7 @@
 
 #include "sim/result/point_loss.hpp"
 #include "tests/sim/held_intervals.hpp"
+#include "tests/sim/link_rule.hpp"
 
 namespace {
 
@@ -142,7 +143,7 @@ TEST(StoppedLoss, ManyCountsTakenTogetherAreAsGoodAsSingleOnes) {
 }
 
 TEST(StoppedLoss, IsThatOfAPointWithATarget) {
-  sim::PointResult point{.tally = tally_with(80, 6)};
+  sim::LinkPoint point{.tally = tally_with(80, 6)};
   EXPECT_EQ(sim::frame_loss_of(point, 0.95).value, 6.0 / 80);
   point.rule = {.max_frames = 5000, .target_flr = 0.01};
   EXPECT_LT(sim::frame_loss_of(point, 0.95).value, 6.0 / 80);
@@ -151,10 +152,10 @@ TEST(StoppedLoss, IsThatOfAPointWithATarget) {
 }
 
 /// Losses drawn group by group until the rule stops.
-sim::PointResult counted_to_stop(const StopRule& rule, double p, std::uint64_t seed) {
+sim::LinkPoint counted_to_stop(const StopRule& rule, double p, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::binomial_distribution<std::uint64_t> lost_of_group(8, p);
-  sim::PointResult point{.rule = rule};
+  sim::LinkPoint point{.rule = rule};
   while (!sim::stop_reason(rule, point.tally)) {
     point.tally.n_frames += 8;
     point.tally.n_frames_lost += lost_of_group(random);

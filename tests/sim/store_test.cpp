@@ -50,8 +50,8 @@ std::string bytes_in(const fs::path& path) {
   return all.str();
 }
 
-sim::PointResult point(std::vector<double> coordinates, std::uint64_t lost) {
-  sim::PointResult p;
+sim::LinkPoint point(std::vector<double> coordinates, std::uint64_t lost) {
+  sim::LinkPoint p;
   p.coordinates = std::move(coordinates);
   p.operating = {0.25 + static_cast<double>(lost), 0.6, 14.25, 5000, 21.5};
   p.tally.n_bits = 17000;
@@ -71,8 +71,8 @@ sim::PointResult point(std::vector<double> coordinates, std::uint64_t lost) {
   return p;
 }
 
-sim::ExperimentResult single() {
-  sim::ExperimentResult result;
+sim::LinkResult single() {
+  sim::LinkResult result;
   result.title = "one point at 5 °C";
   result.scenario_toml = "title = \"one point\"\n[receiver]\nrange_m = 3\n";
   result.command = "cosys-sim run \"one point.toml\"";
@@ -82,16 +82,16 @@ sim::ExperimentResult single() {
 }
 
 // The last point was never reached.
-sim::ExperimentResult sweep() {
-  sim::ExperimentResult result = single();
+sim::LinkResult sweep() {
+  sim::LinkResult result = single();
   result.axes = {{"receiver.range_m", "m", "distance along the floor", {1, 2.5, 4}}};
   result.points = {point({1}, 0), point({2.5}, 10), {}};
   result.points[2].coordinates = {4};
   return result;
 }
 
-sim::ExperimentResult grid() {
-  sim::ExperimentResult result = single();
+sim::LinkResult grid() {
+  sim::LinkResult result = single();
   result.axes = {{"receiver.range_m", "m", "distance along the floor", {1, 2}},
                  {"led.current_ma", "mA", "LED current", {20, 50, 100}}};
   result.points.clear();
@@ -103,16 +103,16 @@ sim::ExperimentResult grid() {
   return result;
 }
 
-sim::ExperimentResult sweep_of_texts() {
-  sim::ExperimentResult result = grid();
+sim::LinkResult sweep_of_texts() {
+  sim::LinkResult result = grid();
   result.axes = {{"receiver.module", "", "receiver module", {0, 1}, {"TSOP4856", "Gerät 2"}},
                  {"led.current_ma", "mA", "LED current", {20, 50, 100}}};
   for (std::size_t i = 0; i < 6; ++i) result.points[i].coordinates[0] = i < 3 ? 0 : 1;
   return result;
 }
 
-void expect_all_readers_agree(const fs::path& path, const sim::ExperimentResult& result) {
-  auto expected = nlohmann::json::parse(sim::to_json(result));
+void expect_all_readers_agree(const fs::path& path, const sim::LinkResult& result) {
+  auto expected = nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)));
   expected["scenario_toml"] = result.scenario_toml;
   const std::string json = path.string() + ".json";
   std::ofstream(json) << expected;
@@ -166,14 +166,14 @@ TEST_F(Store, TextsAsCoordinatesOpenEverywhere) {
 }
 
 TEST_F(Store, KeepsAScenarioOfAnyLength) {
-  sim::ExperimentResult result = sweep();
+  sim::LinkResult result = sweep();
   while (result.scenario_toml.size() < 200'000) result.scenario_toml += "# 0.6 W/m² at 45°\n";
   sim::write_dataset(path(), sim::link_dataset(result), program);
   expect_all_readers_agree(path(), result);
 }
 
 TEST_F(Store, KeepsEmptyTexts) {
-  sim::ExperimentResult result = single();
+  sim::LinkResult result = single();
   result.title = result.command = result.scenario_toml = "";
   sim::write_dataset(path(), sim::link_dataset(result), program);
   expect_all_readers_agree(path(), result);

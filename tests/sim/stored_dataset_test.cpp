@@ -143,8 +143,8 @@ TEST_F(StoredDatasetTest, DamageIsReadOrRefused) {
 }
 
 TEST_F(StoredDatasetTest, DamageToALinksIsToo) {
-  ExperimentResult result = unfinished(scenario_from("[sweep]\nreceiver.range_m = [1, 2]\n"), "");
-  for (PointResult& point : result.points) point.tally = {.n_bits = 800, .n_frames = 8};
+  LinkResult result = unfinished(scenario_from("[sweep]\nreceiver.range_m = [1, 2]\n"), "");
+  for (LinkPoint& point : result.points) point.tally = {.n_bits = 800, .n_frames = 8};
   write_dataset(file_, link_dataset(result), {"cosys-sim", "1", "c"});
   const test::Damage damage(image());
   int read = 0;

@@ -45,8 +45,8 @@ TEST(Summary, OfOnePointGivesTheLossItsInterval) {
 }
 
 TEST(Summary, SaysHowManyPointsHaveNoEstimate) {
-  ExperimentResult result = sweep_of({point_of(1, 48, 20), point_of(2, 48, 4), point_of(3, 48, 1)});
-  for (PointResult& point : result.points) {  // one of a few runs makes all of the estimate
+  LinkResult result = sweep_of({point_of(1, 48, 20), point_of(2, 48, 4), point_of(3, 48, 1)});
+  for (LinkPoint& point : result.points) {  // one of a few runs makes all of the estimate
     point.tally.weighted.n_groups = 6;
     point.tally.weighted.bit_errors = {1, 1, 1, 1};
   }
@@ -58,14 +58,14 @@ TEST(Summary, SaysHowManyPointsHaveNoEstimate) {
 }
 
 TEST(Summary, SaysOnWhichSideOfTheSignalNoiseIs) {
-  ExperimentResult result = sweep_of({point_of(1, 1000, 1000)});
+  LinkResult result = sweep_of({point_of(1, 1000, 1000)});
   result.points[0].operating.snr_db = -32;
   EXPECT_NE(summary_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
 }
 
 /// Modules A, B and so on, each with the loss at 1, 2 and 3 m.
-ExperimentResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
-  ExperimentResult result = sweep_of({});
+LinkResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
+  LinkResult result = sweep_of({});
   Axis modules{"receiver.module", "", "", {}};
   for (std::size_t i = 0; i < losses.size(); ++i) {
     modules.values.push_back(static_cast<double>(i));
@@ -94,19 +94,19 @@ TEST(Summary, SaysHowFarEachOfAFewLinksReaches) {
 }
 
 /// The same links as values of a number, which are no parts that one buys.
-ExperimentResult currents_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
-  ExperimentResult result = modules_of(losses);
+LinkResult currents_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
+  LinkResult result = modules_of(losses);
   result.axes[0] = {"led.current_ma", "mA", "", result.axes[0].values};
   return result;
 }
 
 /// As an interrupted run leaves it: from that point on nothing is counted.
-ExperimentResult counted_before(std::size_t first, ExperimentResult result) {
+LinkResult counted_before(std::size_t first, LinkResult result) {
   for (std::size_t i = first; i < result.points.size(); ++i) result.points[i].tally = Tally{};
   return result;
 }
 
-void expect_says(const ExperimentResult& result, const std::string& line) {
+void expect_says(const LinkResult& result, const std::string& line) {
   const std::string words = summary_of(result, {});
   EXPECT_NE(words.find("\n" + line), std::string::npos) << words;
 }
@@ -137,7 +137,7 @@ TEST(Summary, ComparesLinksThatAreCountedFarEnoughAlone) {
 }
 
 TEST(Summary, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
-  ExperimentResult result = modules_of({far, near, near, near, near});
+  LinkResult result = modules_of({far, near, near, near, near});
   result.points[0].validity_flags = 1;
   expect_says(result, "Of 5 links A (between 2 and 3 m, outside of what a model is valid for: " +
                           std::string(validity_limits()[0].name) + ") comes first. ");
@@ -145,9 +145,9 @@ TEST(Summary, SaysOfALinkThatComesFirstOutsideOfItsModelThatItIs) {
 
 // The first loses 60 % at 2 m, which is nearer to half than what the second ever loses.
 TEST(Summary, LooksCloserAtTheLinkThatComesFirst) {
-  const ExperimentResult result = modules_of({{0, 600, 1000}, {0, 0, 900}});
+  const LinkResult result = modules_of({{0, 600, 1000}, {0, 0, 900}});
   EXPECT_EQ(failing_point(result)->coordinates, (std::vector<double>{1, 3}));
-  const ExperimentResult alone = modules_of({{0, 600, 1000}});
+  const LinkResult alone = modules_of({{0, 600, 1000}});
   EXPECT_EQ(failing_point(alone)->coordinates, (std::vector<double>{0, 2}));
 }
 
@@ -162,7 +162,7 @@ std::vector<std::string> limit_names(const Ablations& ablations) {
 }
 
 TEST(Summary, SaysHowMuchFartherTheLinkWouldGo) {
-  const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
+  const LinkResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
   Ablations ablations{"",
                       {ablation("", 90), ablation("without noise", 89),
                        ablation("without the lamp", 3), ablation("without gain", 5)}};
@@ -192,7 +192,7 @@ TEST(Summary, SaysHowMuchFartherTheLinkWouldGo) {
 }
 
 TEST(Summary, NamesWhatTheLossIsClearlyLessWithout) {
-  const ExperimentResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
+  const LinkResult result = sweep_of({point_of(1, 100, 0), point_of(2, 100, 90)});
   const Ablations some{"",
                        {ablation("", 90), ablation("without noise", 85),
                         ablation("without the lamp", 3), ablation("without gain", 60)}};

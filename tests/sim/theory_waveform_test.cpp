@@ -119,7 +119,7 @@ TEST(Matched, NoiseIsThatOfTheDark) {
 }
 
 TEST(Matched, TableHasTheoryBesideTheRatioWhereAsked) {
-  PointResult point;
+  LinkPoint point;
   point.tally.n_frames = 1;
   point.operating.ber_theory = 3.43e-5;
   EXPECT_NE(link_table({}, true).head().find("in theory"), std::string::npos);

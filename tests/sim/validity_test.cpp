@@ -129,7 +129,7 @@ TEST(Validity, TheDocsListEveryLimit) {
 }
 
 TEST(Validity, TheTableMarksThePointAndExplainsTheMark) {
-  ExperimentResult result;
+  LinkResult result;
   result.points = {{.tally = {.n_frames = 4}, .validity_flags = 3}, {.tally = {.n_frames = 4}}};
   EXPECT_TRUE(link_row(result.points[0]).ends_with("max_frames  ! near,fringes\n"));
   EXPECT_TRUE(link_row(result.points[1]).ends_with("max_frames\n"));

@@ -10,6 +10,7 @@
 #include "sim/counting/weighted.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/comparison.hpp"
+#include "tests/sim/link_rule.hpp"
 
 namespace sim {
 namespace {
@@ -112,8 +113,8 @@ TEST(Alarms, OfWeights) {
 }
 
 /// A result of one point.
-ExperimentResult result_of(const Tally& tally) {
-  ExperimentResult result;
+LinkResult result_of(const Tally& tally) {
+  LinkResult result;
   result.points.push_back({.tally = tally});
   return result;
 }
