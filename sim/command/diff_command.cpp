@@ -29,7 +29,7 @@ std::string coordinates_of(const LinkResult& result, std::size_t point) {
 std::string ratio_of(const LinkResult& result, const RatioTest& test) {
   const Tally& tally = result.points[test.point].tally;
   const bool loss = test.ratio == ComparedRatio::flr;
-  const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, result.ci_level);
+  const Estimate e = (loss ? frame_loss_ratio : bit_error_ratio)(tally, LinkResult::ci_level);
   return fmt::format("{} of {} {} ({} [{}, {}])", loss ? tally.n_frames_lost : tally.n_bit_errors,
                      loss ? tally.n_frames : tally.n_bits, loss ? "lost" : "bits wrong",
                      significant_text(e.value, 3), significant_text(e.low, 3, Rounding::down),

@@ -51,14 +51,14 @@ constexpr Ratio ratios[] = {
 Chart chart_of(const LinkResult& result, std::size_t over, const Ratio& ratio) {
   Chart chart{.title = ratio.title,
               .description = fmt::format("{} over {}, {:g} % intervals", ratio.label,
-                                         result.axes[over].key, 100 * result.ci_level),
+                                         result.axes[over].key, 100 * LinkResult::ci_level),
               .x = chart_axis(result.axes[over]),
               .y = {.label = ratio.label, .logarithmic = true, .level = ratio.level},
               .curves = {}};
   for (const LinkPoint& point : result.points) {
     if (!point.reached()) continue;
     const double x = point.coordinates[over];
-    const Estimate estimate = ratio.estimate(point, result.ci_level);
+    const Estimate estimate = ratio.estimate(point, LinkResult::ci_level);
     ChartCurve& curve =
         curve_of(chart, curve_name(result.axes, over, point, false), CurveKind::measured);
     if (!std::isnan(estimate.value)) curve.points.push_back(chart_point(x, estimate));
@@ -95,7 +95,7 @@ std::vector<Chart> result_charts(const LinkResult& result) {
 std::vector<HeatMap> result_maps(const LinkResult& result) {
   std::vector<MapValue> losses;
   for (const LinkPoint& point : result.points) {
-    const Estimate loss = frame_loss_of(point, result.ci_level);
+    const Estimate loss = frame_loss_of(point, LinkResult::ci_level);
     losses.push_back({loss.value, estimate_text(loss)});
   }
   return swept_maps(result.axes, losses, "Map of frame loss", "frame loss ratio");

@@ -106,7 +106,7 @@ Json json_point(const LinkResult& result, const Dataset& data, std::size_t i) {
 std::string to_json(const LinkResult& result, const Dataset& data,
                     const CrossingQuestion& question) {
   Json json{{"title", result.title},       {"command", result.command},
-            {"seed", result.seed},         {"ci_level", result.ci_level},
+            {"seed", result.seed},         {"ci_level", LinkResult::ci_level},
             {"eb_convention", "average"},  {"shards", shards_text(result.shards)},
             {"result_digest", data.digest}};
   json["axes"] = Json::array();

@@ -24,7 +24,7 @@ std::string theory_note(const LinkResult& result) {
   double most = 0;
   for (const LinkPoint& p : result.points) {
     const double more = p.operating.ber_sampled / p.operating.ber_theory - 1;
-    const bool has_failed = bit_error_ratio(p.tally, result.ci_level).value > 0;
+    const bool has_failed = bit_error_ratio(p.tally, LinkResult::ci_level).value > 0;
     if (has_failed && std::isfinite(more) && std::abs(more) > std::abs(most)) most = more;
   }
   if (std::abs(most) < 0.001) return "";

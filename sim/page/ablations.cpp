@@ -115,7 +115,7 @@ const LinkPoint* nearest_to_half(const LinkResult& result, const Ranking& rankin
   double least = 0;
   for (const LinkPoint& point : result.points) {
     if (!point.reached() || !is_of_first(point, ranking)) continue;
-    const double loss = frame_loss_ratio(point.tally, result.ci_level).value;
+    const double loss = frame_loss_ratio(point.tally, LinkResult::ci_level).value;
     const bool nearer = loss >= half ? least < half || loss < least : loss > least && least < half;
     if (loss > 0 && nearer) found = &point, least = loss;
   }

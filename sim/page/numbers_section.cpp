@@ -40,9 +40,9 @@ std::vector<std::string> row_of(const LinkResult& result, const LinkPoint& point
   row.push_back(decibel_text(point.operating.snr_db));
   row.push_back(std::to_string(point.tally.n_frames));
   row.push_back(std::to_string(point.tally.n_frames_lost));
-  row.push_back(estimate_text(frame_loss_of(point, result.ci_level)));
+  row.push_back(estimate_text(frame_loss_of(point, LinkResult::ci_level)));
   row.push_back(std::to_string(point.tally.n_bit_errors));
-  row.push_back(estimate_text(bit_error_ratio(point.tally, result.ci_level)));
+  row.push_back(estimate_text(bit_error_ratio(point.tally, LinkResult::ci_level)));
   if (theory) row.push_back(theory_text(point.operating.ber_theory));
   row.push_back(std::to_string(point.tally.n_frames_undetected));
   row.push_back(closing_text(point));

@@ -42,7 +42,7 @@ std::string size_of(const LinkResult& result) {
   else if (points == 1)
     more = ": frame loss ratio " +
            estimate_text(frame_loss_of(*std::ranges::find_if(result.points, &LinkPoint::reached),
-                                       result.ci_level));
+                                       LinkResult::ci_level));
   return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
                      points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
                      more);
@@ -97,7 +97,7 @@ std::string where_it_fails(const LinkResult& result) {
   return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
                               rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
                               place.empty() ? "" : "at " + place + ", ",
-                              loss_in_percent(frame_loss_of(*point, result.ci_level)),
+                              loss_in_percent(frame_loss_of(*point, LinkResult::ci_level)),
                               noise_note(point->operating)));
 }
 
@@ -141,7 +141,7 @@ std::string what_limits(const Ablations& ablations) {
 /// Curves would end without a word.
 std::string without_estimate(const LinkResult& result) {
   const auto unknown = std::ranges::count_if(result.points, [&](const LinkPoint& point) {
-    return point.reached() && std::isnan(bit_error_ratio(point.tally, result.ci_level).value);
+    return point.reached() && std::isnan(bit_error_ratio(point.tally, LinkResult::ci_level).value);
   });
   if (unknown == 0) return "";
   return fmt::format("{} of {} points have no estimate and are missing in the curves.\n", unknown,

@@ -225,13 +225,13 @@ Crossing frame_loss_crossing(const LinkResult& result, double level) {
     const Crossing counted = whole_sweep(Kind::unfinished, all);
     if (goes_on(result, counted)) return counted;
   }
-  if (none_is) return below_throughout(all, result.ci_level);
-  if (all_are) return above_throughout(all, result.ci_level);
+  if (none_is) return below_throughout(all, LinkResult::ci_level);
+  if (all_are) return above_throughout(all, LinkResult::ci_level);
 
   const bool sure_of_it = surely_crossed(all, level);
-  if (separated(all)) return sure_of_it ? jump(all, level, result.ci_level) : Crossing{};
-  const Crossing known = sure_of_it ? bracket(all, level, result.ci_level) : Crossing{};
-  const Crossing fitted = fitted_crossing(about_step(all, level), level, result.ci_level);
+  if (separated(all)) return sure_of_it ? jump(all, level, LinkResult::ci_level) : Crossing{};
+  const Crossing known = sure_of_it ? bracket(all, level, LinkResult::ci_level) : Crossing{};
+  const Crossing fitted = fitted_crossing(about_step(all, level), level, LinkResult::ci_level);
   return fitted.kind == Kind::fitted ? fitted : known;
 }
 

@@ -36,8 +36,8 @@ struct LinkResult {
   std::string scenario_toml;  // whole text, enough to repeat the run
   std::string command;        // the command that repeats it
   std::uint64_t seed = 0;
-  static constexpr double ci_level = 0.95;  // of all intervals
-  std::vector<Shard> shards{Shard{}};       // whose trials these are
+  static constexpr double ci_level = usual_level;  // of all intervals
+  std::vector<Shard> shards{Shard{}};              // whose trials these are
   std::vector<Axis> axes;
   std::vector<LinkPoint> points;  // of the grid, row-major; those never reached have no frames
 };
