@@ -12,6 +12,7 @@
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/scenario/flags.hpp"
+#include "sim/text/rounded_text.hpp"
 
 namespace sim {
 namespace {
