@@ -15,6 +15,7 @@
 #include "scenarios.hpp"
 #include "sim/command/experiments.hpp"
 #include "sim/page/page.hpp"
+#include "sim/result/store.hpp"
 #include "sim/result/stored_dataset.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "small_experiments.hpp"
