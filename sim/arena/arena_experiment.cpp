@@ -48,11 +48,11 @@ void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs
   point.validity_flags = arena.validity_flags;
 }
 
-bool fits_arena(const Arena& arena, const ArenaRuns& runs) {
+bool fits_arena(const Arena& arena, const ArenaRuns& runs, std::uint32_t n) {
   const std::size_t senders = arena.senders.size();
   const auto is_sound = [](const SenderTally& tally) { return tally.losses.is_sound(); };
-  return runs.tally.senders.size() == senders && runs.tally.losses.is_sound() &&
-         std::ranges::all_of(runs.tally.senders, is_sound) &&
+  return runs.tally.n_runs == n && runs.tally.senders.size() == senders &&
+         runs.tally.losses.is_sound() && std::ranges::all_of(runs.tally.senders, is_sound) &&
          std::ranges::all_of(runs.heard, [&](const HeardFrame& h) { return h.sender < senders; });
 }
 

@@ -35,8 +35,8 @@ std::uint32_t arena_runs_at_once(const Arena& arena, int threads);
 
 void describe_arena(ArenaPoint& point, const Arena& arena, const ArenaRuns& runs);
 
-/// Whether each sender has its tally, and each frame heard its sender.
-bool fits_arena(const Arena& arena, const ArenaRuns& runs);
+/// Whether each sender has its tally, each frame heard its sender, and the tally so many runs.
+bool fits_arena(const Arena& arena, const ArenaRuns& runs, std::uint32_t n);
 
 /// Lost of sent, with the interval of runs as clusters.
 Estimate frame_loss(const SenderTally& tally);

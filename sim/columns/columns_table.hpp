@@ -66,7 +66,10 @@ class PointTable {
   std::string head() const { return table_head(headings_); }
   std::string row(const Point& point) const {
     std::vector<std::string> texts = coordinate_texts(axes_, point.coordinates);
-    for (const Cell& cell : cells_) texts.push_back(cell_text(cell.column, point, cell.element));
+    for (const Cell& cell : cells_)
+      texts.push_back(point.reached() || cell.column.is_known_before
+                          ? cell_text(cell.column, point, cell.element)
+                          : "-");
     return table_line(headings_, texts);
   }
 

@@ -97,7 +97,7 @@ ExitCode merge_command(const MergeRequest& request) {
     run.shards.insert(run.shards.end(), file.shards.begin(), file.shards.end());
   std::ranges::sort(run.shards, comes_before);
   const ExperimentEngine& engine = engine_of(run.scenario);
-  if (!(*engine.ready(std::move(run)))())
+  if ((*engine.ready(std::move(run)))() != RunEnd::finished)
     say("cosys-sim: some points are unfinished (their shards were stopped) run those shards with "
         "--resume and merge again\n");
   return ExitCode::done;

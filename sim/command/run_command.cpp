@@ -135,10 +135,12 @@ ReadyRuns ready_runs(const RunRequest& request, ProcessGroup* processes) {
   return ready;
 }
 
-std::string farewell(const RunRequest& request) {
+std::string farewell(const RunRequest& request, bool kept_any) {
+  const char* const interrupted = "cosys-sim: interrupted (by a signal) ";
+  if (!kept_any) return std::string(interrupted) + "nothing was counted\n";
   return fmt::format(
-      "cosys-sim: interrupted (by a signal) what was counted is in the result file; "
-      "the same command with {}--resume goes on\n",
+      "{}what was counted is in the result file; the same command with {}--resume goes on\n",
+      interrupted,
       request.time_budget_s > 0 ? "what was chosen in place of --time-budget, and " : "");
 }
 
@@ -197,13 +199,14 @@ ExitCode run_command(const RunRequest& request) {
   });
   if (!ready || !agree(runs, processes.get())) return ExitCode::done;
   const RunCounters by{workers_of(request), processes.get()};
+  bool kept_any = false;
   for (std::unique_ptr<ReadyRun>& run : runs) {
     if (by.interrupted()) break;
-    (*run)();
+    kept_any |= (*run)() != RunEnd::nothing;
     run.reset();
   }
   if (!by.interrupted()) return ExitCode::done;
-  if (speaks(processes.get())) say(farewell(request));
+  if (speaks(processes.get())) say(farewell(request, kept_any));
   return ExitCode::interrupted;
 }
 

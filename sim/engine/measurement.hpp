@@ -28,8 +28,8 @@ struct Measurement {
   Estimate (*ratio)(const Setup&, const Tally&, double level);
   /// Puts what some runs gave, at least one, into a point.
   void (*describe)(Point&, const Setup&, const Tally&);
-  /// Whether a tally can be of this point: a file may be damaged. Null: any can.
-  bool (*fits)(const Setup&, const Tally&) = nullptr;
+  /// Whether a tally can be of so many runs of this point: a file may be damaged. Null: any can.
+  bool (*fits)(const Setup&, const Tally&, std::uint32_t runs) = nullptr;
 
   // ---- experiments whose runs are done in groups ----
 

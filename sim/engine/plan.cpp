@@ -61,8 +61,10 @@ double expected_runs(const RunPilot& pilot) {
   return std::min(next_look_at(std::max(runs, 1.0), pilot.group), static_cast<double>(pilot.runs));
 }
 
+/// The last round of the threads takes as long as another, however few have a group left.
 double expected_seconds(const RunPilot& pilot) {
-  return pilot.setup_s + expected_runs(pilot) * pilot.run_s;
+  const double round = static_cast<double>(pilot.threads) * pilot.group;
+  return pilot.setup_s + std::ceil(expected_runs(pilot) / round) * round * pilot.run_s;
 }
 
 double expected_seconds(const std::vector<RunPilot>& pilots) {

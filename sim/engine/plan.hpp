@@ -14,8 +14,9 @@ struct RunPilot {
   std::uint64_t runs = 0;   // that the point shall have at most
   StopRule rule{};          // of the run to come
   std::uint32_t group = 1;  // runs that are counted together
-  double setup_s = 0;       // to work the point out
-  double run_s = 0;         // of a run, by all threads
+  std::uint32_t threads = 1;
+  double setup_s = 0;  // to work the point out
+  double run_s = 0;    // wall-clock time over runs, where all threads have some to do
   // What so many runs gave:
   std::uint32_t counted = 0;
   Estimate ratio{};   // of rule.rel_ci, at 95 %

@@ -119,6 +119,7 @@ class RunCounting {
                    .runs = asked.all,
                    .rule = asked.rule,
                    .group = kind_.group,
+                   .threads = static_cast<std::uint32_t>(workers.threads),
                    .setup_s = watch.lap()};
     const auto [counted, seconds] = pilot_runs(asked, workers);
     if (counted.n == 0) return pilot;
@@ -183,25 +184,27 @@ class RunCounting {
                     "choose another file");
   }
 
-  /// Whether the shards are apart, and none has more runs than are its.
+  /// Whether the shards are those of this counting, none of them twice, and each can have so many
+  /// runs.
   bool fit(const Counted& counted) const {
     for (std::size_t i = 0; i < counted.size(); ++i) {
       std::vector<Shard> shards;
       for (const CountedRuns<Tally>& part : counted_[i]) shards.push_back(part.shard);
       for (const CountedRuns<Tally>& part : counted[i]) {
-        if (!is_shard(part.shard)) return false;
-        const std::uint32_t all = runs_in(part.shard, i).all;
-        if (part.n > all || (part.n < all && part.n % kind_.group != 0)) return false;
-        const auto overlaps = [&](const Shard& other) { return overlap(part.shard, other); };
-        if (std::ranges::any_of(shards, overlaps)) return false;
+        const bool is_known = std::ranges::find(shards_, part.shard) != shards_.end();
+        const bool is_twice = std::ranges::find(shards, part.shard) != shards.end();
+        if (!is_known || is_twice || !is_possible(part, runs_in(part.shard, i).all)) return false;
         shards.push_back(part.shard);
       }
     }
     return true;
   }
 
-  static bool is_shard(const Shard& shard) {
-    return shard.number >= 1 && shard.number <= shard.count && shard.count <= most_shards;
+  /// Whether `part` may have so many of all runs, and ended as it says.
+  bool is_possible(const CountedRuns<Tally>& part, std::uint32_t all) const {
+    if (part.n == all) return part.stop != StopReason::interrupted;
+    const bool is_end = part.stop == StopReason::max_frames || part.stop == StopReason::interrupted;
+    return part.n < all && part.n % kind_.group == 0 && !is_end && (part.n > 0 || !part.stop);
   }
 
   static CountedRuns<Tally>& insert(std::vector<CountedRuns<Tally>>& parts,
@@ -220,7 +223,7 @@ class RunCounting {
     preparing_s_ += watch.seconds();
     if (kind_.fits == nullptr || workers.interrupted()) return;
     for (const CountedRuns<Tally>& part : counted_[i])
-      if (!kind_.fits(*setup_, part.tally)) refuse_damage();
+      if (!kind_.fits(*setup_, part.tally, part.n)) refuse_damage();
   }
 
   CountedRuns<Tally>& part_of(const Shard& shard) {
@@ -252,15 +255,18 @@ class RunCounting {
     double seconds = 0;
   };
 
-  /// A batch of each thread, or more: as many as take so long that starting threads does not count.
+  /// A batch of each thread, or more: as many as take so long that starting threads does not count,
+  /// and of runs in groups four groups a thread, so that losses may be seen.
   TimedRuns pilot_runs(AskedRuns asked, const Workers& workers) {
     constexpr double long_enough_s = 0.02;
     constexpr std::uint32_t enough = 1U << 28U;
     const auto threads = static_cast<std::uint32_t>(workers.threads);
+    const std::uint32_t least = kind_.group > 1 ? 4 * kind_.group : 1;
     const std::uint32_t share = divided_up(divided_up(asked.all, threads), kind_.group);
-    const std::uint32_t batch = least_batch(kind_, *setup_, asked.all, workers.threads);
+    const std::uint32_t batch =
+        std::max(least, least_batch(kind_, *setup_, asked.all, workers.threads));
     asked.rule = {};
-    for (asked.all = threads * std::clamp(share * kind_.group, 1U, batch);; asked.all *= 4) {
+    for (asked.all = threads * std::clamp(share * kind_.group, least, batch);; asked.all *= 4) {
       const Stopwatch watch;
       TimedRuns runs;
       PointCounting<Setup, Tally, Point>(kind_, *setup_, asked, clock_)

@@ -34,7 +34,7 @@ void check_amount(const Scenario& point, const Shard& shard, std::uint32_t group
   const std::uint32_t runs = runs_asked_for(point);
   if (shard.count <= divided_up(runs, group)) return;
   const std::string unit = amount_unit(point);
-  throw bad_input(option, fmt::format("of {} {} none is left for it", runs, unit),
+  throw bad_input(option, fmt::format("{} {} are too few for {} shards", runs, unit, shard.count),
                   fmt::format("use fewer shards or more {}{}", unit,
                               group > 1 ? fmt::format(", at least {} for each", group) : ""));
 }

@@ -74,6 +74,8 @@ constinit const Measurement<FalseAcceptSetup, FalseAcceptTally, FalseAcceptPoint
             [](const FalseAcceptSetup& setup, const FalseAcceptTally& tally, double level) {
               return false_rate(tally, hours_of(setup, tally.n_runs), level);
             },
-        .describe = describe_false_accepts};
+        .describe = describe_false_accepts,
+        .fits = [](const FalseAcceptSetup&, const FalseAcceptTally& tally,
+                   std::uint32_t n) { return tally.n_runs == n; }};
 
 }  // namespace sim

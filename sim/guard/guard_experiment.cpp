@@ -72,8 +72,8 @@ constinit const Measurement<Guard, GuardRuns, GuardPoint> guard_measurement{
                 double level) { return frame_loss(runs.arena, level); },
     .describe = describe_guard,
     .fits =
-        [](const Guard& guard, const GuardRuns& runs) {
-          return fits_arena(guard.arena, runs.arena) &&
+        [](const Guard& guard, const GuardRuns& runs, std::uint32_t n) {
+          return fits_arena(guard.arena, runs.arena, n) &&
                  runs.tally.relays.size() == guard.arena.senders.size();
         }};
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,11 +45,7 @@ void add_counters(Columns<Point>& columns) {
 Column<Point>& add_operating(Columns<Point>& columns, VariableFacts facts,
                              double OperatingPoint::*figure, RealText text = significant(4)) {
   return columns.real(
-      std::move(facts),
-      [figure](const Point& p) {
-        return p.reached() ? p.operating.*figure : std::numeric_limits<double>::quiet_NaN();
-      },
-      std::move(text));
+      std::move(facts), [figure](const Point& p) { return p.operating.*figure; }, std::move(text));
 }
 
 void add_light(Columns<Point>& columns) {
@@ -71,8 +66,10 @@ void add_light(Columns<Point>& columns) {
 
 void add_bit_errors(Columns<Point>& columns) {
   columns.count({}, [](const Point& p) { return p.tally.n_frames; })
+      .known_before()
       .headed({{"", "", "frames"}, number_width});
   columns.count({}, [](const Point& p) { return p.tally.n_bit_errors; })
+      .known_before()
       .headed({{"", "bit", "errors"}, number_width});
   columns
       .ratio({"ber", "1", "bit error ratio"},
@@ -129,8 +126,7 @@ void add_marks(Columns<Point>& columns) {
       [](const Point& p) { return p.alarms; }, flag_names(alarms()));
   const auto reasons = stop_reason_names();
   add_stop_reason(columns, {reasons.begin(), reasons.end()});
-  columns.words({}, [](const Point& p) { return p.reached() ? closing_text(p) : "-"; })
-      .headed({{"", "", "stopped by"}, -1});
+  columns.words({}, closing_text).headed({{"", "", "stopped by"}, -1});
 }
 
 void add_spread(Columns<Point>& columns, const std::string& ratio, WeightedSum Weighted::*sum) {

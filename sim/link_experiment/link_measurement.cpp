@@ -1,6 +1,8 @@
 #include "sim/link_experiment/link_measurement.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -36,10 +38,22 @@ std::vector<LinkTally> run_link_groups(const LinkSetup& setup, std::uint32_t fir
   return groups;
 }
 
-bool fits_link(const LinkSetup&, const LinkTally& counted) {
+bool is_sound(const WeightedSum& sum) {
+  const double parts[] = {sum.sum, sum.squares, sum.largest, sum.group_squares};
+  return std::ranges::all_of(parts, [](double part) { return part >= 0 && std::isfinite(part); });
+}
+
+bool is_sound(const Weighted& weighted) {
+  const double groups = weighted.n_groups;
+  return (groups == 0 || (groups >= 1 && std::isfinite(groups))) && is_sound(weighted.bit_errors) &&
+         is_sound(weighted.frames_lost) && std::isfinite(weighted.dark_likelihood);
+}
+
+bool fits_link(const LinkSetup&, const LinkTally& counted, std::uint32_t frames) {
   const Tally& t = counted.sum.tally;
-  return t.n_frames_ok + t.n_frames_lost == t.n_frames && t.n_bit_errors <= t.n_bits &&
-         t.n_byte_errors <= t.n_bytes && t.n_frames_bit_errors <= t.n_frames;
+  return t.n_frames == frames && t.n_frames_ok + t.n_frames_lost == t.n_frames &&
+         t.n_frames_undetected <= t.n_frames && t.n_frames_bit_errors <= t.n_frames &&
+         t.n_bit_errors <= t.n_bits && t.n_byte_errors <= t.n_bytes && is_sound(t.weighted);
 }
 
 /// The alarms of rows across the grid.

@@ -21,10 +21,11 @@ constinit const Measurement<LocationBench, LocationTally, LocationPointRun> loca
     .describe = [](LocationPointRun& point, const LocationBench& bench,
                    const LocationTally& tally) { point.result = bench.summed(tally); },
     .fits =
-        [](const LocationBench&, const LocationTally& tally) {
-          return std::ranges::all_of(tally.trials, [](const LocationTrial& trial) {
-            return static_cast<std::size_t>(trial.outcome) < LocationTrials::outcomes;
-          });
+        [](const LocationBench&, const LocationTally& tally, std::uint32_t n) {
+          return tally.trials.size() == n &&
+                 std::ranges::all_of(tally.trials, [](const LocationTrial& trial) {
+                   return static_cast<std::size_t>(trial.outcome) < LocationTrials::outcomes;
+                 });
         }};
 
 }  // namespace sim

@@ -21,13 +21,13 @@ constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> pres
     .describe = [](PresencePointRun& point, const PresenceBench& bench,
                    const PresenceTally& tally) { point.result = bench.result(tally); },
     .fits =
-        [](const PresenceBench& bench, const PresenceTally& tally) {
+        [](const PresenceBench& bench, const PresenceTally& tally, std::uint32_t n) {
           const std::size_t thresholds = bench.no_trials().detections.size();
           const auto are_of = [&](const std::vector<std::uint64_t>& counts) {
             return counts.size() == thresholds &&
                    std::ranges::all_of(counts, [&](std::uint64_t n) { return n <= tally.trials; });
           };
-          return are_of(tally.detections) && are_of(tally.false_alarms);
+          return tally.trials == n && are_of(tally.detections) && are_of(tally.false_alarms);
         }};
 
 }  // namespace sim

@@ -28,7 +28,7 @@ void say_left_as_it_was(const ExperimentRun& run) {
 
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
               const ResultTexts& texts) {
-  if (data.n_runs == 0 && run.workers.interrupted()) return say_left_as_it_was(run);
+  if (data.n_runs == 0 && !run.counts_nothing) return say_left_as_it_was(run);
   keep_finished(
       run.output,
       [&](const std::filesystem::path& place) { write_dataset(place, data, run.program); },
@@ -36,8 +36,8 @@ void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
   rows.check();
   if (run.json) return print_json(texts.json() + "\n");
   if (run.plot) print(texts.plots());
-  print(texts.missing + shards_note(data.shards) + texts.notes);
-  if (!texts.details.empty()) print("\n" + texts.details);
+  print(texts.missing + shards_note(data.shards) + texts.notes());
+  if (const std::string details = texts.details(); !details.empty()) print("\n" + details);
   print(kept_line(run.output, dataset_digest(data)));
 }
 

@@ -35,6 +35,12 @@ struct ExperimentRun {
   bool speaks() const { return processes == nullptr || processes->rank() == 0; }
 };
 
+enum class RunEnd {
+  finished,    // all points
+  unfinished,  // what was counted is kept
+  nothing      // nothing was counted, and the file is as it was
+};
+
 /// A run before its first trial: what it goes on with is read, what can be refused is refused.
 class ReadyRun {
  public:
@@ -45,8 +51,8 @@ class ReadyRun {
 
   /// What it starts from, for the members of a process group to compare.
   virtual std::string start() const = 0;
-  /// Runs, says and writes; whether all points are finished.
-  virtual bool operator()() = 0;
+  /// Runs, says and writes.
+  virtual RunEnd operator()() = 0;
 };
 
 /// What the commands ask of an experiment, whatever its points are. All throw Failure.
@@ -85,11 +91,11 @@ struct ResultTexts {
   std::function<std::string()> json;
   std::function<std::string()> plots;  // if they are asked for
   std::string missing;                 // what was not counted
-  std::string notes, details;
+  std::function<std::string()> notes, details;
 };
 
-/// Writes a result and says what is in it: as JSON, or by the other texts and the digest. Where an
-/// interrupt came before anything was measured, the file stays as it was.
+/// Writes a result and says what is in it: as JSON, or by the other texts and the digest. The texts
+/// are made when it is written. A run that counted nothing leaves the file as it was.
 void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
               const ResultTexts& texts);
 

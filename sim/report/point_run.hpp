@@ -48,7 +48,7 @@ class PointRun : public ReadyRun {
     return run_.scenario.text + digest_of(counting_.checkpoint());
   }
 
-  bool operator()() override {
+  RunEnd operator()() override {
     const RunCounters by{run_.workers, run_.processes};
     counting_.describe_all(run_.workers);
     if (by.interrupted()) return leave_as_it_was();
@@ -56,14 +56,15 @@ class PointRun : public ReadyRun {
     if (!run_.counts_nothing) rows_.check();  // the last result stays
     for (std::size_t i = 0; i < counting_.points().size(); ++i) {
       take_point(i, by);
-      if (counting_.points()[i].reached()) end_point(i);
+      if (counting_.points()[i].reached() || run_.counts_nothing) end_point(i);
       if (by.any(rows_.have_failed())) break;  // whoever read them has seen enough
     }
     counting_.describe_sweep();
     const std::size_t all = counting_.points().size();
     const std::size_t finished = counting_.n_finished();
     if (run_.speaks()) end(unfinished_note(all, finished, counting_.n_begun()));
-    return finished == all;
+    if (counting_.n_begun() == 0) return RunEnd::nothing;
+    return finished == all ? RunEnd::finished : RunEnd::unfinished;
   }
 
  private:
@@ -104,8 +105,11 @@ class PointRun : public ReadyRun {
                   },
               .plots = [&] { return charts_as_text(charts(data)); },
               .missing = missing,
-              .notes = report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data),
-              .details = details()});
+              .notes =
+                  [&] {
+                    return report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data);
+                  },
+              .details = [&] { return details(); }});
     writing_s_ += watch.seconds();
     if (run_.profile) say(profile_text());
   }
@@ -118,9 +122,9 @@ class PointRun : public ReadyRun {
     writing_s_ += watch.seconds();
   }
 
-  bool leave_as_it_was() const {
+  RunEnd leave_as_it_was() const {
     if (run_.speaks()) say_left_as_it_was(run_);
-    return false;
+    return counting_.n_begun() == 0 ? RunEnd::nothing : RunEnd::unfinished;
   }
 
   SweptPoints<Point> swept() const {
@@ -153,8 +157,11 @@ class PointRun : public ReadyRun {
   std::string profile_text() const {
     RunProfile profile = counting_.profile();
     profile.writing_s = writing_s_;
-    return profile_lines(profile) +
-           (report_.profile != nullptr ? report_.profile(counting_.points()) : "");
+    const bool is_shared = run_.processes != nullptr;
+    std::string text = (is_shared ? "of the first process\n" : "") + profile_lines(profile);
+    if (report_.profile != nullptr)
+      text += (is_shared ? "of all processes\n" : "") + report_.profile(counting_.points());
+    return text;
   }
 
   const ExperimentRun run_;

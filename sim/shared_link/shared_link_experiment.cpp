@@ -30,9 +30,9 @@ constinit const Measurement<SharedLinkSetup, SharedLinkTally, SharedLinkPoint>
                     double level) { return cautious_ratio(tally.losses, level); },
         .describe = describe_shared_link,
         .fits =
-            [](const SharedLinkSetup&, const SharedLinkTally& tally) {
-              return tally.losses.is_sound() && tally.direction[0].losses.is_sound() &&
-                     tally.direction[1].losses.is_sound();
+            [](const SharedLinkSetup&, const SharedLinkTally& tally, std::uint32_t n) {
+              return tally.n_runs == n && tally.losses.is_sound() &&
+                     tally.direction[0].losses.is_sound() && tally.direction[1].losses.is_sound();
             }};
 
 }  // namespace sim

@@ -110,8 +110,7 @@ TEST_F(ArenaProgram, AnInterruptBeforeAllLeavesTheResultThatIsThere) {
   EXPECT_EQ(o.err,
             "cosys-sim: stopping (signal) once more to stop at once\n"
             "a.h5: nothing was finished, the file is left as it was\n"
-            "cosys-sim: interrupted (by a signal) what was counted is in the result file; the same "
-            "command with --resume goes on\n");
+            "cosys-sim: interrupted (by a signal) nothing was counted\n");
   EXPECT_EQ(content(path("a.h5")), before);
 }
 

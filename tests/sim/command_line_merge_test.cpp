@@ -126,7 +126,7 @@ TEST_F(Merge, RefusesWhatCannotBeSharedOut) {
         {"run", "s.toml", "--shard", shard}, 2,
         std::string("--shard: ") + shard + wrong + " (wrong usage) see cosys-sim run --help");
   expect_refused({"run", "s.toml", "--shard", "1/16"}, 2,
-                 "--shard 1/16 (of 16 frames none is left for it) use fewer shards or more "
+                 "--shard 1/16 (16 frames are too few for 16 shards) use fewer shards or more "
                  "frames, at least 8 for each");
   expect_refused({"run", "s.toml", "--shard", "1/2", "--rel-ci", "0.1"}, 2,
                  "--shard 1/2 (--rel-ci and --target-flr need the counts of all shards) use "

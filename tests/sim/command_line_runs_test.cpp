@@ -26,6 +26,12 @@ class Runs : public CommandLine {
     return {"run", "s.toml", "-q", "--set", std::string((*kind)->amount) + "=" + n};
   }
 
+  /// Until a run has written its first checkpoint.
+  void wait_for_result() const {
+    for (int i = 0; i < 600 && !std::filesystem::exists(path("s.h5")); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+
   Outcome with(Words words, const Words& more) const {
     words.insert(words.end(), more.begin(), more.end());
     return program(words);
@@ -108,8 +114,7 @@ TEST_F(Runs, KillsChangeNothing) {
 TEST_F(Runs, AKilledRunLeavesWhatItCounted) {
   const Words run = runs_of(small_experiments[3], "300000");
   Running running = start_program(run);
-  for (int i = 0; i < 600 && !std::filesystem::exists(path("s.h5")); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  wait_for_result();
   running.finish(SIGKILL);
   const std::string counted = values("s.h5", "n_trials");
   EXPECT_NE(counted.substr(0, 2), "0,") << counted;
@@ -118,7 +123,7 @@ TEST_F(Runs, AKilledRunLeavesWhatItCounted) {
 
 TEST_F(Runs, AnInterruptSaysHowToGoOn) {
   Running running = start_program(runs_of(small_experiments[3], "3000000"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  wait_for_result();
   const Outcome o = running.finish(SIGTERM);
   EXPECT_EQ(o.code, 130);
   EXPECT_NE(o.err.find("what was counted is in the result file; the same command with --resume "
@@ -166,7 +171,7 @@ TEST_F(Runs, RefusesWhatDoesNotBelongTogether) {
   Words few = run;
   few.insert(few.end(), {"--shard", "1/7"});
   expect_refused(few, 2,
-                 "--shard 1/7 (of 6 runs none is left for it) use fewer shards or more runs");
+                 "--shard 1/7 (6 runs are too few for 7 shards) use fewer shards or more runs");
 }
 
 // Each byte in turn may be damaged: it is refused, or the damage is none of the counts.

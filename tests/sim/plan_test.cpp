@@ -63,6 +63,16 @@ TEST(Plan, ExpectsTheNextLookOfTheRule) {
   EXPECT_EQ(expected_runs(pilot), 100) << "nothing was seen";
 }
 
+// The last round of the threads is a whole one.
+TEST(Plan, TellsTheTimeByRounds) {
+  RunPilot pilot{.coordinates = {}, .runs = 1, .threads = 4, .setup_s = 1, .run_s = 0.5};
+  EXPECT_EQ(expected_seconds(pilot), 3);
+  pilot.runs = 4;
+  EXPECT_EQ(expected_seconds(pilot), 3);
+  pilot.runs = 5;
+  EXPECT_EQ(expected_seconds(pilot), 5);
+}
+
 // 1000 drawn frames that are all lost are worth half if half of the weights are small.
 TEST(Plan, ExpectsOfWeightedLossesWhatTheyAreWorth) {
   Tally tally = lost_of_1000(1000);
