@@ -27,8 +27,10 @@ void add_sums(Columns<Point>& columns) {
   add_message_columns(columns, {"total_frame_loss", "1", "of all devices together"},
                       [](const Point& p) { return together(p); })
       .drawn({"Frame loss", "frame loss ratio (FLR)", true});
-  columns.count({"n_frames_false", "1", "frames accepted, none sent"},
-                [](const Point& p) { return p.tally.n_false; });
+  columns
+      .count({"n_frames_false", "1", "frames accepted, none sent"},
+             [](const Point& p) { return p.tally.n_false; })
+      .called("accepted, never sent");
   columns.count({"total_runs_heard", "1", "runs with any delivered"},
                 [](const Point& p) { return p.tally.any.n_runs_heard; });
 }
@@ -63,8 +65,8 @@ void add_latency_and_load(Columns<Point>& columns) {
 // ---- devices ----
 
 void add_device_counts(Columns<Point>& columns) {
-  const auto count = [&](VariableFacts facts, auto read) {
-    columns
+  const auto count = [&](VariableFacts facts, auto read) -> Column<Point>& {
+    return columns
         .count(std::move(facts),
                [read](const Point& p, std::size_t i) { return read(p.tally.senders[i]); })
         .on({"device"});
@@ -78,8 +80,9 @@ void add_device_counts(Columns<Point>& columns) {
         [](const T& t) { return t.n_overlapped; });
   count({"n_captured", "1", "of those, delivered all the same"},
         [](const T& t) { return t.n_captured; });
-  count({"n_runs_heard", "1", "runs with a message delivered"},
-        [](const T& t) { return t.latency.n_runs_heard; });
+  count({"n_runs_heard", "1", "runs with a message delivered"}, [](const T& t) {
+    return t.latency.n_runs_heard;
+  }).called("heard in runs");
   for (std::size_t f = 0; f < loss_causes; ++f)
     count({"n_" + std::string(loss_cause_names[f].name), "1",
            "messages by what became of them: " + std::string(loss_cause_names[f].words)},
@@ -87,8 +90,9 @@ void add_device_counts(Columns<Point>& columns) {
 }
 
 void add_device_reals(Columns<Point>& columns) {
-  const auto real = [&](VariableFacts facts, double (*read)(const Point&, const SenderTally&)) {
-    columns
+  const auto real = [&](VariableFacts facts,
+                        double (*read)(const Point&, const SenderTally&)) -> Column<Point>& {
+    return columns
         .real(std::move(facts),
               [read](const Point& p, std::size_t i) { return read(p, p.tally.senders[i]); })
         .on({"device"});
@@ -96,18 +100,21 @@ void add_device_reals(Columns<Point>& columns) {
   columns
       .ratio({"frame_loss", "1", "messages sent and not delivered over those sent"},
              [](const Point& p, std::size_t i) { return frame_loss(p.tally.senders[i]); })
-      .on({"device"});
+      .on({"device"})
+      .called("frame loss ratio");
   real({"offered_load", "1", "share of time in which messages in reach are in the air"},
        offered_load);
   real({"throughput", "1", "share of time of messages delivered"}, throughput);
   real({"latency_mean_s", "s", "mean time to the end of the first message delivered"},
-       [](const Point&, const SenderTally& t) { return t.latency.mean_s(); });
+       [](const Point&, const SenderTally& t) { return t.latency.mean_s(); })
+      .called("first after");
   real({"latency_max_s", "s", "longest of those times"},
        [](const Point&, const SenderTally& t) { return t.latency.worst_s(); });
   columns
       .real({"irradiance_mw_per_m2", "mW/m2", "highest irradiance along the way"},
             [](const Point& p, std::size_t i) { return p.senders[i].highest_irradiance; })
-      .on({"device"});
+      .on({"device"})
+      .called("highest irradiance");
 }
 
 // ---- frames heard ----

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/arena/arena_columns.hpp"
 #include "sim/arena/sender.hpp"
 #include "sim/arena/trajectory.hpp"
 #include "sim/loading/point_scenario.hpp"
@@ -16,6 +17,7 @@
 #include "sim/result/place_text.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/section/dataset_cells.hpp"
+#include "sim/section/dataset_table.hpp"
 
 namespace sim {
 namespace {
@@ -118,12 +120,14 @@ std::vector<PlanDots> dots_of(const std::vector<HeardMessage>& heard,
 }
 
 PageTable table_of(const std::vector<Sender>& senders, const Dataset& data, std::size_t point) {
-  PageTable table{.head = {"device", "x [m]", "y [m]", "highest irradiance [mW/m2]",
-                           "messages sent", "delivered", "frame loss ratio"},
-                  .rows = {}};
+  PageTable table{.head = {"device", "x [m]", "y [m]"}, .rows = {}};
   std::vector<DeviceCells> columns;
-  for (const char* name : {"irradiance_mw_per_m2", "n_sent", "n_delivered", "frame_loss"})
-    columns.emplace_back(data, name, point);
+  for (const DatasetColumn& column :
+       headed_columns(data, arena_columns().facts(),
+                      {"irradiance_mw_per_m2", "n_messages_sent", "n_delivered", "frame_loss"})) {
+    table.head.push_back(column.head);
+    columns.emplace_back(data, column.name, point);
+  }
   for (const Sender& s : senders) {
     table.rows.push_back({s.name, fmt::format("{:.3g}", s.x_m), fmt::format("{:.3g}", s.y_m)});
     for (const DeviceCells& column : columns) table.rows.back().push_back(column.text(s.name));

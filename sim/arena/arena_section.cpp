@@ -118,19 +118,15 @@ void add_arena_charts(ReportSection& report, const Dataset& data) {
     report.sections.push_back(map_section("frame-loss-map", map));
 }
 
-std::vector<DatasetColumn> device_table_columns() {
-  std::vector<DatasetColumn> columns{{"irradiance_mw_per_m2", "highest irradiance [mW/m2]"}};
-  add_message_columns(columns, "", "delivered");
-  columns.push_back({"n_runs_heard", "heard in runs"});
-  columns.push_back({"latency_mean_s", "first after [s]"});
-  return columns;
-}
-
-std::vector<DatasetColumn> point_table_columns() {
-  std::vector<DatasetColumn> columns{{"n_runs", "runs"}, {"n_devices", "devices"}};
-  add_message_columns(columns, "total_", "delivered");
-  add_load_columns(columns);
-  return columns;
+MessageTables tables_of(const Dataset& data) {
+  std::vector<std::string> devices{"irradiance_mw_per_m2"}, points{"n_runs", "n_devices"};
+  add_message_columns(devices, "");
+  devices.insert(devices.end(), {"n_runs_heard", "latency_mean_s"});
+  add_message_columns(points, "total_");
+  add_load_columns(points);
+  const std::vector<ColumnFacts> columns = arena_columns().facts();
+  return {arena_losses(), headed_columns(data, columns, devices),
+          headed_columns(data, columns, points)};
 }
 
 }  // namespace
@@ -142,24 +138,15 @@ std::vector<CountedKind> arena_losses() {
   return losses;
 }
 
-void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
-                         const std::string& delivered) {
-  for (const auto& [name, head] : {std::pair<const char*, std::string>{"n_sent", "messages sent"},
-                                   {"n_in_reach", "in reach"},
-                                   {"n_overlapped", "overlapped"},
-                                   {"n_captured", "captured"},
-                                   {"n_delivered", delivered},
-                                   {"frame_loss", "frame loss ratio"}})
-    columns.push_back({of + name, head});
+void add_message_columns(std::vector<std::string>& names, const std::string& of) {
+  for (const char* name :
+       {"n_messages_sent", "n_in_reach", "n_overlapped", "n_captured", "n_delivered", "frame_loss"})
+    names.push_back(of + name);
 }
 
-void add_load_columns(std::vector<DatasetColumn>& columns) {
-  for (const auto& [name, head] : {std::pair{"total_latency_mean_s", "first after [s]"},
-                                   {"total_offered_load", "offered load G"},
-                                   {"total_throughput", "throughput S"},
-                                   {"pure_aloha_throughput", "pure ALOHA S"},
-                                   {"n_frames_false", "accepted, never sent"}})
-    columns.push_back({name, head});
+void add_load_columns(std::vector<std::string>& names) {
+  names.insert(names.end(), {"total_latency_mean_s", "total_offered_load", "total_throughput",
+                             "pure_aloha_throughput", "n_frames_false"});
 }
 
 ReportSection section_of_messages(const std::string& name, StoredDataset stored,
@@ -179,8 +166,7 @@ ReportSection section_of_messages(const std::string& name, StoredDataset stored,
 }
 
 ReportSection arena_section(const std::string& name, const StoredDataset& stored) {
-  ReportSection report = section_of_messages(
-      name, stored, {arena_losses(), device_table_columns(), point_table_columns()});
+  ReportSection report = section_of_messages(name, stored, tables_of(stored.data));
   if (!stored.data.axes.empty())
     report.summary += extremes(stored.data, "total_throughput", "Throughput");
   return report;

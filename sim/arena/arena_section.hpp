@@ -19,12 +19,11 @@ struct MessageTables {
   std::vector<DatasetColumn> devices, points;
 };
 
-/// Columns that `run` prints of messages, from those sent to frame loss. `of`: "" of each device,
-/// "total_" of all; `delivered`: what delivery is called.
-void add_message_columns(std::vector<DatasetColumn>& columns, const std::string& of,
-                         const std::string& delivered);
-/// Columns of a point from the first message on: load, throughput, false messages.
-void add_load_columns(std::vector<DatasetColumn>& columns);
+/// Names of columns of messages, from those sent to frame loss. `of`: "" of each device, "total_"
+/// of all.
+void add_message_columns(std::vector<std::string>& names, const std::string& of);
+/// Names of columns of a point from the first message on: load, throughput, false messages.
+void add_load_columns(std::vector<std::string>& names);
 
 /// Maps, what became of the messages, frame loss, all devices.
 ReportSection section_of_messages(const std::string& name, StoredDataset stored,

@@ -27,8 +27,10 @@ void add_sent(Dataset& data) {
   for (std::size_t i = 0; i < all.size(); ++i)
     sent.push_back(static_cast<std::int64_t>(all.count(i)) -
                    static_cast<std::int64_t>(silent.count(i)));
-  data.variables.push_back(
-      {{"n_sent", "1", "messages but for silent spells"}, true, {"device"}, std::move(sent)});
+  data.variables.push_back({{"n_messages_sent", "1", "messages but for silent spells"},
+                            true,
+                            {"device"},
+                            std::move(sent)});
 }
 
 Counts sums_of(const Dataset& data, const Dataset::Variable& variable) {

@@ -1,7 +1,6 @@
 #pragma once
 // The columns of a result. A column is declared once: its name, unit and meaning, its heading, and
-// how it is read of a point. The terminal's table, HDF5, JSON and the page, but for a link's, are
-// made of it.
+// how it is read of a point. The terminal's table, HDF5, JSON and the page are made of it.
 #include <algorithm>
 #include <cassert>
 #include <concepts>
@@ -39,8 +38,11 @@ struct ColumnFacts {
   VariableFacts facts;              // no name: the column is in the terminal's table only
   std::vector<std::string> over{};  // its dimensions besides the axes, by their names
   TextColumn heading{{}, 0};        // of width 0: the column is not in the terminal's table
+  /// In the tables of a page, without its unit; empty: the heading in one line, or else the name.
+  std::string page_heading{};
   std::optional<DrawnColumn> drawing{};
   bool is_text = false;
+  RealText real_text{};  // of real numbers: how they are written in tables
   /// In the table of points: a column for each element of its one dimension, so headed.
   std::function<TextColumn(const Label&, std::size_t element)> spread{};
   /// Before the first run; otherwise a point without runs has 0 (counts) or NaN (reals).
@@ -65,7 +67,6 @@ struct Column : ColumnFacts {
   /// NaN is not known.
   struct Real {
     Reader<double> read;
-    RealText text;
   };
   /// Stored with the ends of its interval, as NAME_ci_low and NAME_ci_high.
   struct Ratio {
@@ -101,6 +102,10 @@ struct Column : ColumnFacts {
   }
   Column& headed(const TextColumn& names_and_width) {
     heading = names_and_width;
+    return *this;
+  }
+  Column& called(const std::string& on_page) {
+    page_heading = on_page;
     return *this;
   }
   Column& spread_as(const std::function<TextColumn(const Label&, std::size_t)>& heading_of) {
@@ -151,8 +156,10 @@ class Columns {
   }
   template <class Read>
   Column<Point>& real(VariableFacts facts, Read read, RealText text = significant(4)) {
-    return add(std::move(facts),
-               typename Column<Point>::Real{reader<double>(std::move(read)), std::move(text)});
+    Column<Point>& column =
+        add(std::move(facts), typename Column<Point>::Real{reader<double>(std::move(read))});
+    column.real_text = std::move(text);
+    return column;
   }
   template <class Read>
   Column<Point>& ratio(VariableFacts facts, Read read,
@@ -207,7 +214,13 @@ class Columns {
     }
   }
 
+  /// The one that is stored by that name, which is among them.
+  Column<Point>& stored(const std::string& name) {
+    return *std::ranges::find(columns_, name, [](const auto& c) { return c.facts.name; });
+  }
+
   const std::vector<Column<Point>>& all() const { return columns_; }
+  std::vector<ColumnFacts> facts() const { return {columns_.begin(), columns_.end()}; }
   const std::vector<ColumnDimension<Point>>& dimensions() const { return dimensions_; }
   /// The one of that name, which is among them.
   const ColumnDimension<Point>& dimension_of(const std::string& name) const {
@@ -245,7 +258,7 @@ class Columns {
           if constexpr (std::is_same_v<Held, typename From::Count>)
             return typename To::Count{kind.read};
           else if constexpr (std::is_same_v<Held, typename From::Real>)
-            return typename To::Real{kind.read, kind.text};
+            return typename To::Real{kind.read};
           else if constexpr (std::is_same_v<Held, typename From::Ratio>)
             return typename To::Ratio{kind.read, kind.text};
           else if constexpr (std::is_same_v<Held, typename From::Words>)

@@ -28,6 +28,8 @@ std::string cell_text(const Column<Point>& column, const Point& point, std::size
           return value;
         else if constexpr (std::is_same_v<Held, typename Column<Point>::Choice>)
           return value ? kind.names.at(*value) : "-";
+        else if constexpr (std::is_same_v<Held, typename Column<Point>::Real>)
+          return column.real_text(value);
         else
           return kind.text(value);
       },

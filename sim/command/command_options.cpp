@@ -9,6 +9,7 @@
 
 #include "sim/command/read_usage.hpp"
 #include "sim/counting/shard.hpp"
+#include "sim/loading/parsed_scenario.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/sweep.hpp"
@@ -166,9 +167,17 @@ void add_threads(CLI::App& app, int& threads) {
       ->check(CLI::Range(1, 1024).description(""));
 }
 
-void add_max_frames(CLI::App& app, ScenarioOptions& options) {
-  add_short_form(app, "-n,--max-frames", "stop.max_frames", options.overrides,
-                 "frames after which a point is finished");
+void add_amount(CLI::App& app, ScenarioOptions& options) {
+  const std::string names = "-n,--max-frames";
+  app.add_option_function<std::string>(
+         names,
+         [&options](const std::string& value) {
+           check_short_form("stop.max_frames", value, "in --max-frames");
+           options.overrides.push_back(std::string(amount_option) + value);
+         },
+         "frames after which a point is finished (the key stop.max_frames); of other experiments "
+         "runs (arena.runs) or windows (presence.trials)")
+      ->type_name("N");
 }
 
 }  // namespace sim

@@ -55,6 +55,6 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options);
 
 void add_protocol(CLI::App& app, std::string& protocol);
 void add_threads(CLI::App& app, int& threads);
-void add_max_frames(CLI::App& app, ScenarioOptions& options);
+void add_amount(CLI::App& app, ScenarioOptions& options);
 
 }  // namespace sim

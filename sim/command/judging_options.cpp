@@ -145,7 +145,7 @@ void add_baseline(CLI::App& app, BaselineRequest& request) {
               "if not given, that of OUT.h5, else uart.receiver of the scenario");
   add_scenario_options(baseline, request.options);
   add_threads(baseline, request.threads);
-  add_max_frames(baseline, request.options);
+  add_amount(baseline, request.options);
   baseline.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   baseline.footer(
       "Each point has as many frames as stop.max_frames says. Example: cosys-sim baseline "
@@ -174,7 +174,7 @@ void add_compare(CLI::App& app, CompareRequest& request) {
       ->check(between(1e-12, 0.1));
   add_scenario_options(compare, request.options);
   add_threads(compare, request.threads);
-  add_max_frames(compare, request.options);
+  add_amount(compare, request.options);
   compare.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   compare.add_flag("--json", request.json, "one JSON object on stdout, not the table");
   compare.footer(

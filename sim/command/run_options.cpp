@@ -14,7 +14,7 @@ void add_run(CLI::App& app, RunRequest& request) {
             "scenario's name ending in .h5, in the current folder");
   add_scenario_options(run, request.options);
   add_threads(run, request.threads);
-  add_max_frames(run, request.options);
+  add_amount(run, request.options);
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
   add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
@@ -50,7 +50,7 @@ void add_run(CLI::App& app, RunRequest& request) {
                    "from a few trials of it, and stop there")
           ->excludes("--resume");
   run.add_option("--time-budget", request.time_budget_s,
-                 "choose --max-frames (or how many runs) so that a scenario takes about so long: "
+                 "choose --max-frames so that a scenario takes about so long: "
                  "90s, 10min, 2h")
       ->type_name("TIME")
       ->transform(a_time())
@@ -121,7 +121,7 @@ void add_find(CLI::App& app, FindRequest& request) {
             "result file (HDF5) of all points looked at; SCENARIO-find.h5 if not given");
   add_scenario_options(find, request.options);
   add_threads(find, request.threads);
-  add_max_frames(find, request.options);
+  add_amount(find, request.options);
   find.add_flag("--json", request.json, "one JSON object on stdout, not the table");
   find.footer("Example: cosys-sim find scenarios/quickstart.toml --over receiver.range_m");
 }

@@ -24,9 +24,7 @@ LoadedScenario within_budget(const RunRequest& request, const LoadedScenario& sc
   if (workers.interrupted()) return scenario;
   ScenarioOptions options = request.options;
   options.overrides.push_back(fmt::format("{}={}", key, amount));
-  say(fmt::format("cosys-sim: {}: {} chosen\n", scenario.path.string(),
-                  key == "stop.max_frames" ? fmt::format("--max-frames {}", amount)
-                                           : fmt::format("--set {}={}", key, amount)));
+  say(fmt::format("cosys-sim: {}: --max-frames {} chosen\n", scenario.path.string(), amount));
   return load_with(options, scenario.path);
 }
 

@@ -112,8 +112,8 @@ class PointCounting {
              .group = kind_.group},
             [this](std::uint32_t first, int n, const std::atomic<bool>* over) {
               const Stopwatch watch;
-              auto spans =
-                  kind_.run_groups != nullptr ? groups(first, n, over) : looks(first, n, over);
+              Spans spans = kind_.run_groups != nullptr ? kind_.run_groups(setup_, first, n, over)
+                                                        : looks(first, n, over);
               clock_.running_s += watch.seconds();
               clock_.n_runs += static_cast<std::uint64_t>(n);
               return spans;
@@ -121,16 +121,6 @@ class PointCounting {
   }
 
   using Spans = typename OrderedRuns<Tally>::Spans;
-
-  Spans groups(std::uint32_t first, int n, const std::atomic<bool>* over) const {
-    Spans spans;
-    auto left = static_cast<std::uint32_t>(n);
-    for (Tally& group : kind_.run_groups(setup_, first, n, over)) {
-      spans.push_back({std::min(kind_.group, left), std::move(group)});
-      left -= spans.back().n;
-    }
-    return spans;
-  }
 
   /// A span for each look of the rule.
   Spans looks(std::uint32_t first, int n, const std::atomic<bool>* over) const {

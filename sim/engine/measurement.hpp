@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/counting/statistics.hpp"
+#include "sim/engine/run_span.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/threads/parallel_runs.hpp"
 
@@ -35,9 +36,9 @@ struct Measurement {
 
   /// A batch is whole groups, and a stop rule looks behind each.
   std::uint32_t group = 1;
-  /// In place of `run`, so that is null: a tally of each group. The last group may be smaller.
-  std::vector<Tally> (*run_groups)(const Setup&, std::uint32_t first, int n,
-                                   const std::atomic<bool>* stop) = nullptr;
+  /// In place of `run`, so that is null: a span of each group. The last group may be smaller.
+  std::vector<RunSpan<Tally>> (*run_groups)(const Setup&, std::uint32_t first, int n,
+                                            const std::atomic<bool>* stop) = nullptr;
   /// The smallest batch of a thread: batches are small at the start and at the end. Null:
   /// most_at_once.
   std::uint32_t (*least_at_once)(const Setup&) = nullptr;

@@ -11,6 +11,7 @@
 
 #include "sim/engine/checkpoint_bytes.hpp"
 #include "sim/engine/process_group.hpp"
+#include "sim/engine/run_span.hpp"
 #include "sim/threads/parallel_runs.hpp"
 #include "sim/threads/stopwatch.hpp"
 
@@ -25,18 +26,6 @@ struct RunCounters {
   bool any(bool mine) const { return processes != nullptr ? processes->any(mine) : mine; }
   /// Whether any was told to stop.
   bool interrupted() const { return any(workers.interrupted()); }
-};
-
-/// What some runs in a row counted.
-template <class Tally>
-struct RunSpan {
-  std::uint32_t n = 0;
-  Tally tally{};
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(n, tally);
-  }
 };
 
 template <class Tally>

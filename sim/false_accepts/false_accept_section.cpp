@@ -49,18 +49,13 @@ std::vector<CountedKind> line_kinds(bool of_sender) {
   return kinds;
 }
 
-std::vector<DatasetColumn> columns(bool of_sender) {
-  std::vector<DatasetColumn> columns{{"line_h", "line [h]"}};
+std::vector<std::string> table_columns(bool of_sender) {
+  std::vector<std::string> names{"line_h"};
   if (of_sender)
-    columns.insert(columns.end(), {{"n_frames", "messages sent"},
-                                   {"n_frames_ok", "accepted as sent"},
-                                   {"n_frames_undetected", "undetected errors"},
-                                   {"undetected_per_hour", "undetected errors an hour"}});
-  columns.insert(columns.end(), {{"n_frames_false", "false accepts"},
-                                 {"false_per_hour", "false accepts an hour"},
-                                 {"n_rejected", "lines refused"},
-                                 {"n_characters", "characters read"}});
-  return columns;
+    names.insert(names.end(),
+                 {"n_frames", "n_frames_ok", "n_frames_undetected", "undetected_per_hour"});
+  names.insert(names.end(), {"n_frames_false", "false_per_hour", "n_rejected", "n_characters"});
+  return names;
 }
 
 }  // namespace
@@ -77,7 +72,9 @@ ReportSection false_accept_section(const std::string& name, const StoredDataset&
       "lines",
       point_shares(data, "What became of the lines that ended",
                    "lines by what the decoder made of them", line_kinds(has_sender(data)))));
-  add_closing(report, data, columns(has_sender(data)));
+  add_closing(
+      report, data,
+      headed_columns(data, false_accept_columns().facts(), table_columns(has_sender(data))));
   return report;
 }
 

@@ -57,16 +57,19 @@ void add_devices(Columns<Point>& columns) {
       columns, {"device"},
       [](const Point& p, std::size_t i) -> const SenderTally& { return p.tally.senders[i]; },
       relay_of);
-  const auto count = [&](VariableFacts facts, std::uint64_t RelayTally::*member) {
-    columns
+  const auto count = [&](VariableFacts facts, std::uint64_t RelayTally::*member) -> Column<Point>& {
+    return columns
         .count(std::move(facts),
                [=](const Point& p, std::size_t i) { return relay_of(p, i).*member; })
         .on({"device"});
   };
   count({"n_replaced", "1", "messages replaced before they were passed on"},
-        &RelayTally::n_replaced);
-  count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &RelayTally::n_lost);
-  count({"n_known", "1", "messages that the base station got to know"}, &RelayTally::n_known);
+        &RelayTally::n_replaced)
+      .called("replaced by a newer one");
+  count({"n_sharedlink_lost", "1", "messages lost between guard and base"}, &RelayTally::n_lost)
+      .called("lost by SharedLink");
+  count({"n_known", "1", "messages that the base station got to know"}, &RelayTally::n_known)
+      .called("known to the base");
   add_age_columns(
       columns,
       {.prefix = "",
@@ -82,8 +85,10 @@ void add_line(Columns<Point>& columns) {
     return columns.count(std::move(facts), [=](const Point& p) { return p.relayed.*member; });
   };
   count({"n_shared_messages_sent", "1", "SharedLink messages sent by guard and base"},
-        &GuardTally::n_sent);
-  count({"n_shared_messages_accepted", "1", "of those, accepted"}, &GuardTally::n_accepted);
+        &GuardTally::n_sent)
+      .called("sent by SharedLink");
+  count({"n_shared_messages_accepted", "1", "of those, accepted"}, &GuardTally::n_accepted)
+      .called("accepted by SharedLink");
   count({"n_queries", "1", "questions that the base station asked"}, &GuardTally::n_asked)
       .headed({{"questions", "", "asked"}, 9});
   count({"n_queries_answered", "1", "of those, answered"}, &GuardTally::n_answered)
@@ -96,6 +101,7 @@ void add_line(Columns<Point>& columns) {
 Columns<Point> made_columns() {
   Columns<Point> columns;
   columns.add_stored(arena_variables());
+  columns.stored("n_delivered").called("heard by the guard");
   add_points(columns);
   add_devices(columns);
   add_line(columns);

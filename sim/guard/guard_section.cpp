@@ -112,18 +112,10 @@ std::string ages_of(const Dataset& data) {
   return text;
 }
 
-/// Columns that `run` prints of ages. `of`: "" of each device, "total_" of all.
-void add_age_cells(std::vector<DatasetColumn>& columns, const Dataset& data,
-                   const std::string& of) {
-  columns.push_back({of + "age_mean_s", "mean age at base [s]"});
-  columns.push_back({of + "age_p95_s", "95 % of ages [s]"});
-  columns.push_back({of + "unknown_share", "nothing known",
-                     [shares = DatasetCells(data, of + "unknown_share")](std::size_t cell) {
-                       return percent_text(shares[cell]);
-                     }});
+/// Names of columns of ages. `of`: "" of each device, "total_" of all.
+void add_age_columns(std::vector<std::string>& names, const std::string& of) {
+  for (const char* name : {"age_mean_s", "age_p95_s", "unknown_share"}) names.push_back(of + name);
 }
-
-constexpr const char* delivered = "heard by the guard";
 
 /// The variable of each device at each point, by the device's name.
 std::vector<std::map<std::string, std::string>> variables_of(const StoredDataset& stored) {
@@ -149,34 +141,24 @@ DatasetColumn variable_column(const StoredDataset& stored) {
 }
 
 std::vector<DatasetColumn> device_table_columns(const StoredDataset& stored) {
-  std::vector<DatasetColumn> columns{
-      variable_column(stored), {"n_messages", "messages"}, {"n_known", "known to the base"}};
-  add_age_cells(columns, stored.data, "");
-  add_message_columns(columns, "", delivered);
-  for (const auto& [name, head] : {std::pair{"n_replaced", "replaced by a newer one"},
-                                   {"n_sharedlink_lost", "lost by SharedLink"},
-                                   {"n_runs_heard", "heard in runs"},
-                                   {"latency_mean_s", "first after [s]"},
-                                   {"irradiance_mw_per_m2", "highest irradiance [mW/m2]"}})
-    columns.push_back({name, head});
+  std::vector<std::string> names{"n_messages", "n_known"};
+  add_age_columns(names, "");
+  add_message_columns(names, "");
+  names.insert(names.end(), {"n_replaced", "n_sharedlink_lost", "n_runs_heard", "latency_mean_s",
+                             "irradiance_mw_per_m2"});
+  std::vector<DatasetColumn> columns = headed_columns(stored.data, guard_columns().facts(), names);
+  columns.insert(columns.begin(), variable_column(stored));
   return columns;
 }
 
 std::vector<DatasetColumn> point_table_columns(const Dataset& data) {
-  std::vector<DatasetColumn> columns{{"n_runs", "runs"},
-                                     {"n_devices", "devices"},
-                                     {"total_n_messages", "messages"},
-                                     {"total_n_known", "known to the base"}};
-  add_age_cells(columns, data, "total_");
-  for (const auto& [name, head] : {std::pair{"n_queries", "questions asked"},
-                                   {"n_queries_answered", "answered"},
-                                   {"n_queries_timed_out", "timed out"},
-                                   {"n_shared_messages_sent", "sent by SharedLink"},
-                                   {"n_shared_messages_accepted", "accepted by SharedLink"}})
-    columns.push_back({name, head});
-  add_message_columns(columns, "total_", delivered);
-  add_load_columns(columns);
-  return columns;
+  std::vector<std::string> names{"n_runs", "n_devices", "total_n_messages", "total_n_known"};
+  add_age_columns(names, "total_");
+  names.insert(names.end(), {"n_queries", "n_queries_answered", "n_queries_timed_out",
+                             "n_shared_messages_sent", "n_shared_messages_accepted"});
+  add_message_columns(names, "total_");
+  add_load_columns(names);
+  return headed_columns(data, guard_columns().facts(), names);
 }
 
 }  // namespace

@@ -28,6 +28,21 @@ using Point = LinkPoint;
 
 constexpr double ci_level = LinkResult::ci_level;
 
+// Numbers as the table has them; "-" where they are not known, or there is no noise.
+
+std::string irradiance_text(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
+}
+
+std::string decibel_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
+}
+
+std::string theory_text(double ber) {
+  if (std::isnan(ber)) return "-";
+  return ber < 0.01 ? scientific_text(ber, 3) : fmt::format("{:.4f}", ber);
+}
+
 Column<Point>& add_counter(Columns<Point>& columns, const TallyCounter& counter) {
   return columns.count({counter.name, "1", counter.meaning},
                        [&counter](const Point& p) { return p.tally.*counter.count; });
@@ -78,6 +93,7 @@ void add_bit_errors(Columns<Point>& columns) {
   add_operating(columns, {"ber_theory", "1", "bit error ratio of a matched receiver in theory"},
                 &OperatingPoint::ber_theory, theory_text)
       .headed({{"", "in theory", ""}, number_width})
+      .called("BER in theory")
       .shown_if(has_theory);
   add_operating(columns, {"ber_sampled", "1", "the same of the samples of its waveform"},
                 &OperatingPoint::ber_sampled);
@@ -92,10 +108,13 @@ Estimate stored_loss(const Point& p) {
 
 void add_losses(Columns<Point>& columns) {
   columns.ratio({"flr", "1", "frame loss ratio"}, stored_loss);
+  columns.count({}, [](const Point& p) { return p.tally.n_frames_lost; }).called("frames lost");
   columns.ratio({}, [](const Point& p) { return frame_loss_of(p, ci_level); })
       .headed({{"", "frame loss ratio", "[interval]"}, -estimate_width});
   columns.ratio({"uer", "1", "undetected frame error ratio"},
                 [](const Point& p) { return undetected_error_ratio(p.tally, ci_level); });
+  columns.count({}, [](const Point& p) { return p.tally.n_frames_undetected; })
+      .called("undetected errors");
 }
 
 std::string real_time_text(double factor) {

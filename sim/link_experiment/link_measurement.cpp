@@ -30,12 +30,17 @@ void describe_link(LinkPoint& point, const Link& link) {
   point.alarms = own_alarms(point);
 }
 
-std::vector<LinkTally> run_link_groups(const LinkSetup& setup, std::uint32_t first, int n,
-                                       const std::atomic<bool>* stop) {
-  std::vector<LinkTally> groups;
-  for (const GroupResult& group : run_groups(setup.link, first, n, stop, setup.profiled))
-    groups.push_back({group});
-  return groups;
+std::vector<RunSpan<LinkTally>> run_link_groups(const LinkSetup& setup, std::uint32_t first, int n,
+                                                const std::atomic<bool>* stop) {
+  const std::vector<GroupResult> groups = run_groups(setup.link, first, n, stop, setup.profiled);
+  std::vector<RunSpan<LinkTally>> spans;
+  spans.reserve(groups.size());
+  auto left = static_cast<std::uint32_t>(n);
+  for (const GroupResult& group : groups) {
+    spans.push_back({std::min(group_size, left), {group}});
+    left -= spans.back().n;
+  }
+  return spans;
 }
 
 bool is_sound(const WeightedSum& sum) {

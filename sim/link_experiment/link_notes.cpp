@@ -48,19 +48,6 @@ std::string mark(std::span<const Flag> table, std::uint64_t mask, const char* si
 
 }  // namespace
 
-std::string irradiance_text(double value) {
-  return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
-}
-
-std::string decibel_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
-}
-
-std::string theory_text(double ber) {
-  if (std::isnan(ber)) return "-";
-  return ber < 0.01 ? scientific_text(ber, 3) : fmt::format("{:.4f}", ber);
-}
-
 std::string closing_text(const LinkPoint& point) {
   return stop_reason_name(point.stop) +
          mark(validity_limits(), point.validity_flags, validity_sign) +

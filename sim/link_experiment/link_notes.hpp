@@ -7,13 +7,6 @@
 
 namespace sim {
 
-/// As the table has them; "-" where they are not known, or there is no noise.
-std::string irradiance_text(double value);
-std::string decibel_text(double value);
-
-/// What theory says of bit errors; "-" where it says nothing.
-std::string theory_text(double ber);
-
 /// Why a point that was measured stopped, and behind it marks: where a model is outside of its
 /// range ("! carrier"), and alarms ("!! weights").
 std::string closing_text(const LinkPoint& point);

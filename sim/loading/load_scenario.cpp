@@ -184,10 +184,11 @@ LoadedScenario load_scenario(const std::filesystem::path& path,
 LoadedScenario parse_scenario(const std::string& text, const std::filesystem::path& path,
                               const std::vector<std::string>& overrides,
                               const std::vector<std::filesystem::path>& roots) {
-  ParsedScenario parsed = parsed_scenario_of(scenario_entries(text, path), overrides);
+  const std::vector<Entry> entries = scenario_entries(text, path);
+  std::vector<std::string> options = with_amount_key(entries, overrides);
+  ParsedScenario parsed = parsed_scenario_of(entries, options);
   count_points(parsed.sweep);
   check_dimension_names(parsed.sweep);
-  std::vector<std::string> options = overrides;
   read_interval_files(parsed, path, options);
   const PartSources from{roots, parsed.parts, path};
   const std::vector<std::string> axes_of_all = keys_of_all(parsed.sweep);

@@ -9,6 +9,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/named_key.hpp"
 #include "sim/scenario/placed_device_keys.hpp"
@@ -283,6 +284,21 @@ void take_entry(ParsedScenario& parsed, const Entry& entry) {
 }
 
 }  // namespace
+
+std::vector<std::string> with_amount_key(const std::vector<Entry>& entries,
+                                         const std::vector<std::string>& overrides) {
+  std::vector<std::string> named = overrides;
+  const auto amounts = std::ranges::stable_partition(
+      named, [](const std::string& text) { return !text.starts_with(amount_option); });
+  if (amounts.empty()) return named;
+  const ParsedScenario parsed = parsed_scenario_of(entries, {named.begin(), amounts.begin()});
+  Scenario scenario;
+  if (const auto said = parsed.texts.find(find_key("experiment")); said != parsed.texts.end())
+    scenario.experiment = said->second;
+  for (std::string& amount : amounts)
+    amount = amount_key(scenario) + "=" + amount.substr(amount_option.size());
+  return named;
+}
 
 ParsedScenario parsed_scenario_of(const std::vector<Entry>& entries,
                                   const std::vector<std::string>& overrides) {

@@ -3,6 +3,7 @@
 // part is looked up: which parts those are depends on the last word of both.
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/components/parts.hpp"
@@ -27,6 +28,14 @@ struct ParsedScenario {
   void set_axis(Axis axis, const std::string& place);
   void drop_axis(const Key& key);
 };
+
+/// How much of each point shall be simulated, as an override that names no key: "-n=500".
+inline constexpr std::string_view amount_option = "-n=";
+
+/// The overrides with the key of the scenario's experiment in place of amount_option:
+/// "stop.max_frames=500" of a link, "arena.runs=500" of an arena. These are the last.
+std::vector<std::string> with_amount_key(const std::vector<Entry>& entries,
+                                         const std::vector<std::string>& overrides);
 
 /// Entries of the file in their order, then the file's own overrides, then those of --set.
 /// Throws bad_input, naming place and remedy, of the first that cannot be.

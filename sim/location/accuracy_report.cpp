@@ -56,7 +56,8 @@ void add_bound(Columns<AccuracyPoint>& columns) {
       .real(
           {"bound_m", "m", "root of the trace of the Cramer-Rao bound"},
           [](const AccuracyPoint& p) { return p.result->bound_m(); }, significant(3))
-      .headed({{"Cramer-", "Rao", "[m]"}, 7});
+      .headed({{"Cramer-", "Rao", "[m]"}, 7})
+      .called("Cramer-Rao bound");
   columns
       .real(
           {"error_over_bound", "1", "rms error over that"},
@@ -79,9 +80,11 @@ void add_bound(Columns<AccuracyPoint>& columns) {
 }
 
 void add_coverage(Columns<AccuracyPoint>& columns) {
-  columns.ratio({"coverage", "1",
-                 "share of the located ones with the truth in the ellipse of their covariance"},
-                [](const AccuracyPoint& p) { return p.result->coverage; });
+  columns
+      .ratio({"coverage", "1",
+              "share of the located ones with the truth in the ellipse of their covariance"},
+             [](const AccuracyPoint& p) { return p.result->coverage; })
+      .called("truth in the ellipse");
   columns
       .ratio(
           {"region_coverage", "1", "share of the located ones with the truth in their 95 % region"},
@@ -122,6 +125,7 @@ void add_readings(Columns<AccuracyPoint>& columns) {
               return p.settings.readings[i].irradiance_w_per_m2 * 1e3;
             })
       .known_before()
+      .called("light")
       .on({"reading"});
   columns
       .real({"sigma_mw_per_m2", "mW/m2", "standard deviation of its reading"},
@@ -129,6 +133,7 @@ void add_readings(Columns<AccuracyPoint>& columns) {
               return p.settings.readings[i].deviation_w_per_m2 * 1e3;
             })
       .known_before()
+      .called("deviation")
       .on({"reading"});
 }
 

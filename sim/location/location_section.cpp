@@ -229,16 +229,14 @@ ReportSection location_section(const std::string& name, const StoredDataset& sto
   report.first.push_back(map_of(stored));
   add_location_charts(report, data);
   report.sections.push_back(shares_section("outcomes", outcomes_of(data)));
+  const auto columns = [&](const std::vector<std::string>& names) {
+    return headed_columns(data, location_columns().facts(), names);
+  };
   report.sections.push_back(
       {.heading = "Readings",
-       .table = dataset_table(data, {{"irradiance_mw_per_m2", "light [mW/m2]"},
-                                     {"sigma_mw_per_m2", "deviation [mW/m2]"}})});
+       .table = dataset_table(data, columns({"irradiance_mw_per_m2", "sigma_mw_per_m2"}))});
   add_closing(report, data,
-              {{"n_trials", "trials"},
-               {"rmse_m", "rms error [m]"},
-               {"bound_m", "Cramer-Rao bound [m]"},
-               {"error_over_bound", "error over bound"},
-               {held.variable(), "truth in the " + held.of()}});
+              columns({"n_trials", "rmse_m", "bound_m", "error_over_bound", held.variable()}));
   return report;
 }
 

@@ -61,8 +61,10 @@ void add_light(Columns<Point>& columns) {
 }
 
 void add_noise(Columns<Point>& columns) {
-  columns.real({"signal", "1", "mean of the statistic without noise, in units of the noise"},
-               [](const Point& p) { return p.result->signal; });
+  columns
+      .real({"signal", "1", "mean of the statistic without noise, in units of the noise"},
+            [](const Point& p) { return p.result->signal; })
+      .called("statistic of the light [noise]");
   columns.real({"noise_v", "V", "noise of a sample without light, rounding included"},
                [](const Point& p) { return p.result->noise_v; });
   columns
@@ -70,8 +72,10 @@ void add_noise(Columns<Point>& columns) {
           {"noise_in_steps", "1", "the same over a step of the ADC; theory: from 0.5 on"},
           [](const Point& p) { return p.result->noise_over_step; }, significant(3))
       .headed({{"noise", "[steps", "of ADC]"}, 7});
-  columns.real({"clipped", "1", "share of all samples that are clipped; theory: none"},
-               [](const Point& p) { return p.result->clipped; });
+  columns
+      .real({"clipped", "1", "share of all samples that are clipped; theory: none"},
+            [](const Point& p) { return p.result->clipped; })
+      .called("samples clipped");
 }
 
 // ---- the ROC ----
@@ -88,15 +92,18 @@ void add_roc_counts(Columns<Point>& columns) {
   columns
       .count({"n_false_alarms", "1", "windows without light above the threshold"},
              of_roc(&RocPoint::false_alarms))
-      .on({"false_alarm"});
+      .on({"false_alarm"})
+      .called("falsely");
   columns
       .count({"n_detections", "1", "windows with light above the threshold"},
              of_roc(&RocPoint::detections))
-      .on({"false_alarm"});
+      .on({"false_alarm"})
+      .called("windows detected");
   columns
       .real({"threshold", "1", "of the statistic, in units of the noise"},
             of_roc(&RocPoint::threshold))
-      .on({"false_alarm"});
+      .on({"false_alarm"})
+      .called("threshold [noise]");
 }
 
 void add_roc_ratios(Columns<Point>& columns) {
@@ -107,12 +114,14 @@ void add_roc_ratios(Columns<Point>& columns) {
       .ratio({"p_false_alarm", "1", "share of windows without light above the threshold"},
              of_roc(&RocPoint::false_alarm))
       .on({"false_alarm"})
-      .headed({{"", "counted", "[interval]"}, -estimate_width});
+      .headed({{"", "counted", "[interval]"}, -estimate_width})
+      .called("false alarms");
   columns
       .ratio({"p_detection", "1", "share of windows with light above the threshold"},
              of_roc(&RocPoint::detection))
       .on({"false_alarm"})
       .headed({{"probability of", "detection, counted", "[interval]"}, -estimate_width})
+      .called("detected")
       .spread_as([](const Label& pfa, std::size_t) {
         return TextColumn{{"", "Pd at Pfa = " + pfa_text(pfa), "[interval]"}, -estimate_width};
       })
@@ -132,8 +141,10 @@ Columns<Point> made_columns() {
   columns.dimension({"false_alarm", "1", "probability of false alarm, as set"}, [](const Point& p) {
     return std::vector<Label>(p.settings.pfa.begin(), p.settings.pfa.end());
   });
-  columns.count({"n_trials", "1", "windows with and windows without light"},
-                [](const Point& p) { return p.result->trials; });
+  columns
+      .count({"n_trials", "1", "windows with and windows without light"},
+             [](const Point& p) { return p.result->trials; })
+      .called("windows");
   add_light(columns);
   add_noise(columns);
   add_roc_counts(columns);

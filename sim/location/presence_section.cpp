@@ -139,21 +139,17 @@ ReportSection presence_section(const std::string& name, const StoredDataset& sto
   ReportSection report{name, data.title, size_of_presence(data)};
   add_presence_charts(report, data);
   report.summary += missing_points(stored);
-  report.sections.push_back({.heading = "Detections and false alarms",
-                             .text = roc_note(data),
-                             .table = dataset_table(data, {{"p_detection", "detected"},
-                                                           {"p_detection_theory", "in theory"},
-                                                           {"p_false_alarm", "false alarms"},
-                                                           {"n_detections", "windows detected"},
-                                                           {"n_false_alarms", "falsely"},
-                                                           {"threshold", "threshold [noise]"}})});
+  const auto columns = [&](const std::vector<std::string>& names) {
+    return headed_columns(data, presence_columns().facts(), names);
+  };
+  report.sections.push_back(
+      {.heading = "Detections and false alarms",
+       .text = roc_note(data),
+       .table = dataset_table(data, columns({"p_detection", "p_detection_theory", "p_false_alarm",
+                                             "n_detections", "n_false_alarms", "threshold"}))});
   add_closing(report, data,
-              {{"n_trials", "windows"},
-               {"irradiance_mw_per_m2", "irradiance [mW/m2]"},
-               {"photocurrent_na", "photocurrent [nA]"},
-               {"signal", "statistic of the light [noise]"},
-               {"noise_in_steps", "noise [steps of the ADC]"},
-               {"clipped", "samples clipped"}});
+              columns({"n_trials", "irradiance_mw_per_m2", "photocurrent_na", "signal",
+                       "noise_in_steps", "clipped"}));
   return report;
 }
 

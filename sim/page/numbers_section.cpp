@@ -3,57 +3,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "sim/columns/estimate_text.hpp"
+#include "sim/columns/columns_table.hpp"
+#include "sim/columns/page_heading.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/columns/validity_column.hpp"
-#include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/link_columns.hpp"
 #include "sim/link_experiment/link_notes.hpp"
-#include "sim/result/point_loss.hpp"
 #include "sim/section/swept_curves.hpp"
 
 namespace sim {
 namespace {
 
-bool has_theory(const LinkResult& result) {
-  return std::ranges::any_of(result.points, [](const LinkPoint& point) {
-    return !std::isnan(point.operating.ber_theory);
+bool is_known(const Column<LinkPoint>& column, const LinkPoint& point) {
+  return point.reached() && cell_text(column, point) != "-";
+}
+
+/// Those of the terminal's table, and those that have a name for a page.
+std::vector<Column<LinkPoint>> columns_of(const LinkResult& result) {
+  std::vector<Column<LinkPoint>> columns = link_columns().all();
+  std::erase_if(columns, [&](const Column<LinkPoint>& column) {
+    if (!column.has_heading() && column.page_heading.empty()) return true;
+    return column.is_shown != nullptr &&
+           std::ranges::none_of(result.points, [&](const auto& p) { return is_known(column, p); });
   });
-}
-
-std::vector<std::string> head_of(const LinkResult& result, bool theory) {
-  std::vector<std::string> head;
-  for (const Axis& axis : result.axes) head.push_back(axis_name(axis));
-  for (const char* name :
-       {"irradiance [mW/m2]", "SNR [dB]", "frames", "lost", "FLR", "bit errors", "BER"})
-    head.emplace_back(name);
-  if (theory) head.emplace_back("BER in theory");
-  head.emplace_back("undetected");
-  head.emplace_back("stopped by");
-  return head;
-}
-
-std::vector<std::string> row_of(const LinkResult& result, const LinkPoint& point, bool theory) {
-  std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
-  row.push_back(irradiance_text(point.operating.irradiance_mw_per_m2));
-  row.push_back(decibel_text(point.operating.snr_db));
-  row.push_back(std::to_string(point.tally.n_frames));
-  row.push_back(std::to_string(point.tally.n_frames_lost));
-  row.push_back(estimate_text(frame_loss_of(point, LinkResult::ci_level)));
-  row.push_back(std::to_string(point.tally.n_bit_errors));
-  row.push_back(estimate_text(bit_error_ratio(point.tally, LinkResult::ci_level)));
-  if (theory) row.push_back(theory_text(point.operating.ber_theory));
-  row.push_back(std::to_string(point.tally.n_frames_undetected));
-  row.push_back(closing_text(point));
-  return row;
+  return columns;
 }
 
 PageTable table_of(const LinkResult& result) {
-  const bool theory = has_theory(result);
-  PageTable table{.head = head_of(result, theory), .rows = {}};
-  for (const LinkPoint& point : result.points)
-    if (point.reached()) table.rows.push_back(row_of(result, point, theory));
+  PageTable table;
+  const std::vector<Column<LinkPoint>> columns = columns_of(result);
+  for (const Axis& axis : result.axes) table.head.push_back(axis_name(axis));
+  for (const auto& column : columns) table.head.push_back(page_heading(column));
+  for (const LinkPoint& point : result.points) {
+    if (!point.reached()) continue;
+    std::vector<std::string> row = coordinate_texts(result.axes, point.coordinates);
+    for (const auto& column : columns) row.push_back(cell_text(column, point));
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 

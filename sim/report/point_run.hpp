@@ -198,10 +198,6 @@ constexpr ExperimentEngine experiment_engine{
           return runs_within(run_pilots(kind, scenario, {}, workers), seconds,
                              find_key(amount_key(scenario.base))->facts.range.high);
         },
-    .columns =
-        [] {
-          const auto& all = report.columns().all();
-          return std::vector<ColumnFacts>(all.begin(), all.end());
-        }};
+    .columns = [] { return report.columns().facts(); }};
 
 }  // namespace sim

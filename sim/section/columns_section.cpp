@@ -13,16 +13,6 @@
 namespace sim {
 namespace {
 
-/// "sum of eyes [1]": the heading of the terminal's table in one line, or else the name.
-std::string head_of(const ColumnFacts& column) {
-  std::string head;
-  for (const std::string& line : column.heading.names)
-    if (!line.empty() && !line.starts_with("[")) head += (head.empty() ? "" : " ") + line;
-  if (head.empty()) head = plain_words(column.facts.name);
-  const std::string unit = bracketed_unit(column.facts.unit);
-  return unit.empty() ? head : head + " " + unit;
-}
-
 std::string capitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
@@ -38,7 +28,7 @@ std::vector<DatasetColumn> table_columns(const Dataset& data,
     const Dataset::Variable* variable = find_variable(data, column.facts.name);
     if (variable != nullptr && variable->on_axes && variable->flags.empty() && !column.is_text &&
         column.over == dimensions)
-      found.push_back({column.facts.name, head_of(column)});
+      found.push_back(headed_column(data, column));
   }
   return found;
 }

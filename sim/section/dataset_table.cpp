@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
+#include "sim/columns/page_heading.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/section/dataset_cells.hpp"
@@ -40,6 +42,33 @@ bool is_known(const DatasetCells& cells, std::size_t i) {
 }
 
 }  // namespace
+
+DatasetColumn headed_column(const Dataset& data, const ColumnFacts& column) {
+  DatasetColumn headed{column.facts.name, page_heading(column)};
+  if (column.real_text)
+    headed.words = [text = column.real_text, cells = DatasetCells(data, column.facts.name)](
+                       std::size_t cell) { return text(cells[cell]); };
+  return headed;
+}
+
+std::vector<DatasetColumn> headed_columns(const Dataset& data,
+                                          const std::vector<ColumnFacts>& columns,
+                                          const std::vector<std::string>& names) {
+  const auto column_of = [&](std::string_view name) {
+    const auto found =
+        std::ranges::find(columns, name, [](const ColumnFacts& c) { return c.facts.name; });
+    return found == columns.end() ? nullptr : &*found;
+  };
+  std::vector<DatasetColumn> headed;
+  for (const std::string& name : names)
+    if (const ColumnFacts* column = column_of(name))
+      headed.push_back(headed_column(data, *column));
+    else if (const ColumnFacts* of_each = column_of(name_of_each(name)))
+      headed.push_back({name, page_heading(*of_each)});
+    else
+      headed.push_back({name, name_in_words(name)});
+  return headed;
+}
 
 std::optional<PageTable> dataset_table(const Dataset& data, std::vector<DatasetColumn> columns) {
   std::erase_if(columns, [&](const DatasetColumn& column) {

@@ -182,23 +182,6 @@ void add_charts(ReportSection& report, const Dataset& data) {
   add_chart(report, age);
 }
 
-std::vector<DatasetColumn> part_columns(const Dataset& data) {
-  return {{"n_messages", "messages"},
-          {"n_accepted", "accepted"},
-          {"message_loss", "message loss"},
-          {"ber", "BER"},
-          {"age_mean_s", "mean age [s]"},
-          {"age_p95_s", "95 % of ages [s]"},
-          {"unknown_share", "nothing known [%]",
-           [unknown = DatasetCells(data, "unknown_share")](std::size_t cell) {
-             return std::isnan(unknown[cell]) ? "-" : fmt::format("{:.1f}", 100 * unknown[cell]);
-           }},
-          {"n_queries", "questions"},
-          {"n_queries_answered", "answered"},
-          {"n_queries_timed_out", "timed out"},
-          {"n_own_messages", "own messages heard"}};
-}
-
 }  // namespace
 
 ReportSection shared_link_section(const std::string& name, const StoredDataset& stored) {
@@ -208,7 +191,11 @@ ReportSection shared_link_section(const std::string& name, const StoredDataset& 
   report.summary += missing_points(stored);
   if (find_variable(data, "n_rejected") != nullptr)
     report.sections.push_back(shares_section("refusals", refusals(data)));
-  add_closing(report, data, part_columns(data));
+  add_closing(report, data,
+              headed_columns(data, shared_link_columns().facts(),
+                             {"n_messages", "n_accepted", "message_loss", "ber", "age_mean_s",
+                              "age_p95_s", "unknown_share", "n_queries", "n_queries_answered",
+                              "n_queries_timed_out", "n_own_messages"}));
   return report;
 }
 

@@ -150,8 +150,10 @@ dsp::Seconds length_at(const Link& link, double u) {
 
 std::vector<GroupResult> decide_groups(const Link& link, std::uint32_t first, int n,
                                        bool profiled) {
+  const auto groups = groups_of(static_cast<std::size_t>(n));
   std::vector<GroupResult> results;
-  for (const TrialSpan& group : groups_of(static_cast<std::size_t>(n)))
+  results.reserve(groups.size());
+  for (const TrialSpan& group : groups)
     results.push_back(decide_group(link, first + static_cast<std::uint32_t>(group.first),
                                    static_cast<int>(group.n), profiled));
   return results;

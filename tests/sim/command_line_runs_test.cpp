@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "program.hpp"
-#include "sim/scenario/experiment_kind.hpp"
 #include "small_experiments.hpp"
 #include "text_lines.hpp"
 
@@ -21,9 +20,7 @@ class Runs : public CommandLine {
   /// Writes s.toml and gives the words that run it with so many runs a point.
   Words runs_of(const Experiment& experiment, const std::string& n) const {
     write("s.toml", sim::test::scenario_of(experiment, true));
-    const auto& kinds = sim::experiment_kinds();
-    const auto kind = std::ranges::find(kinds, experiment.name, &sim::ExperimentKind::name);
-    return {"run", "s.toml", "-q", "--set", std::string((*kind)->amount) + "=" + n};
+    return {"run", "s.toml", "-q", "-n", n};
   }
 
   /// Until a run has written its first checkpoint.
@@ -212,7 +209,7 @@ TEST_F(Runs, ATimeBudgetChoosesTheRuns) {
   write("s.toml", sim::test::scenario_of(small_experiments[3], true));
   const Outcome o = program({"run", "s.toml", "-q", "--time-budget", "1s"});
   ASSERT_EQ(o.code, 0) << o.err;
-  const std::string key = "--set presence.trials=";
+  const std::string key = "--max-frames ";
   const std::size_t at = o.err.find(key);
   ASSERT_NE(at, std::string::npos) << o.err;
   const std::string trials =

@@ -125,7 +125,7 @@ TEST_F(ExperimentReport, OfSharedLinkShowsWhyMessagesWereRefused) {
                          "other on average: {:.2g} s (sender A); {:.2g} s (sender B).</p>",
                          ages[0].get<double>(), ages[1].get<double>()));
   const Json& unknown = counted["variables"]["unknown_share"]["values"];
-  expect_has(page, fmt::format("<td>{:.1f}</td>", 100 * unknown[0].get<double>()));
+  expect_has(page, fmt::format("<td>{:.1f} %</td>", 100 * unknown[0].get<double>()));
   expect_has(page, ">sender A</text>");
   expect_has(page, ">sender B</text>");
   expect_has(page, ">refused for another reason</text>");
