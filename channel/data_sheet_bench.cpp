@@ -30,11 +30,37 @@ double amplitude_at(const std::vector<float>& tap, double cycles_a_sample, std::
   return 2 * std::hypot(in_phase, quadrature) / static_cast<double>(to - from);
 }
 
-bool reports_all(const ModuleData& module, const BurstTrain& train, const dsp::LogicTrace& pin) {
+/// Whether the pin is low when the middle of each burst comes out, of those in the second half of
+/// a train that begins after `from_s`.
+bool reports_all(const ModuleData& module, const BurstTrain& train, const dsp::LogicTrace& pin,
+                 double from_s) {
   const double middle = train.burst_s / 2 + nominal_delay(module).value;
-  for (int i = 0; i < train.bursts; ++i)
-    if (pin.level_at(dsp::Seconds(burst_start(train, i) + middle))) return false;
+  for (int i = train.bursts / 2; i < train.bursts; ++i)
+    if (pin.level_at(dsp::Seconds(from_s + burst_start(train, i) + middle))) return false;
   return true;
+}
+
+/// A carrier in front of a train, in seconds, so long that the slow AGC lets go of it: from there a
+/// train that it tolerates comes back, and of another no burst is heard again. From the dark the
+/// gain takes seconds to fall where a train is little more than it tolerates. None for a part that
+/// holds its gain: it would not come back to short bursts either.
+double carrier_before(const ModuleData& module, double e_mw_per_m2) {
+  if (module.agc_attack_db_per_ms == 0 || module.agc_hold_ms > 0) return 0;
+  constexpr double longest_s = 1, further_db = 6;
+  const double fall_db = 20 * std::log10(e_mw_per_m2 / module.emin_mw_per_m2) + further_db;
+  return std::clamp(fall_db / module.agc_attack_db_per_ms * 1e-3, 2 * lead_s, longest_s);
+}
+
+/// The train behind a carrier of so many seconds.
+dsp::LogicTrace drive_after(double carrier_s, const BurstTrain& train) {
+  const dsp::LogicTrace bursts = drive_of(train);
+  if (carrier_s == 0) return bursts;
+  dsp::LogicTrace drive(true);
+  drive.add_edge(dsp::Seconds(lead_s));
+  drive.add_edge(dsp::Seconds(carrier_s));
+  for (const dsp::Seconds edge : bursts.edges()) drive.add_edge(dsp::Seconds(carrier_s) + edge);
+  drive.observe_until(dsp::Seconds(carrier_s + 2 * lead_s + train.bursts * train.period_s));
+  return drive;
 }
 
 BurstTrain two_seconds(const Bench& bench, double burst_s, double period_s) {
@@ -47,16 +73,17 @@ BurstTrain two_seconds(const Bench& bench, double burst_s, double period_s) {
 /// Of eight periods in increasing order, whether each is long enough.
 std::vector<bool> long_enough(const Bench& bench, const std::vector<double>& periods,
                               double burst_s, double e_mw_per_m2) {
+  const double carrier_s = carrier_before(bench.module, e_mw_per_m2);
   std::vector<BurstTrain> trains;
   std::vector<dsp::LogicTrace> drives;
   for (const double period : periods) trains.push_back(two_seconds(bench, burst_s, period));
-  for (const BurstTrain& train : trains) drives.push_back(drive_of(train));
+  for (const BurstTrain& train : trains) drives.push_back(drive_after(carrier_s, train));
   std::vector<ChainInput> inputs;
   for (const dsp::LogicTrace& drive : drives) inputs.push_back(input_of(drive, 1));
   const auto pins = propagate(design_of(bench, trains.front(), e_mw_per_m2), inputs);
   std::vector<bool> enough;
   for (std::size_t i = 0; i < pins.size(); ++i)
-    enough.push_back(reports_all(bench.module, trains[i], pins[i]));
+    enough.push_back(reports_all(bench.module, trains[i], pins[i], carrier_s));
   return enough;
 }
 

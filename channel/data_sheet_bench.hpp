@@ -69,8 +69,9 @@ OnOffTimes on_off_times(const Bench& bench, const BurstTrain& train, double e_mw
 double carrier_gain(const Bench& bench, double carrier_hz);
 
 /// Of trains of bursts `burst_s` long, the shortest period, found between the two given, at which
-/// the pin reports every burst for two seconds; 0 if it does not at any. Vishay 82459 and 82836
-/// Fig. 8. A burst is reported if the pin is low when its middle comes out: neighbours may merge.
+/// the pin reports every burst once the slow AGC has settled, from a carrier that it let go of; 0
+/// if it does not at any. Vishay 82459 and 82836 Fig. 8. A burst is reported if the pin is low when
+/// its middle comes out: neighbours may merge.
 double shortest_period(const Bench& bench, double burst_s, double e_mw_per_m2, double from_s,
                        double to_s);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,8 @@
 namespace sim {
 namespace {
 
+constexpr const char* sample_rate_key = "simulation.sample_rate_hz";
+
 /// `large` must be at least `times` as large as `small`.
 struct Limit {
   const Key* small;
@@ -29,14 +32,13 @@ struct Limit {
 
 const std::vector<Limit>& limits() {
   static const std::vector<Limit> table{
-      {find_key("device.carrier_hz"), find_key("simulation.sample_rate_hz"), 4,
+      {find_key("device.carrier_hz"), find_key(sample_rate_key), 4,
        "a carrier period takes at least 4 samples"},
-      {find_key("module.centre_hz"), find_key("simulation.sample_rate_hz"), 4,
+      {find_key("module.centre_hz"), find_key(sample_rate_key), 4,
        "a period of the band-pass takes at least 4 samples"},
       {find_key("device.baud"), find_key("device.carrier_hz"), 4,
        "a bit takes at least 4 carrier periods"},
-      {find_key("device.baud"), find_key("simulation.sample_rate_hz"), 100,
-       "a bit takes at least 100 samples"},
+      {find_key("device.baud"), find_key(sample_rate_key), 100, "a bit takes at least 100 samples"},
       {find_key("module.emin_mw_per_m2"), find_key("module.emax_w_per_m2"), 1e-3,
        "the threshold cannot exceed the largest irradiance"},
   };
@@ -45,7 +47,7 @@ const std::vector<Limit>& limits() {
 
 std::vector<Limit> limits_of(const std::string& name, const DisturbanceSettings& d) {
   const auto key = [&](const char* what) { return find_key("disturbance." + name + "." + what); };
-  const Key* rate = find_key("simulation.sample_rate_hz");
+  const Key* rate = find_key(sample_rate_key);
   std::vector<Limit> limits;
   if (is_keyed(d))
     limits.push_back({key("carrier_hz"), rate, 4, "a carrier period takes at least 4 samples"});
@@ -70,12 +72,18 @@ std::vector<Limit> limits_of_pauses() {
   return limits;
 }
 
-/// All limits of a scenario, whatever its numbers are.
-std::vector<Limit> limits_of(const Scenario& s) {
-  std::vector<Limit> all = limits_of_pauses();
-  all.insert(all.end(), limits().begin(), limits().end());
+/// Of the link's light and that of others.
+std::vector<Limit> limits_of_light(const Scenario& s) {
+  std::vector<Limit> all = limits();
   for (const auto& [name, disturbance] : s.disturbances)
     for (const Limit& limit : limits_of(name, disturbance)) all.push_back(limit);
+  return all;
+}
+
+/// All limits of a scenario, whatever its numbers are.
+std::vector<Limit> limits_of(const Scenario& s) {
+  std::vector<Limit> all = limits_of_light(s);
+  for (const Limit& limit : limits_of_pauses()) all.push_back(limit);
   for (const auto& [name, device] : s.devices)
     all.push_back({find_key("devices." + name + ".interval_min_ms"),
                    find_key("devices." + name + ".interval_max_ms"), 1,
@@ -140,6 +148,20 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const SourceLoca
   check_method(s, places);
 }
 
+/// Where no sample rate is given it is the default, or that whole multiple of it that fast bits and
+/// carriers need.
+void choose_sample_rate(Scenario& s, const std::vector<Limit>& limits,
+                        const SourceLocations& places) {
+  if (places.contains(sample_rate_key)) return;
+  const Key* key = find_key(sample_rate_key);
+  double least = 0;
+  for (const Limit& limit : limits)
+    if (limit.large == key) least = std::max(least, limit.times * limit.small->number(s));
+  double& rate = s.simulation.sample_rate_hz;
+  rate = SimulationSettings{}.sample_rate_hz;
+  if (least > rate && least <= key->facts.range.high) rate *= std::ceil(least / rate);
+}
+
 using Setters = std::vector<const Key*>;
 
 Setters setters_of(const std::vector<Axis>& sweep) {
@@ -196,6 +218,7 @@ void check_receiver_module(const Scenario& s, const SourceLocations& places) {
 Scenario point_scenario(const LoadedScenario& loaded, const std::vector<double>& coordinates) {
   Scenario s = loaded.base;
   place_at(s, loaded, setters_of(loaded.sweep), coordinates);
+  choose_sample_rate(s, limits_of_light(s), loaded.places);
   return s;
 }
 
@@ -228,6 +251,7 @@ void check_all_points(const LoadedScenario& loaded) {
   const std::vector<Limit> limits = limits_of(s);
   for (std::size_t i = 0; i < n; ++i) {
     place_at(s, loaded, setters, point_coordinates(loaded.sweep, i));
+    choose_sample_rate(s, limits, loaded.places);
     check_point(s, limits, loaded.places);
   }
 }

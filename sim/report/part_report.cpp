@@ -60,11 +60,18 @@ std::string magnitude(const FigureFacts& figure, double value) {
   return unit.empty() ? text : text + " " + unit;
 }
 
+/// " (4.9 %)" beside a deviation that is no share itself.
+std::string share_text(const Comparison& c) {
+  const double share = c.median_share();
+  return c.figure.y.logarithmic || !std::isfinite(share) ? ""
+                                                         : fmt::format(" ({:.1f} %)", 100 * share);
+}
+
 std::string rms_line(const Comparison& c) {
-  return fmt::format("  rms deviation {}, median {}, over {} of {} points\n",
+  return fmt::format("  rms deviation {}, median {}{}, over {} of {} points\n",
                      magnitude(c.figure, c.rms_deviation()),
-                     magnitude(c.figure, c.median_deviation()), c.known_deviations().size(),
-                     c.model.size());
+                     magnitude(c.figure, c.median_deviation()), share_text(c),
+                     c.known_deviations().size(), c.model.size());
 }
 
 ChartAxis chart_axis(const FigureAxis& axis) {
@@ -119,6 +126,7 @@ Json comparison_json(const Comparison& c) {
   json["model"] = c.model;
   json["rms_deviation"] = c.rms_deviation();
   json["median_deviation"] = c.median_deviation();
+  json["median_share"] = c.median_share();
   json["deviation_unit"] = c.figure.y.logarithmic ? "1" : c.figure.y.unit;
   return json;
 }

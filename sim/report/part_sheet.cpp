@@ -148,6 +148,14 @@ PartSheet sheet_of(const PartFile& file, const Part<Data>& part, const PartKeys<
   return sheet;
 }
 
+/// NaN of none.
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 }  // namespace
 
 double Comparison::deviation(std::size_t i) const {
@@ -169,12 +177,16 @@ double Comparison::rms_deviation() const {
   return std::sqrt(sum / static_cast<double>(known.size()));
 }
 
-double Comparison::median_deviation() const {
-  auto known = known_deviations();
-  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::ranges::nth_element(known, middle);
-  return *middle;
+double Comparison::median_deviation() const { return median_of(known_deviations()); }
+
+double Comparison::median_share() const {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const double share = std::abs(model[i] / sheet.y[i] - 1);
+    if (sheet.y[i] <= 0) return std::numeric_limits<double>::quiet_NaN();
+    if (std::isfinite(share)) shares.push_back(share);
+  }
+  return median_of(std::move(shares));
 }
 
 PartSheet read_part_sheet(const PartFile& file, Compare whether) {

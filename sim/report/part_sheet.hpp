@@ -42,6 +42,8 @@ struct Comparison {
   double rms_deviation() const;
   /// Median of their magnitudes: what a step that the model makes a point too late leaves alone.
   double median_deviation() const;
+  /// The median deviation as a share of the sheet's value; NaN where one of these is not above 0.
+  double median_share() const;
 };
 
 struct PartSheet {

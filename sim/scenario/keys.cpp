@@ -174,9 +174,10 @@ std::vector<Key> run_keys() {
                    "trials as they come; or, for rare errors, trials drawn to fail, with weights "
                    "(`sim/README.md`)",
                    names_of(methods()))),
-      number("simulation.sample_rate_hz", "Hz", from(2e5, 2e7), run,
-             &SimulationSettings::sample_rate_hz, "sample rate of the light",
-             "the default agrees with four times as much"),
+      number(
+          "simulation.sample_rate_hz", "Hz", from(2e5, 2e7), run,
+          &SimulationSettings::sample_rate_hz, "sample rate of the light",
+          "the default agrees with four times as much; not given, fast bits and carriers raise it"),
       whole("simulation.warmup_messages", "1", from(0, 100), run,
             &SimulationSettings::warmup_messages, "messages sent before counting starts",
             "they settle the gain control"),

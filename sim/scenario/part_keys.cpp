@@ -36,7 +36,7 @@ std::vector<PartNumber<channel::ModuleData>> threshold_numbers() {
                     "output less input width at the threshold"),
       module_number("emin_max_mw_per_m2", "mW/m2", from(0, 1e4), &M::emin_max_mw_per_m2,
                     "threshold irradiance of the least sensitive unit",
-                    "printed maximum; not above the typical one: no spread"),
+                    "printed maximum; 0, or the typical one: no spread"),
       module_number("supply_min_v", "V", from(0, 30), &M::supply_min_v, "least supply voltage"),
       module_number("supply_max_v", "V", from(0, 30), &M::supply_max_v, "largest supply voltage",
                     "0: the sheet does not say"),
@@ -159,6 +159,8 @@ const char* flaw_of(const channel::ModuleData& part) {
     return "its directivity is 0 on axis, where Emin is taken";
   if (!part.directivity_vertical.empty() && part.directivity_vertical(0) <= 0)
     return "its vertical directivity is 0 on axis, where Emin is taken";
+  if (part.emin_max_mw_per_m2 > 0 && part.emin_max_mw_per_m2 < part.emin_mw_per_m2)
+    return "its emin_max_mw_per_m2 is below its emin_mw_per_m2";
   if (part.supply_max_v > 0 && part.supply_max_v < part.supply_min_v)
     return "its largest supply voltage is below its least";
   return nullptr;

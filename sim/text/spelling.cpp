@@ -1,9 +1,15 @@
 #include "sim/text/spelling.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <string_view>
 #include <vector>
+
+#include "sim/text/list_text.hpp"
 
 namespace sim {
 namespace {
@@ -25,9 +31,18 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// Edits; a name cut short, as by a forgotten unit, is only one slip.
+/// Its words in the order of the alphabet: "agc_duty_max" of "agc_max_duty".
+std::string sorted_words(const std::string& name) {
+  std::vector<std::string_view> words = split(name, '_');
+  std::ranges::sort(words);
+  return fmt::format("{}", fmt::join(words, "_"));
+}
+
+/// Edits; a name cut short, as by a forgotten unit, is only one slip, and words in another order.
 std::size_t slips(const std::string& name, const std::string& candidate) {
-  return candidate.starts_with(name) ? 1 : edit_distance(name, candidate);
+  if (candidate.starts_with(name)) return 1;
+  return std::min(edit_distance(name, candidate),
+                  1 + edit_distance(sorted_words(name), sorted_words(candidate)));
 }
 
 /// The end of a candidate behind its dot, or all of it.

@@ -109,10 +109,11 @@ TEST(DisturbanceKeys, ContradictionsAreRefused) {
               "disturbance.a.carrier_duty = [0.3, 0.5]\ndisturbance.a_carrier.duty = [0.3, 0.5]"),
       "disturbance.a.carrier_duty and disturbance.a_carrier.duty (the result file calls both "
       "disturbance_a_carrier_duty) rename one disturbance");
-  EXPECT_EQ(refusal("[disturbance.a]\nkind = \"carrier\"\ncarrier_hz = 2e5"),
-            "disturbance.a.carrier_hz = 200000 in x.toml:3 with simulation.sample_rate_hz = 600000 "
-            "by default (a carrier period takes at least 4 samples) lower disturbance.a.carrier_hz "
-            "to 150000 or raise simulation.sample_rate_hz to 800000");
+  EXPECT_EQ(refusal("simulation.sample_rate_hz = 6e5\n[disturbance.a]\nkind = \"carrier\"\n"
+                    "carrier_hz = 2e5"),
+            "disturbance.a.carrier_hz = 200000 in x.toml:4 with simulation.sample_rate_hz = 600000 "
+            "in x.toml:1 (a carrier period takes at least 4 samples) lower "
+            "disturbance.a.carrier_hz to 150000 or raise simulation.sample_rate_hz to 800000");
   EXPECT_EQ(refusal("[disturbance.a]\nkind = \"cosys\"\ninterval_min_ms = 1000"),
             "disturbance.a.interval_min_ms = 1000 in x.toml:3 with disturbance.a.interval_max_ms = "
             "900 by default (the shortest pause cannot exceed the longest) lower "

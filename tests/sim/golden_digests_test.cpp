@@ -17,7 +17,7 @@ const Golden shipped[] = {
       "module.agc_attack_db_per_ms=0.3"},
      "34261af8c8ec440196a09a1ca1b359b9"},
     {"arena", {"arena.runs=2", "arena.duration_s=20"}, "16b0526210a71c845e3f53c55690245b"},
-    {"choose_module", {"receiver.range_m=2"}, "34e46b05b1c8e58fb515b7a69440b801"},
+    {"choose_module", {"receiver.range_m=2"}, "16d1f03af20fe295792440c5b1ca9ec2"},
     {"crowd",
      {"arena.runs=2", "devices.crowd.count=5,40", "arena.duration_s=5"},
      "d5d73d1cb897d4df24bfc118f0378064"},

@@ -162,6 +162,10 @@ TEST_F(Parts, RefusesCurvesWithoutTheirReference) {
                             "supply_max_v = { value = 2, source = \"s\" }\n"),
             "X in R/modules/x.toml (its largest supply voltage is below its least) correct the "
             "part's file");
+  EXPECT_EQ(refusal(least + "emin_max_mw_per_m2 = { value = 0.001, source = \"s\" }\n"),
+            "X in R/modules/x.toml (its emin_max_mw_per_m2 is below its emin_mw_per_m2) correct "
+            "the part's "
+            "file");
 }
 
 TEST_F(Parts, NameIsFoundWhateverItsCaseAndFirstRootWins) {

@@ -112,15 +112,15 @@ const Refusal refusals[] = {
      "device.carrier_hz = 59000 by default with simulation.sample_rate_hz = 230000 in x.toml:2 (a "
      "carrier period takes at least 4 samples) lower device.carrier_hz to 57500 or raise "
      "simulation.sample_rate_hz to 236000"},
-    {"module.centre_hz = 2.6e5",
-     "module.centre_hz = 260000 in x.toml:1 with simulation.sample_rate_hz = 600000 by default (a "
+    {"module.centre_hz = 2.6e5\nsimulation.sample_rate_hz = 6e5",
+     "module.centre_hz = 260000 in x.toml:1 with simulation.sample_rate_hz = 600000 in x.toml:2 (a "
      "period of the band-pass takes at least 4 samples) lower module.centre_hz to 150000 or raise "
      "simulation.sample_rate_hz to 1040000"},
     {"device.carrier_hz = 2e3",
      "device.baud = 600 by default with device.carrier_hz = 2000 in x.toml:1 (a bit takes at least "
      "4 carrier periods) lower device.baud to 500 or raise device.carrier_hz to 2400"},
-    {"device.baud = 12e3",
-     "device.baud = 12000 in x.toml:1 with simulation.sample_rate_hz = 600000 by default (a bit "
+    {"device.baud = 12e3\nsimulation.sample_rate_hz = 6e5",
+     "device.baud = 12000 in x.toml:1 with simulation.sample_rate_hz = 600000 in x.toml:2 (a bit "
      "takes at least 100 samples) lower device.baud to 6000 or raise simulation.sample_rate_hz to "
      "1200000"},
     {"module.emax_w_per_m2 = 1e-5",
