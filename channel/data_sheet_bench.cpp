@@ -53,8 +53,8 @@ double carrier_before(const ModuleData& module, double e_mw_per_m2) {
 
 /// The train behind a carrier of so many seconds.
 dsp::LogicTrace drive_after(double carrier_s, const BurstTrain& train) {
+  if (carrier_s == 0) return drive_of(train);
   const dsp::LogicTrace bursts = drive_of(train);
-  if (carrier_s == 0) return bursts;
   dsp::LogicTrace drive(true);
   drive.add_edge(dsp::Seconds(lead_s));
   drive.add_edge(dsp::Seconds(carrier_s));

@@ -155,10 +155,10 @@ class Columns {
                typename Column<Point>::Count{reader<std::uint64_t>(std::move(read))});
   }
   template <class Read>
-  Column<Point>& real(VariableFacts facts, Read read, RealText text = significant(4)) {
+  Column<Point>& real(VariableFacts facts, Read read, const RealText& text = significant(4)) {
     Column<Point>& column =
         add(std::move(facts), typename Column<Point>::Real{reader<double>(std::move(read))});
-    column.real_text = std::move(text);
+    column.real_text = text;
     return column;
   }
   template <class Read>

@@ -58,9 +58,10 @@ void add_counters(Columns<Point>& columns) {
 }
 
 Column<Point>& add_operating(Columns<Point>& columns, VariableFacts facts,
-                             double OperatingPoint::*figure, RealText text = significant(4)) {
+                             double OperatingPoint::*figure,
+                             const RealText& text = significant(4)) {
   return columns.real(
-      std::move(facts), [figure](const Point& p) { return p.operating.*figure; }, std::move(text));
+      std::move(facts), [figure](const Point& p) { return p.operating.*figure; }, text);
 }
 
 void add_light(Columns<Point>& columns) {

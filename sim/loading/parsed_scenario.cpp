@@ -288,15 +288,16 @@ void take_entry(ParsedScenario& parsed, const Entry& entry) {
 std::vector<std::string> with_amount_key(const std::vector<Entry>& entries,
                                          const std::vector<std::string>& overrides) {
   std::vector<std::string> named = overrides;
-  const auto amounts = std::ranges::stable_partition(
-      named, [](const std::string& text) { return !text.starts_with(amount_option); });
-  if (amounts.empty()) return named;
-  const ParsedScenario parsed = parsed_scenario_of(entries, {named.begin(), amounts.begin()});
+  const auto amounts = std::stable_partition(
+      named.begin(), named.end(),
+      [](const std::string& text) { return !text.starts_with(amount_option); });
+  if (amounts == named.end()) return named;
+  const ParsedScenario parsed = parsed_scenario_of(entries, {named.begin(), amounts});
   Scenario scenario;
   if (const auto said = parsed.texts.find(find_key("experiment")); said != parsed.texts.end())
     scenario.experiment = said->second;
-  for (std::string& amount : amounts)
-    amount = amount_key(scenario) + "=" + amount.substr(amount_option.size());
+  for (auto amount = amounts; amount != named.end(); ++amount)
+    *amount = amount_key(scenario) + "=" + amount->substr(amount_option.size());
   return named;
 }
 
