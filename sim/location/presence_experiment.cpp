@@ -25,7 +25,8 @@ constinit const Measurement<PresenceBench, PresenceTally, PresencePointRun> pres
           const std::size_t thresholds = bench.no_trials().detections.size();
           const auto are_of = [&](const std::vector<std::uint64_t>& counts) {
             return counts.size() == thresholds &&
-                   std::ranges::all_of(counts, [&](std::uint64_t n) { return n <= tally.trials; });
+                   std::ranges::all_of(counts,
+                                       [&](std::uint64_t count) { return count <= tally.trials; });
           };
           return tally.trials == n && are_of(tally.detections) && are_of(tally.false_alarms);
         }};

@@ -85,17 +85,20 @@ class PartTraffic : public testing::TestWithParam<Traffic> {
 // The least gap holds within a telegram, here of 20 ms.
 TEST_P(PartTraffic, MeasuredTelegramsOfTheSheetAreReported) {
   for (const double cycles : {table.shortest, 16., 24., 30., 50., 70.})
-    if (cycles >= table.shortest && cycles <= table.longest_short)
+    if (cycles >= table.shortest && cycles <= table.longest_short) {
       EXPECT_EQ(reported(cycles, table.gap, 20e-3), 1) << cycles << " cycles";
+    }
 }
 
 // The shortest bursts as often as the sheet allows, and longer ones with the gap that it asks for.
 TEST_P(PartTraffic, MeasuredStreamsOfTheSheetAreReported) {
-  if (table.a_second > 0)
+  if (table.a_second > 0) {
     EXPECT_EQ(reported(table.shortest, f0 / table.a_second - table.shortest, 2), 1);
+  }
   for (const double cycles : {long_burst, 3 * long_burst})
-    if (cycles > table.longest_short)
+    if (cycles > table.longest_short) {
       EXPECT_EQ(reported(cycles, 1.02 * table.long_gap(cycles, f0), 2), 1) << cycles << " cycles";
+    }
 }
 
 // A fifth of the gap that the sheet asks for: below every typical curve.
