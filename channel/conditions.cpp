@@ -43,7 +43,11 @@ ModuleData under(const Conditions& c, ModuleData part) {
                        relative(part.emin_against_temperature, c.celsius, Conditions{}.celsius);
   const double ripple = ripple_squared(part.*c.ripple_at.emin, c.ripple_mv_rms);
   part.emin_mw_per_m2 = std::sqrt(still * still + ripple);
-  part.emin_max_mw_per_m2 *= part.emin_mw_per_m2 / typical;
+  const double rise = part.emin_mw_per_m2 / typical;
+  part.emin_max_mw_per_m2 *= rise;
+  for (NumberBounds& bounds : part.bounds)
+    if (bounds.number == "emin_mw_per_m2" || bounds.number == "emin_max_mw_per_m2")
+      bounds = {bounds.number, bounds.low * rise, bounds.high * rise, bounds.distribution};
   part.temperature_k = c.celsius + kelvin_at_zero_celsius;
   return part;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "channel/curve.hpp"
+#include "channel/number_bounds.hpp"
 #include "dsp/units.hpp"
 
 namespace channel {
@@ -20,6 +21,7 @@ struct EmitterData {
   double continuous_ma = 100;        // most that it bears for as long as a bit, as a mean
   // Intensity against degrees Celsius, in any unit; empty: the sheet does not say.
   Curve relative_intensity_against_temperature = {};
+  AllBounds bounds = {};  // of the numbers that no document prints
 };
 
 /// Temperature in degrees Celsius at which data sheets state an LED.

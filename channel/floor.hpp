@@ -7,6 +7,7 @@
 // for the first Fresnel zone is 0.5 mm wide at 1 m. It scatters no light of its own.
 #include <string>
 
+#include "channel/number_bounds.hpp"
 #include "dsp/units.hpp"
 
 namespace channel {
@@ -19,6 +20,7 @@ struct Floor {
   double bump_height_mm = 0.0;       // 0: an even floor
   double bump_position = 0.5;        // of the way from the LED's foot to the receiver's, 0..1
   std::string name = {};             // of the part
+  AllBounds bounds = {};             // of the numbers that no document prints
 };
 
 /// Unpolarised Fresnel reflectance (Rs + Rp) / 2 at grazing angle `grazing` (0 = along the floor).

@@ -3,6 +3,7 @@
 // at a receiver module's output. Noise is shot noise: what the amplifier adds is not its business.
 #include <string>
 
+#include "channel/number_bounds.hpp"
 #include "dsp/units.hpp"
 
 namespace channel {
@@ -14,6 +15,7 @@ struct PhotodiodeData {
   double dark_current_na = 2;  // reverse biased, at 25 C
   double capacitance_pf = 25;  // at the bias of the dark current or near it
   double half_angle_deg = 65;  // to half sensitivity
+  AllBounds bounds = {};       // of the numbers that no document prints
 };
 
 /// Photocurrent of an irradiance on axis: responsivity times area times irradiance.

@@ -8,6 +8,7 @@
 #include "channel/band_pass.hpp"
 #include "channel/curve.hpp"
 #include "channel/demodulator.hpp"
+#include "channel/number_bounds.hpp"
 #include "channel/slow_agc.hpp"
 #include "dsp/lanes.hpp"
 #include "dsp/units.hpp"
@@ -65,6 +66,7 @@ struct ModuleData {
   // other frequencies; empty: the sheet does not say.
   Curve emin_against_temperature, emin_against_supply;
   Curve emin_against_ripple, emin_against_ripple_10_khz, emin_against_ripple_100_khz;
+  AllBounds bounds;  // of the numbers that no sheet prints
 };
 
 /// Wavelength at which Emin is taken: of the emitters that sheets measure with.

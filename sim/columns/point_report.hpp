@@ -8,6 +8,7 @@
 #include "sim/picture/chart.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/threads/parallel_runs.hpp"
 
 namespace sim {
 
@@ -18,6 +19,7 @@ struct SweptPoints {
   const std::string& command;
   const std::vector<Shard>& shards;
   const std::vector<Point>& points;
+  Workers workers{};  // for what is worked out besides
 };
 
 template <class Point>

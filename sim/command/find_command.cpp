@@ -220,7 +220,8 @@ ExitCode find_command(const FindRequest& request) {
     print_json(json_of(result) + "\n");
   else
     print((interrupt ? "interrupted: what follows is of what was counted\n" : "") +
-          link_notes(result, finds.question()) + kept_line(output, result_digest(result)));
+          link_notes(result, rank(result, finds.question())) +
+          kept_line(output, result_digest(result)));
   if (!interrupt) return ExitCode::done;
   say("cosys-sim: interrupted (by a signal) what was counted is in the result file\n");
   return ExitCode::interrupted;

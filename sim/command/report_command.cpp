@@ -8,6 +8,7 @@
 #include "sim/command/picture_files.hpp"
 #include "sim/failure.hpp"
 #include "sim/link_experiment/link_measurement.hpp"
+#include "sim/link_experiment/range_doubt.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/page/link_section.hpp"
 #include "sim/page/page.hpp"
@@ -63,6 +64,10 @@ ReportSection link_section_of(const fs::path& path, const ReportRequest& request
   LinkReport link;
   link.name = name_of(path, request.results);
   link.settings = settings_of(stored.scenario);
+  link.ranking = rank(stored.result);
+  add_doubts(link.ranking, stored.scenario, workers);
+  if (const auto units = unit_spread(stored.result))
+    link.effects = number_effects(stored.scenario, *units);
   link.ablations = ablate(stored.scenario, stored.result, workers);
   if (is_weighted(stored.result))
     link.why_no_trial =

@@ -47,7 +47,8 @@ class PartReader {
     std::vector<std::string> names{"name"};
     for (const auto& c : keys_.choices) names.push_back(c.facts.name);
     for (const auto& n : keys_.numbers)
-      for (const char* leaf : {".value", ".source"}) names.push_back(n.facts.name + leaf);
+      for (const char* leaf : {".value", ".low", ".high", ".distribution", ".source"})
+        names.push_back(n.facts.name + leaf);
     for (const auto& c : keys_.curves)
       for (const auto& leaf : {c.x.name, c.y.name, std::string("source")})
         names.push_back(c.name + "." + leaf);
@@ -150,10 +151,67 @@ class PartReader {
   void read_number(const PartNumber<Data>& number, Data& part) const {
     const std::string& name = number.facts.name;
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
-    if (!present(name, sample, number.required && needs_numbers(part))) return;
-    const double value = get<double>(name + ".value", "a number", "write " + sample);
-    check_number(number.facts, value, find(name + ".value")->place);
-    part.*number.member = value;
+    if (!present(name, sample, number.required && needs_numbers(part))) {
+      if (number.unsaid && needs_numbers(part)) part.bounds.push_back(*number.unsaid);
+      return;
+    }
+    part.*number.member = number_at(number.facts, "value", "write " + sample);
+    read_bounds(number, part);
+  }
+
+  /// A number of an item, "centre_hz.low"; its value is called as the item is.
+  double number_at(KeyFacts facts, const std::string& leaf, const std::string& remedy) const {
+    const std::string key = facts.name + "." + leaf;
+    const double value = get<double>(key, "a number", remedy);
+    if (leaf != "value") facts.name = key;
+    check_number(facts, value, find(key)->place);
+    return value;
+  }
+
+  /// Both of an item's bounds, or neither.
+  void read_bounds(const PartNumber<Data>& number, Data& part) const {
+    const std::string& name = number.facts.name;
+    const Entry* distribution = find(name + ".distribution");
+    if (!find(name + ".low") && !find(name + ".high")) {
+      if (distribution)
+        throw bad_input(distribution->key + " " + distribution->place, "nothing to distribute",
+                        "add low and high");
+      return;
+    }
+    const std::string remedy = "add low and high, or neither";
+    const channel::NumberBounds bounds{.number = name,
+                                       .low = number_at(number.facts, "low", remedy),
+                                       .high = number_at(number.facts, "high", remedy),
+                                       .distribution = distribution_of(name)};
+    check_bounds(bounds, part.*number.member);
+    part.bounds.push_back(bounds);
+  }
+
+  channel::Distribution distribution_of(const std::string& name) const {
+    const std::string key = name + ".distribution";
+    const Entry* entry = find(key);
+    if (!entry) return channel::Distribution::uniform;
+    const auto all = channel::distributions();
+    std::vector<std::string_view> names;
+    for (const auto& known : all) names.push_back(known.name);
+    const std::string remedy = fmt::format("use \"{}\"", fmt::join(names, "\" or \""));
+    const std::string& word = text(key, remedy);
+    const auto found = std::ranges::find(all, word, &channel::DistributionName::name);
+    if (found == all.end())
+      throw bad_input(fmt::format("{} = \"{}\" {}", key, word, entry->place),
+                      "no such distribution", remedy);
+    return found->distribution;
+  }
+
+  void check_bounds(const channel::NumberBounds& bounds, double value) const {
+    const Entry* low = find(bounds.number + ".low");
+    if (bounds.low > value || value > bounds.high)
+      throw bad_input(
+          fmt::format("{} = {} to {} {}", bounds.number, bounds.low, bounds.high, low->place),
+          fmt::format("the value {} is not between them", value), "correct value, low or high");
+    if (bounds.distribution == channel::Distribution::log_uniform && bounds.low <= 0)
+      throw bad_input(fmt::format("{} = {} {}", low->key, bounds.low, low->place),
+                      "the logarithm of 0 has no bound", "raise it or use \"uniform\"");
   }
 
   void read_curve(const PartCurve<Data>& curve, Data& part) const {

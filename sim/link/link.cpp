@@ -161,6 +161,7 @@ Link make_link(const Scenario& scenario) {
   link.ambient = light.ambient;
   add_disturbances(link, s);
   link.population = s.receiver.population != 0;
+  link.draws_constants = s.receiver.population == population_with_constants;
   link.receiver_baud = off_by(s.device.baud, s.uart.clock_error_ppm);
   link.uart = protocol::find_uart_receiver(s.uart.receiver);
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);

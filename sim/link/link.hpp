@@ -38,6 +38,7 @@ struct Link {
   dsp::WattsPerSquareMetre ambient;
   std::vector<DisturbanceSettings> disturbances;  // in the order of the chain's
   bool population = false;                        // each trial has a unit of its own
+  bool draws_constants = false;                   // of which what nobody printed is drawn too
   // Receiver.
   dsp::Hertz receiver_baud;
   const protocol::UartReceiver* uart = nullptr;

@@ -10,6 +10,7 @@
 
 #include "sim/link/validity.hpp"
 #include "sim/result/alarms.hpp"
+#include "sim/result/axis_json.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/scenario/flags.hpp"
 
@@ -69,15 +70,6 @@ Json json_crossings(const LinkResult& result, const CrossingQuestion& question) 
   Json json = Json::array();
   const Ranking ranking = rank(result, question);
   for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
-  return json;
-}
-
-Json json_axis(const Axis& a) {
-  Json json{{"key", a.key}, {"unit", a.unit}, {"long_name", a.long_name}};
-  if (a.is_text())
-    json["values"] = a.labels;
-  else
-    json["values"] = a.values;
   return json;
 }
 

@@ -11,6 +11,8 @@
 #include "sim/link/validity.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
+#include "sim/result/ranking.hpp"
+#include "sim/result/unit_spread.hpp"
 #include "sim/scenario/flags.hpp"
 #include "sim/text/rounded_text.hpp"
 
@@ -105,8 +107,9 @@ std::string loss_reasons(const LinkResult& result) {
   return reasons_note(sum_of(result, false)) + weighted_note(sum_of(result, true));
 }
 
-std::string link_notes(const LinkResult& result, const CrossingQuestion& question) {
-  return mark_notes(result) + loss_reasons(result) + ranking_lines(result, rank(result, question));
+std::string link_notes(const LinkResult& result, const Ranking& ranking) {
+  const std::string notes = mark_notes(result) + loss_reasons(result);
+  return has_units(result.axes) ? notes : notes + ranking_lines(result, ranking);
 }
 
 std::string missing_lines(const LinkResult& result) {

@@ -20,7 +20,7 @@ std::string mark_notes(const LinkResult& result);
 std::string loss_reasons(const LinkResult& result);
 
 /// Below the table: what the marks mean, why frames were lost, and where the loss passes the level.
-std::string link_notes(const LinkResult& result, const CrossingQuestion& question = {});
+std::string link_notes(const LinkResult& result, const Ranking& ranking);
 
 /// What was not counted: points that a stopped run left, and shards. Empty if nothing is missing.
 std::string missing_lines(const LinkResult& result);

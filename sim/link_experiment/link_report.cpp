@@ -10,6 +10,7 @@
 #include "sim/link_experiment/link_columns.hpp"
 #include "sim/link_experiment/link_json.hpp"
 #include "sim/link_experiment/link_notes.hpp"
+#include "sim/link_experiment/range_doubt.hpp"
 #include "sim/result/unfinished.hpp"
 #include "sim/threads/profile.hpp"
 
@@ -42,6 +43,13 @@ std::string profile_of(const std::vector<LinkPoint>& points) {
   return profile_lines(profile, samples);
 }
 
+std::string notes_of(const Swept& swept) {
+  const LinkResult result = result_of(swept);
+  Ranking ranking = rank(result);
+  add_doubts(ranking, swept.scenario, swept.workers);
+  return link_notes(result, ranking);
+}
+
 }  // namespace
 
 constinit const PointReport<LinkPoint> link_report{
@@ -51,6 +59,6 @@ constinit const PointReport<LinkPoint> link_report{
     .profile = profile_of,
     .json = [](const Swept& swept, const Dataset& data) { return to_json(result_of(swept), data); },
     .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },
-    .notes = [](const Swept& swept) { return link_notes(result_of(swept)); }};
+    .notes = notes_of};
 
 }  // namespace sim

@@ -155,4 +155,14 @@ void check_fidelity(const Scenario& scenario, const SourceLocations& places) {
   }
 }
 
+void choose_fast_fidelity(Scenario& scenario) {
+  if (fidelity_of(scenario.simulation) != Fidelity::waveform) return;
+  const std::string waveform = std::exchange(scenario.simulation.fidelity, "envelope");
+  try {
+    check_fidelity(scenario, {});
+  } catch (const Failure&) {
+    scenario.simulation.fidelity = waveform;
+  }
+}
+
 }  // namespace sim

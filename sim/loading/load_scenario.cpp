@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "sim/components/drawn_part.hpp"
 #include "sim/components/part_axis.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/failure.hpp"
@@ -97,6 +98,7 @@ Assembly assemble(const ParsedScenario& parsed, const PartSources& from) {
                                  std::move(floor.source)};
   load_device_leds(s, parsed, from, parts);
   load_photodiode(s, parsed, from, parts);
+  forget_given_bounds(s, parsed.places);
   return {std::move(s), std::move(parts)};
 }
 

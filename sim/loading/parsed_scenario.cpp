@@ -10,6 +10,7 @@
 #include "sim/failure.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/experiment_kind.hpp"
+#include "sim/scenario/flag_words.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/named_key.hpp"
 #include "sim/scenario/placed_device_keys.hpp"
@@ -132,12 +133,21 @@ void check_empty_table(const Entry& entry) {
                     guessed_table(entry.key, tables));
 }
 
+double flag_in_quotes(const Key& key, const Entry& entry) {
+  const auto* word = std::get_if<std::string>(&entry.value);
+  const auto value = word && key.facts.range.high > 1 ? flag_value(key, *word) : std::nullopt;
+  if (value) return *value;
+  if (word && key.facts.range.high > 1)
+    throw bad_input(fmt::format("{} = \"{}\" {}", entry.key, *word, entry.place),
+                    "not " + flag_words(key), "use one of these");
+  refuse_kind(entry, "true or false", "write true or false without quotes");
+}
+
 double number_of(const Key& key, const Entry& entry) {
   const auto* flag = std::get_if<bool>(&entry.value);
   if (flag && key.facts.type == KeyType::flag) return *flag ? 1 : 0;
   if (const auto* value = std::get_if<double>(&entry.value)) return *value;
-  if (key.facts.type == KeyType::flag)
-    refuse_kind(entry, "true or false", "write true or false without quotes");
+  if (key.facts.type == KeyType::flag) return flag_in_quotes(key, entry);
   refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
 }
 
@@ -208,17 +218,16 @@ void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   parsed.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
 }
 
-/// "true", "false", or both as a sweep.
+/// "true", "false", another word of the key, or several as a sweep.
 void override_flag(ParsedScenario& parsed, const Key& key, const std::string& value,
                    const std::string& place) {
   std::vector<double> values;
   for (const std::string_view item : split(value, ',')) {
-    const std::string_view word = trimmed(item);
-    const bool yes = word == "true" || word == "1", no = word == "false" || word == "0";
-    if (!yes && !no)
-      throw bad_input(fmt::format("{} = {} {}", key.name(), value, place), "not true or false",
-                      "use true or false");
-    values.push_back(yes ? 1 : 0);
+    const auto number = flag_value(key, trimmed(item));
+    if (!number)
+      throw bad_input(fmt::format("{} = {} {}", key.name(), value, place), "not " + flag_words(key),
+                      "use " + flag_words(key));
+    values.push_back(*number);
   }
   if (values.size() > 1) return parsed.set_axis(make_axis(key, values, place), place);
   parsed.set_number(key, values.front(), place);

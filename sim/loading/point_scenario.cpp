@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/components/drawn_part.hpp"
 #include "sim/components/part_slot.hpp"
 #include "sim/failure.hpp"
 #include "sim/link/disturbance.hpp"
@@ -118,6 +119,15 @@ void check_current(const Scenario& s, const SourceLocations& places) {
       fmt::format("use at most {}", last));
 }
 
+/// One says which unit it is, the other draws one a trial.
+void check_unit(const Scenario& s, const SourceLocations& places) {
+  if (s.receiver.unit == 0 || s.receiver.population == 0) return;
+  throw bad_input(
+      fmt::format("receiver.unit = {} {} with receiver.population {}", s.receiver.unit,
+                  place_of(places, "receiver.unit"), place_of(places, "receiver.population")),
+      "a population draws another unit in each trial", "remove one of the two");
+}
+
 /// Without noise there is no light of a given Eb/N0.
 void check_ebn0(const Scenario& s, const SourceLocations& places) {
   if (std::isnan(s.receiver.ebn0_db) || s.noise.scale > 0) return;
@@ -143,6 +153,7 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const SourceLoca
   check_remotes(s, places);
   check_current(s, places);
   check_ebn0(s, places);
+  check_unit(s, places);
   check_led_temperature(s.emitter, s.led.temperature_c, places);
   check_fidelity(s, places);
   check_method(s, places);
@@ -176,7 +187,7 @@ void place_text(Scenario& s, const Key& key, const std::string& label,
   if (key.facts.type == KeyType::part) part_slot(key.name()).copy(variants[which], s);
 }
 
-/// Parts first: numbers hold for any of them.
+/// Parts first: numbers hold for any of them. `s` has had no unit placed.
 void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
               const std::vector<double>& coordinates) {
   assert(setters.size() == coordinates.size());
@@ -187,6 +198,7 @@ void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
   }
   for (std::size_t i = 0; i < setters.size(); ++i)
     if (setters[i]->is_number()) setters[i]->number(s) = coordinates[i];
+  place_unit(s);
 }
 
 }  // namespace
@@ -250,6 +262,7 @@ void check_all_points(const LoadedScenario& loaded) {
   Scenario s = loaded.base;
   const std::vector<Limit> limits = limits_of(s);
   for (std::size_t i = 0; i < n; ++i) {
+    if (s.receiver.unit != 0) s = loaded.base;
     place_at(s, loaded, setters, point_coordinates(loaded.sweep, i));
     choose_sample_rate(s, limits, loaded.places);
     check_point(s, limits, loaded.places);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/columns/validity_column.hpp"
@@ -15,12 +16,18 @@
 namespace sim {
 namespace {
 
+bool has_doubts(const Ranking& ranking) {
+  return std::ranges::any_of(ranking.rows,
+                             [](const RowCrossing& row) { return !row.doubt.empty(); });
+}
+
 std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ranking) {
   std::vector<std::string> head;
   if (ranking.best_first) head.emplace_back("place");
   for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
   head.push_back(fmt::format("{} at which frame loss passes {:g} %",
                              result.axes[ranking.abscissa].key, 100 * ranking.flr));
+  if (has_doubts(ranking)) head.push_back("how sure that is");
   return head;
 }
 
@@ -68,6 +75,7 @@ PageSection link_range_section(const LinkResult& result, const Ranking& ranking)
     for (std::size_t i = 0; i < ranking.others.size(); ++i)
       cells.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
     cells.push_back(reach_text(result, ranking, row));
+    if (has_doubts(ranking)) cells.push_back(row.doubt.empty() ? "-" : row.doubt);
     table.rows.push_back(std::move(cells));
   }
   return {.heading = link_range_heading(result.axes[ranking.abscissa].key),

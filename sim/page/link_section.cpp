@@ -98,6 +98,12 @@ void add_ranking(ReportSection& report, const LinkResult& result, const Ranking&
   if (ranking.rows.size() > 1) report.first.push_back(link_range_section(result, ranking));
 }
 
+void add_units(ReportSection& report, const UnitSpread& spread,
+               const std::vector<NumberEffect>& effects) {
+  if (!effects.empty()) report.first.push_back(effects_section(spread, effects));
+  report.first.push_back(units_section(spread));
+}
+
 PageSection trial_section(const LinkResult& result, const ShownTrial& shown) {
   const TracedTrial& trial = shown.trial;
   const std::string which =
@@ -144,14 +150,17 @@ void add_shown_trial(ReportSection& report, const LinkResult& result, const Show
 
 ReportSection link_section(const LinkReport& link) {
   const LinkResult& result = link.result;
-  ReportSection report{
-      link.name, result.title,
-      setup_words(link.settings) + summary_of(result, link.ablations) + marked_points(result)};
+  ReportSection report{link.name, result.title,
+                       setup_words(link.settings) +
+                           summary_of(result, link.ranking, link.ablations) +
+                           marked_points(result)};
   report.settings = link.settings;
   report.scenario = scenario_section(result.command, result.scenario_toml);
-  const Ranking ranking = rank(result);
-  add_ranking(report, result, ranking);
-  const LinkResult drawn = best_first(result, ranking);
+  if (const auto units = unit_spread(result))
+    add_units(report, *units, link.effects);
+  else
+    add_ranking(report, result, link.ranking);
+  const LinkResult drawn = best_first(result, link.ranking);
   report.charts = result_charts(drawn);
   add_maps(report, drawn);
   report.sections.push_back(fates_section(result));

@@ -8,6 +8,8 @@
 #include "sim/page/ablations.hpp"
 #include "sim/page/frame_statistics.hpp"
 #include "sim/page/shown_trial.hpp"
+#include "sim/page/unit_section.hpp"
+#include "sim/result/ranking.hpp"
 #include "sim/result/result.hpp"
 #include "sim/section/report_section.hpp"
 
@@ -16,8 +18,10 @@ namespace sim {
 struct LinkReport {
   std::string name;  // of its file
   LinkResult result;
+  Ranking ranking;  // how far it reaches, with its doubts
   Ablations ablations;
-  FrameStatistics frames{};  // where the link fails, or else of the first point
+  std::vector<NumberEffect> effects = {};  // where units were swept
+  FrameStatistics frames{};                // where the link fails, or else of the first point
   std::optional<ShownTrial> trial = {};
   std::string why_no_trial = {};       // a line, or empty
   std::vector<Setting> settings = {};  // of its scenario

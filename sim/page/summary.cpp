@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "sim/columns/estimate_text.hpp"
+#include "sim/columns/unit_spread_text.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/link_experiment/link_notes.hpp"
 #include "sim/page/link_range_section.hpp"
+#include "sim/page/unit_section.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
@@ -67,8 +69,8 @@ std::vector<std::string> best_of(const LinkResult& result, const Ranking& rankin
 }
 
 /// Where there are many rows they have a section of their own.
-std::string reach_of(const LinkResult& result) {
-  const Ranking ranking = rank(result);
+std::string reach_of(const LinkResult& result, const Ranking& ranking) {
+  if (const auto units = unit_spread(result)) return ended(sentence(range_lines(*units)));
   if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
   const std::vector<LinkRange> link_ranges = link_ranges_of(result, ranking);
   std::vector<std::string> best = best_of(result, ranking, link_ranges);
@@ -150,9 +152,10 @@ std::string without_estimate(const LinkResult& result) {
 
 }  // namespace
 
-std::string summary_of(const LinkResult& result, const Ablations& ablations) {
+std::string summary_of(const LinkResult& result, const Ranking& ranking,
+                       const Ablations& ablations) {
   return ended(sentence(missing_lines(result))) + size_of(result) + without_estimate(result) +
-         reach_of(result) + where_it_fails(result) + what_limits(ablations);
+         reach_of(result, ranking) + where_it_fails(result) + what_limits(ablations);
 }
 
 }  // namespace sim

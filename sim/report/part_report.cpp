@@ -100,13 +100,20 @@ std::string comparison_text(const Comparison& c) {
          points_table(c) + rms_line(c) + chart_as_text(figure_chart(c));
 }
 
+/// "[0.05, 0.4 log-uniform] "
+std::string bounds_text(const SheetNumber& number) {
+  if (!number.bounds) return "";
+  return fmt::format("[{:g}, {:g} {}] ", number.bounds->low, number.bounds->high,
+                     distribution_name(number.bounds->distribution));
+}
+
 std::string number_lines(const PartSheet& sheet) {
   std::string text;
   for (const SheetText& t : sheet.texts) text += fmt::format("  {:<24} {}\n", t.name, t.value);
   for (const SheetNumber& n : sheet.numbers)
-    text +=
-        fmt::format("  {:<24} {:<14} {}\n", n.name, with_unit(fmt::format("{}", n.value), n.unit),
-                    n.source.empty() ? "(default: the file does not say)" : n.source);
+    text += fmt::format("  {:<24} {:<14} {}{}\n", n.name,
+                        with_unit(fmt::format("{}", n.value), n.unit), bounds_text(n),
+                        n.source.empty() ? "(default: the file does not say)" : n.source);
   return text;
 }
 
@@ -140,6 +147,14 @@ Json part_json(const PartSheet& part) {
 
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Null where the number is known.
+Json bounds_json(const SheetNumber& number) {
+  if (!number.bounds) return nullptr;
+  return {{"low", number.bounds->low},
+          {"high", number.bounds->high},
+          {"distribution", distribution_name(number.bounds->distribution)}};
 }
 
 }  // namespace
@@ -178,7 +193,8 @@ std::string sheet_json(const PartSheet& sheet) {
     json["numbers"][n.name] = {{"value", n.value},
                                {"unit", n.unit},
                                {"long_name", n.long_name},
-                               {"source", n.source.empty() ? Json(nullptr) : Json(n.source)}};
+                               {"source", n.source.empty() ? Json(nullptr) : Json(n.source)},
+                               {"bounds", bounds_json(n)}};
   json["curves"] = Json::object();
   for (const SheetCurve& c : sheet.curves)
     json["curves"][c.name] = {{"long_name", c.long_name},

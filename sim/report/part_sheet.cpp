@@ -115,6 +115,12 @@ std::string summary_of(const channel::PhotodiodeData& diode) {
 }
 
 template <class Data>
+std::optional<channel::NumberBounds> bounds_of(const Data& data, const std::string& number) {
+  const auto at = std::ranges::find(data.bounds, number, &channel::NumberBounds::number);
+  return at == data.bounds.end() ? std::nullopt : std::optional(*at);
+}
+
+template <class Data>
 void add_keys(PartSheet& sheet, const PartKeys<Data>& keys, const Data& data,
               const std::vector<Entry>& entries) {
   for (const auto& c : keys.choices)
@@ -122,7 +128,8 @@ void add_keys(PartSheet& sheet, const PartKeys<Data>& keys, const Data& data,
   for (const auto& n : keys.numbers)
     if (n.facts.range.contains(data.*n.member))  // else it stands for none
       sheet.numbers.push_back({n.facts.name, n.facts.unit, n.facts.long_name,
-                               text_of(entries, n.facts.name + ".source"), data.*n.member});
+                               text_of(entries, n.facts.name + ".source"), data.*n.member,
+                               bounds_of(data, n.facts.name)});
   for (const auto& c : keys.curves)
     if (!(data.*c.member).empty())
       sheet.curves.push_back({c.name, c.long_name, text_of(entries, c.name + ".source"), c.x.name,

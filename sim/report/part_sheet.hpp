@@ -1,10 +1,12 @@
 #pragma once
 // The sheet of a part: all that its file says, each number with its unit and source, and the model
 // beside each digitised figure that the file names.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "channel/curve.hpp"
+#include "channel/number_bounds.hpp"
 #include "sim/components/digitised_curve.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/scenario/figures.hpp"
@@ -15,6 +17,7 @@ namespace sim {
 struct SheetNumber {
   std::string name, unit, long_name, source;
   double value = 0;
+  std::optional<channel::NumberBounds> bounds{};  // where no document prints it
 };
 
 struct SheetText {

@@ -12,6 +12,7 @@
 #include "sim/columns/columns_dataset.hpp"
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/point_report.hpp"
+#include "sim/columns/unit_spread_text.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/engine/checkpointer.hpp"
 #include "sim/engine/plan.hpp"
@@ -39,7 +40,7 @@ class PointRun : public ReadyRun {
         report_(report),
         counting_(kind, run_.scenario, run_.shards),
         table_(report.columns(), run_.scenario, counting_.points().front()),
-        rows_(run_.json || !run_.speaks()),
+        rows_(run_.json || !run_.speaks() || is_summed_up()),
         progress_(!run_.quiet && run_.speaks()) {
     for (const std::filesystem::path& path : run_.counted_in) counting_.add(read_checkpoint(path));
   }
@@ -68,6 +69,11 @@ class PointRun : public ReadyRun {
   }
 
  private:
+  /// A table of hundreds of units would hide what they say together.
+  bool is_summed_up() const {
+    return has_units(run_.scenario.sweep) && has_loss(report_.columns().facts());
+  }
+
   void take_point(std::size_t i, const RunCounters& by) {
     if (run_.counts_nothing) return;
     counting_.count(i, by, [&](std::uint32_t done, std::uint32_t all) {
@@ -97,19 +103,20 @@ class PointRun : public ReadyRun {
   void end(const std::string& missing) {
     const Stopwatch watch;
     const Dataset data = dataset();
-    conclude(run_, rows_, data,
-             {.json =
-                  [&] {
-                    return report_.json != nullptr ? report_.json(swept(), data)
-                                                   : dataset_json(data);
-                  },
-              .plots = [&] { return charts_as_text(charts(data)); },
-              .missing = missing,
-              .notes =
-                  [&] {
-                    return report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data);
-                  },
-              .details = [&] { return details(); }});
+    conclude(
+        run_, rows_, data,
+        {.json =
+             [&] {
+               return report_.json != nullptr ? report_.json(swept(), data) : dataset_json(data);
+             },
+         .plots = [&] { return charts_as_text(charts(data)); },
+         .missing = missing,
+         .notes =
+             [&] {
+               return unit_spread_lines(data) +
+                      (report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data));
+             },
+         .details = [&] { return details(); }});
     writing_s_ += watch.seconds();
     if (run_.profile) say(profile_text());
   }
@@ -128,7 +135,7 @@ class PointRun : public ReadyRun {
   }
 
   SweptPoints<Point> swept() const {
-    return {run_.scenario, run_.command, run_.shards, counting_.points()};
+    return {run_.scenario, run_.command, run_.shards, counting_.points(), run_.workers};
   }
 
   Dataset dataset() const {

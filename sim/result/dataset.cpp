@@ -6,21 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/failure.hpp"
+#include "sim/result/axis_json.hpp"
 #include "sim/text/digest.hpp"
 
 namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_axis(const Axis& axis) {
-  Json json{{"key", axis.key}, {"unit", axis.unit}, {"long_name", axis.long_name}};
-  if (axis.is_text())
-    json["values"] = axis.labels;
-  else
-    json["values"] = axis.values;
-  return json;
-}
 
 Json json_variable(const Dataset& data, const Dataset::Variable& variable) {
   Json json{{"unit", variable.facts.unit},

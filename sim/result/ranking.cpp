@@ -191,7 +191,8 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
     const RowCrossing& row = ranking.rows[i];
     text += place(row.place == 0 ? "-" : std::to_string(row.place));
     for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
-    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + mark(row) + "\n";
+    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) +
+            (row.doubt.empty() ? "" : "; " + row.doubt) + mark(row) + "\n";
   }
   return text;
 }
@@ -202,7 +203,7 @@ std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named)
   std::size_t abscissa = Ranking::none;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
-    if (!axes[i].is_text()) abscissa = i;
+    if (!axes[i].is_text() && axes[i].key != unit_key) abscissa = i;
   }
   return abscissa;
 }
@@ -214,8 +215,10 @@ Ranking rank(const LinkResult& result, const CrossingQuestion& question) {
   for (Row& row : rows_of(result, ranking)) {
     if (is_weighted(row.line)) continue;  // fits are to counts
     const Crossing crossing = frame_loss_crossing(row.line, question.flr);
-    ranking.rows.push_back({std::move(row.others), crossing, validity_flags_of(row.line),
-                            merit(crossing, ranking.more_is_better)});
+    ranking.rows.push_back({.others = std::move(row.others),
+                            .crossing = crossing,
+                            .validity_flags = validity_flags_of(row.line),
+                            .merit = merit(crossing, ranking.more_is_better)});
   }
   if (ranking.best_first) sort_best_first(result, ranking);
   return ranking;
@@ -249,7 +252,7 @@ std::string ranking_lines(const LinkResult& result, const Ranking& ranking) {
   if (!ranking.others.empty()) return list(result, ranking);
   const RowCrossing& row = ranking.rows.front();
   return crossing_sentence(result.axes[ranking.abscissa], row.crossing, ranking.flr) + mark(row) +
-         "\n";
+         "\n" + (row.doubt.empty() ? "" : row.doubt + "\n");
 }
 
 }  // namespace sim

@@ -17,6 +17,7 @@ struct RowCrossing {
   Crossing crossing;
   std::uint64_t validity_flags;  // limits of validity that any of its points leaves
   double merit = 0;              // larger is better, also between rankings along one key
+  std::string doubt{};           // of the crossing, in words; empty: none that is known of
   std::size_t place = 0;         // from 1, the same for equals; 0: none, not sorted or unfinished
 };
 

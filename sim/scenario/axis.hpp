@@ -15,6 +15,9 @@ struct Axis {
   bool is_text() const { return !labels.empty(); }
 };
 
+/// The axis of drawn units, along which nothing rises or falls.
+inline constexpr const char* unit_key = "receiver.unit";
+
 /// A value of the axis as tables show it: its text, or the number in up to six digits.
 std::string coordinate_text(const Axis& axis, double coordinate);
 

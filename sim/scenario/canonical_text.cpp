@@ -67,6 +67,16 @@ std::string numbers_text(const PartKeys<Part>& keys, const Part& part) {
   return lines;
 }
 
+/// Only where each trial draws from them.
+std::string bounds_text(const Scenario& s) {
+  if (s.receiver.population != population_with_constants) return "";
+  std::string lines;
+  for (const channel::NumberBounds& b : s.module.bounds)
+    lines += fmt::format("modules.{} = {} to {} {}\n", b.number, exact(b.low), exact(b.high),
+                         static_cast<int>(b.distribution));
+  return lines;
+}
+
 std::string disturbances_text(const Scenario& s) {
   std::string lines;
   for (const auto& [name, disturbance] : s.disturbances) {
@@ -106,8 +116,9 @@ std::string canonical_text(const Scenario& scenario) {
     if (key.physics && !is_younger_default(key, s))
       lines += fmt::format("{} = {}\n", key.name(), value_text(key, s));
   return lines + disturbances_text(s) + devices_text(s) + choices_text(module_keys(), s.module) +
-         curves_text(module_keys(), s.module) + numbers_text(led_keys(), s.emitter) +
-         curves_text(led_keys(), s.emitter) + photodiode_text(s);
+         curves_text(module_keys(), s.module) + bounds_text(s) +
+         numbers_text(led_keys(), s.emitter) + curves_text(led_keys(), s.emitter) +
+         photodiode_text(s);
 }
 
 }  // namespace sim

@@ -22,7 +22,7 @@ constexpr Range from(double low, double high) { return {low, high, false}; }
 enum class KeyType {
   number,
   whole_number,
-  flag,
+  flag,  // false and true, or a few values with a word each: sim/scenario/flag_words
   text,
   message,
   choice,
@@ -46,7 +46,7 @@ struct Key {
   KeyFacts facts;
   std::function<double&(Scenario&)> number;
   std::function<std::string&(Scenario&)> text;
-  std::vector<std::string> choices;  // of KeyType::choice
+  std::vector<std::string> choices;  // of KeyType::choice; the words of KeyType::flag
   /// Younger than results of its default, which must stay results of equal input: the text that
   /// tells points apart has it only where it is not at that.
   bool younger = false;

@@ -41,8 +41,17 @@ Key whole(Rest&&... rest) {
 
 template <class At, class Group>
 Key flag(std::string name, At at, double Group::*member, std::string long_name, std::string note) {
-  return number(std::move(name), "1", from(0, 1), at, member, std::move(long_name), std::move(note),
-                KeyType::flag);
+  Key key = number(std::move(name), "1", from(0, 1), at, member, std::move(long_name),
+                   std::move(note), KeyType::flag);
+  key.choices = {"false", "true"};
+  return key;
+}
+
+/// A flag of more values than two, each with its word.
+inline Key with_words(Key key, std::vector<std::string> words) {
+  key.facts.range = from(0, static_cast<double>(words.size() - 1));
+  key.choices = std::move(words);
+  return key;
 }
 
 template <class At, class Group>

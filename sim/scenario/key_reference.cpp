@@ -6,6 +6,7 @@
 
 #include "protocol/cosys.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
+#include "sim/scenario/flag_words.hpp"
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/placed_device_keys.hpp"
@@ -16,7 +17,7 @@ namespace {
 std::string default_of(const Key& key) {
   if (!part_giving(key.name()).empty()) return "from the part";
   Scenario defaults;
-  if (key.facts.type == KeyType::flag) return key.number(defaults) != 0 ? "true" : "false";
+  if (key.facts.type == KeyType::flag) return flag_word(key, key.number(defaults));
   if (key.is_number() && std::isnan(key.number(defaults))) return "unset";
   if (key.is_number()) return fmt::format("{}", key.number(defaults));
   const std::string& value = key.text(defaults);
@@ -30,7 +31,7 @@ std::string allowed(const Key& key) {
     case KeyType::whole_number:
       return "whole, " + in_words(key.facts.range);
     case KeyType::flag:
-      return "true or false";
+      return flag_words(key);
     case KeyType::text:
       return "text";
     case KeyType::message:

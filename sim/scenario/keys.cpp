@@ -107,8 +107,14 @@ std::vector<Key> receiver_keys() {
       text(KeyType::choice, "receiver.supply_ripple_at", at, &R::supply_ripple_at,
            "frequency of that ripple", "`f0` is the module's centre, the worst",
            names_of(channel::ripple_frequencies())),
-      flag("receiver.population", at, &R::population, "another unit of the part in each trial",
-           "centre within its tolerance, threshold between typical and maximum"),
+      younger(whole("receiver.unit", "1", from(0, 1e6), at, &R::unit, "number of a drawn unit",
+                    "what nobody printed of module, LED and floor within its bounds, centre and "
+                    "threshold within theirs; 0: the parts as their files have them")),
+      with_words(
+          flag("receiver.population", at, &R::population, "another unit of the part in each trial",
+               "`true` or `parts`: centre within its tolerance, threshold between typical "
+               "and maximum; `constants`: besides, what nobody printed within its bounds"),
+          {"false", "parts", "constants"}),
   };
 }
 

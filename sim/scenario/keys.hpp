@@ -2,6 +2,7 @@
 // Keys: the one table of all that a scenario or a part file may say: name, unit, default, bounds,
 // meaning and place in the program. Loading, sweeping, --set, hashing and the README all follow it.
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ struct PartNumber {
   KeyFacts facts;
   double Part::*member;
   bool required;
+  /// Where a part may lie whose file does not give the number.
+  std::optional<channel::NumberBounds> unsaid = {};
 };
 
 /// A curve in a part's file: two lists of equal length, x increasing strictly.

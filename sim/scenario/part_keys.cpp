@@ -1,4 +1,5 @@
 // What the files of modules may say: numbers and curves, each with its unit and bounds.
+#include <algorithm>
 #include <utility>
 
 #include "sim/scenario/figures.hpp"
@@ -166,10 +167,38 @@ const char* flaw_of(const channel::ModuleData& part) {
   return nullptr;
 }
 
+/// Where a part lies whose file is silent of a number that no sheet prints.
+channel::AllBounds bounds_of_silence() {
+  using enum channel::Distribution;
+  return {
+      {"q", 7, 13},  // 10 where a sheet prints the width; 5 is a part for data
+      {"comparator_hold_cycles", 1.1, 2},
+      {"integrator_cycles", 5, 10},  // of the catalogue's parts, but for those for data
+      {"atc_fraction", 0.3, 0.6},    // 0.4 and 0.5 are fitted to figures
+      {"atc_release_ms", 3, 30, log_uniform},
+      // Least: Vishay's note on TSDP modules, 35 m at 1200 bit/s; most: the carrier of 120 ms of
+      // Vishay 82480 p. 5, of which some of the output must be left.
+      {"agc_attack_db_per_ms", 0.05, 0.4, log_uniform},
+      {"agc_margin_db", 0, 6},
+      // Least: Vishay's circuit description of its modules; most: a strong carrier is suppressed.
+      {"agc_range_db", 50, 120},
+      {"responsivity_a_per_w", 0.5, 0.7},  // of silicon photodiodes at 940 nm
+      {"feedback_ohm", 3e5, 3e6, log_uniform},
+      {"front_end_hz", 1e5, 2e5, log_uniform},
+  };
+}
+
+void set_bounds_of_silence(std::vector<PartNumber<channel::ModuleData>>& numbers) {
+  for (const channel::NumberBounds& bounds : bounds_of_silence())
+    std::ranges::find(numbers, bounds.number, [](const auto& n) { return n.facts.name; })->unsaid =
+        bounds;
+}
+
 PartKeys<channel::ModuleData> make_module_keys() {
   PartKeys<channel::ModuleData> keys{"module", "modules", {}, module_curves()};
   for (const auto& group : {threshold_numbers(), agc_numbers(), front_end_numbers()})
     keys.numbers.insert(keys.numbers.end(), group.begin(), group.end());
+  set_bounds_of_silence(keys.numbers);
   keys.either = {{"agc_long_burst_cycles", "agc_long_burst_ms"}};
   keys.figures = figure_names(module_figures());
   keys.choices = {{{"detector",

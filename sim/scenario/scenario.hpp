@@ -41,6 +41,9 @@ struct FloorSettings {
   std::string part = "indoor";
 };
 
+/// The value of receiver.population of which a trial draws what nobody printed, too.
+inline constexpr double population_with_constants = 2;
+
 struct ReceiverSettings {
   std::string module = "TSOP4856";
   double ebn0_db = unset;  // the geometry then sets the light
@@ -52,7 +55,8 @@ struct ReceiverSettings {
   double supply_v = unset;  // the part's typical
   double supply_ripple_mv = 0;
   std::string supply_ripple_at = "f0";  // of channel::ripple_frequencies()
-  double population = 0;                // 1: each trial has a unit of its own
+  double unit = 0;                      // whole number: of the units drawn; 0: the part as it is
+  double population = 0;                // another unit a trial; 0: none
 };
 
 struct UartSettings {

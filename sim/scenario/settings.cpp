@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/scenario/disturbance_keys.hpp"
+#include "sim/scenario/flag_words.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/placed_device_keys.hpp"
 #include "sim/text/unit_text.hpp"
@@ -16,7 +17,7 @@ namespace {
 std::string value_of(const Key& key, Scenario& scenario) {
   if (!key.is_number()) return key.text(scenario);
   const double value = key.number(scenario);
-  if (key.facts.type == KeyType::flag) return value != 0 ? "true" : "false";
+  if (key.facts.type == KeyType::flag) return flag_word(key, value);
   return std::isnan(value) ? "" : with_unit(fmt::format("{}", value), key.facts.unit);
 }
 

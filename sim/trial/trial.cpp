@@ -5,6 +5,7 @@
 
 #include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
+#include "sim/components/drawn_part.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/threads/stopwatch.hpp"
 #include "sim/trial/decision_trial.hpp"
@@ -211,7 +212,8 @@ std::uint32_t carrier_phase(const Link& link, std::uint32_t trial) {
 channel::ModuleData drawn_module(const Link& link, std::uint32_t trial) {
   if (!link.population) return link.module;
   const dsp::RandomAddress draws = address(link, trial, Purpose::unit);
-  return channel::unit_of(link.module, draws.uniform(0), draws.uniform(1));
+  return link.draws_constants ? drawn_unit(link.module, draws)
+                              : channel::unit_of(link.module, draws.uniform(0), draws.uniform(1));
 }
 
 std::optional<channel::ModuleDesign> draw_unit(const Link& link, std::uint32_t trial) {

@@ -19,8 +19,8 @@ std::string cell_under(const PageTable& table, const std::string& heading) {
 }
 
 TEST(Report, HasThePicturesAndTablesOfAResult) {
-  const Page page =
-      page_of({link_section({"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}})});
+  const Page page = page_of(
+      {link_section(link_report_of("file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)})))});
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
@@ -34,7 +34,8 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
 }
 
 TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
-  const LinkReport link{"file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}), {}};
+  const LinkReport link =
+      link_report_of("file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}));
   const PageTable alone = *page_of({link_section(link)}).sections[2].table;
   EXPECT_EQ(alone.head,
             (std::vector<std::string>{"receiver.range_m [m]", "frame loss ratio (FLR)"}));
@@ -50,7 +51,8 @@ TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
 TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   const LinkResult one = sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 1000)});
   const LinkResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
-  const Page page = page_of({link_section({"one", one, {}}), link_section({"two", two, {}})});
+  const Page page =
+      page_of({link_section(link_report_of("one", one)), link_section(link_report_of("two", two))});
   EXPECT_EQ(page.summary.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
                               "2 m; two: between 2 and 3 m.\none: "),
             0U)
@@ -61,7 +63,8 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
                                                    {"one", "between 1 and 2 m"}}));
   LinkResult lamps = two;
   lamps.axes[0].key = "ambient.irradiance_w_per_m2";
-  EXPECT_EQ(page_of({link_section({"one", one, {}}), link_section({"lamps", lamps, {}})})
+  EXPECT_EQ(page_of({link_section(link_report_of("one", one)),
+                     link_section(link_report_of("lamps", lamps))})
                 .sections[0]
                 .heading,
             "Differences")
@@ -107,7 +110,7 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
   result.points[0].validity_flags = 1;
   result.points[0].operating.ber_theory = 0.25;
   result.points[1].alarms = result.points[2].alarms = 1;
-  const ReportSection part = link_section({"file", result, {}});
+  const ReportSection part = link_section(link_report_of("file", result));
   EXPECT_NE(part.summary.find(
                 "\nMarked in the table of all numbers: of 3 points 1 outside of what a model is "
                 "valid for and 2 with an alarm.\n"),
@@ -125,12 +128,12 @@ TEST(Report, MarksPointsAsRunDoesAndSaysHowManyOnTop) {
 TEST(Report, OfALinkWithoutNoiseHasADashForItsRatio) {
   LinkResult result = sweep_of({point_of(1, 10, 0)});
   result.points[0].operating.snr_db = std::numeric_limits<double>::infinity();
-  const ReportSection part = link_section({"file", result, {}});
+  const ReportSection part = link_section(link_report_of("file", result));
   EXPECT_EQ(cell_under(*part.sections.back().table, "SNR [dB]"), "-");
 }
 
 TEST(Report, OfPointsWithoutMarksAndTheorySaysNothingOfThem) {
-  const ReportSection part = link_section({"file", sweep_of({point_of(1, 10, 0)}), {}});
+  const ReportSection part = link_section(link_report_of("file", sweep_of({point_of(1, 10, 0)})));
   EXPECT_EQ(part.summary.find("Marked"), std::string::npos) << part.summary;
   const PageSection& numbers = part.sections.back();
   EXPECT_EQ(std::ranges::count(numbers.table->head, "BER in theory"), 0);
@@ -152,7 +155,8 @@ std::vector<std::string> headings_of(std::size_t modules) {
   result.axes[0].values = {1, 2};
   result.axes.insert(result.axes.begin(), names);
   std::vector<std::string> headings;
-  for (const PageSection& section : page_of({link_section({"file", result, {}})}).sections)
+  for (const PageSection& section :
+       page_of({link_section(link_report_of("file", result))}).sections)
     headings.push_back(section.heading);
   return headings;
 }
@@ -177,7 +181,7 @@ TEST(Report, SumsFatesAlongTheLongestAxisWhereThereAreManyPoints) {
       result.points.push_back(point_of(x, fails ? 20 : 10, fails ? 8 : 0));
       result.points.back().coordinates = {module, static_cast<double>(x)};
     }
-  const Page page = page_of({link_section({"file", result, {}})});
+  const Page page = page_of({link_section(link_report_of("file", result))});
   const auto section =
       std::ranges::find(page.sections, "What became of the frames", &PageSection::heading);
   ASSERT_NE(section, page.sections.end());

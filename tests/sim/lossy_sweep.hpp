@@ -1,8 +1,10 @@
 #pragma once
 // Sweeps over the distance that lose what a test says, for the tests of what is said of them.
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/page/link_section.hpp"
 #include "sim/result/result.hpp"
 
 namespace sim {
@@ -28,6 +30,12 @@ inline LinkResult sweep_of(std::vector<LinkPoint> points) {
   result.axes = {axis};
   result.points = std::move(points);
   return result;
+}
+
+/// What a result brings to a report, without a doubt of its ranges.
+inline LinkReport link_report_of(std::string name, LinkResult result, Ablations ablations = {}) {
+  Ranking ranking = rank(result);
+  return {std::move(name), std::move(result), std::move(ranking), std::move(ablations)};
 }
 
 }  // namespace sim

@@ -109,8 +109,10 @@ TEST(Population, IsSetAndSweptByWords) {
   EXPECT_FALSE(link_of({"receiver.population=false"}).population);
   EXPECT_EQ(loaded("", {"receiver.population=true,false"}).sweep.at(0).values,
             (std::vector<double>{1, 0}));
-  EXPECT_EQ(refusal("", {"receiver.population=yes"}),
-            "receiver.population = yes in --set (not true or false) use true or false");
+  EXPECT_EQ(
+      refusal("", {"receiver.population=yes"}),
+      "receiver.population = yes in --set (not false or parts or constants) use false or parts "
+      "or constants");
 }
 
 TEST(Population, IsOffByDefaultAndMovesNoOtherDraw) {

@@ -122,6 +122,52 @@ TEST_F(Parts, RefusesWithFileLineAndRemedy) {
             "name = \"Y\" in R/modules/x.toml:1 (the file has another name) rename one of the two");
 }
 
+TEST_F(Parts, NumbersMayHaveBounds) {
+  write(
+      "modules/x.toml",
+      least +
+          "q = { value = 10, low = 8, high = 13, distribution = \"log-uniform\", source = \"s\" }");
+  const auto module = module_of("X", {root_});
+  const auto q = std::ranges::find(module.bounds, "q", &channel::NumberBounds::number);
+  ASSERT_NE(q, module.bounds.end());
+  EXPECT_EQ(q->low, 8);
+  EXPECT_EQ(q->high, 13);
+  EXPECT_EQ(q->distribution, channel::Distribution::log_uniform);
+  // What the file gives without bounds is known; what no sheet prints is not.
+  const auto has = [&](const char* number) {
+    return std::ranges::count(module.bounds, number, &channel::NumberBounds::number);
+  };
+  EXPECT_EQ(has("agc_max_duty"), 0);
+  EXPECT_EQ(has("agc_attack_db_per_ms"), 1);
+}
+
+TEST_F(Parts, RefusesBoundsThatBoundNothing) {
+  const auto q = [&](const std::string& rest) {
+    return refusal(least + "q = { value = 10, " + rest + "source = \"s\" }");
+  };
+  EXPECT_EQ(q("low = 8, high = 12, "), "accepted");
+  EXPECT_EQ(q("low = 8, "), "q.high in R/modules/x.toml (missing) add low and high, or neither");
+  EXPECT_EQ(q("low = 11, high = 12, "),
+            "q = 11 to 12 in R/modules/x.toml:8 (the value 10 is not between them) correct value, "
+            "low or high");
+  EXPECT_EQ(q("low = 0.1, high = 12, "),
+            "q.low = 0.1 in R/modules/x.toml:8 (quality factor of the band-pass must be above 0.5) "
+            "use a value above 0.5 up to 100");
+  EXPECT_EQ(q("low = nan, high = 12, "),
+            "q.low = nan in R/modules/x.toml:8 (not a finite number) use a value above 0.5 up to "
+            "100");
+  EXPECT_EQ(q("distribution = \"uniform\", "),
+            "q.distribution in R/modules/x.toml:8 (nothing to distribute) add low and high");
+  EXPECT_EQ(q("low = 8, high = 12, distribution = \"normal\", "),
+            "q.distribution = \"normal\" in R/modules/x.toml:8 (no such distribution) use "
+            "\"uniform\" or \"log-uniform\"");
+  EXPECT_EQ(
+      refusal(least + "agc_margin_db = { value = 3, low = 0, high = 6, distribution = "
+                      "\"log-uniform\", source = \"s\" }"),
+      "agc_margin_db.low = 0 in R/modules/x.toml:8 (the logarithm of 0 has no bound) raise it "
+      "or use \"uniform\"");
+}
+
 TEST_F(Parts, RefusesCurvesOfNoShape) {
   const auto curve = [&](const std::string& x, const std::string& y) {
     return refusal(least + "[directivity]\nsource = \"s\"\ndegrees = " + x +

@@ -14,10 +14,14 @@
 namespace sim {
 namespace {
 
+std::string answer_of(const LinkResult& result, const Ablations& ablations) {
+  return summary_of(result, rank(result), ablations);
+}
+
 TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
-  const std::string words = summary_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
-                                                 point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
-                                       {});
+  const std::string words = answer_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
+                                                point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
+                                      {});
   EXPECT_EQ(words.find("4000 frames were simulated at 4 points; 1200 of them were lost.\n"), 0U);
   EXPECT_NE(words.find("\nFrame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two "
                        "neighbours in the sweep.\n"),
@@ -31,14 +35,14 @@ TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
 }
 
 TEST(Summary, OfNoLossNamesNone) {
-  const std::string words = summary_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
+  const std::string words = answer_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
   EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
             std::string::npos);
   EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
 }
 
 TEST(Summary, OfOnePointGivesTheLossItsInterval) {
-  const std::string words = summary_of(sweep_of({point_of(1, 48, 0)}), {});
+  const std::string words = answer_of(sweep_of({point_of(1, 48, 0)}), {});
   EXPECT_EQ(
       words.find("48 frames were simulated; 0 of them were lost: frame loss ratio < 7.4e-2.\n"), 0U)
       << words;
@@ -50,17 +54,17 @@ TEST(Summary, SaysHowManyPointsHaveNoEstimate) {
     point.tally.weighted.n_groups = 6;
     point.tally.weighted.bit_errors = {1, 1, 1, 1};
   }
-  const std::string words = summary_of(result, {});
+  const std::string words = answer_of(result, {});
   EXPECT_NE(words.find("\n3 of 3 points have no estimate and are missing in the curves.\n"),
             std::string::npos)
       << words;
-  EXPECT_EQ(summary_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
+  EXPECT_EQ(answer_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
 }
 
 TEST(Summary, SaysOnWhichSideOfTheSignalNoiseIs) {
   LinkResult result = sweep_of({point_of(1, 1000, 1000)});
   result.points[0].operating.snr_db = -32;
-  EXPECT_NE(summary_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
+  EXPECT_NE(answer_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
 }
 
 /// Modules A, B and so on, each with the loss at 1, 2 and 3 m.
@@ -84,7 +88,7 @@ LinkResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
 constexpr std::array<std::uint64_t, 3> near{0, 1000, 1000}, far{0, 0, 1000}, dead{1000, 1000, 1000};
 
 TEST(Summary, SaysHowFarEachOfAFewLinksReaches) {
-  const std::string words = summary_of(modules_of({near, far, dead}), {});
+  const std::string words = answer_of(modules_of({near, far, dead}), {});
   EXPECT_NE(words.find("\nFrame loss passes 1 % along receiver.range_m at: receiver.module = B: "
                        "between 2 and 3 m; receiver.module = A: between 1 and 2 m; "
                        "receiver.module = C: short of the sweep: more than 1 % lost in all of 1 .. "
@@ -107,7 +111,7 @@ LinkResult counted_before(std::size_t first, LinkResult result) {
 }
 
 void expect_says(const LinkResult& result, const std::string& line) {
-  const std::string words = summary_of(result, {});
+  const std::string words = answer_of(result, {});
   EXPECT_NE(words.find("\n" + line), std::string::npos) << words;
 }
 
@@ -173,17 +177,17 @@ TEST(Summary, SaysHowMuchFartherTheLinkWouldGo) {
   ablations.ablations[3].half = HalfLoss{HalfLoss::Kind::not_yet, 64};
   EXPECT_EQ(limit_names(ablations), (std::vector<std::string>{"without gain", "without the lamp"}))
       << "what carries farthest comes first";
-  EXPECT_NE(summary_of(result, ablations)
+  EXPECT_NE(answer_of(result, ablations)
                 .find("of 100 frames sent again 90 are lost, 5 without gain, 3 without the lamp.\n"
                       "Half of the frames are lost at about receiver.range_m = 180 m as it is, "
                       "beyond 64 m without gain, 290 m without the lamp.\n"),
             std::string::npos)
-      << summary_of(result, ablations);
+      << answer_of(result, ablations);
   ablations.ablations[2].half.reset();
-  EXPECT_NE(summary_of(result, ablations).find("= 180 m as it is, beyond 64 m without gain.\n"),
+  EXPECT_NE(answer_of(result, ablations).find("= 180 m as it is, beyond 64 m without gain.\n"),
             std::string::npos)
-      << summary_of(result, ablations);
-  const ReportSection part = link_section({"file", result, ablations});
+      << answer_of(result, ablations);
+  const ReportSection part = link_section(link_report_of("file", result, ablations));
   const auto section = std::ranges::find(part.sections, "What limits it", &PageSection::heading);
   ASSERT_NE(section, part.sections.end());
   EXPECT_EQ(section->table->head.size(), section->table->rows[2].size());
@@ -197,14 +201,14 @@ TEST(Summary, NamesWhatTheLossIsClearlyLessWithout) {
                        {ablation("", 90), ablation("without noise", 85),
                         ablation("without the lamp", 3), ablation("without gain", 60)}};
   EXPECT_EQ(limit_names(some), (std::vector<std::string>{"without the lamp", "without gain"}));
-  EXPECT_NE(summary_of(result, some)
+  EXPECT_NE(answer_of(result, some)
                 .find("\nWhat limits it there: of 100 frames sent again 90 are "
                       "lost, 3 without the lamp, 60 without gain.\n"),
             std::string::npos);
   const Ablations none{
       "", {ablation("", 90), ablation("without noise", 85), ablation("without gain", 90)}};
   EXPECT_NE(
-      summary_of(result, none)
+      answer_of(result, none)
           .find("\nWhat limits it there: nothing alone. Run again without noise, or without gain, "
                 "it does not clearly lose less: it is several together, or light too weak for what "
                 "the receiver needs.\n"),

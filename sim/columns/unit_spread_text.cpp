@@ -1,0 +1,91 @@
+#include "sim/columns/unit_spread_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sim/columns/text_table.hpp"
+#include "sim/result/place_text.hpp"
+#include "sim/text/unit_text.hpp"
+
+namespace sim {
+namespace {
+
+std::string share_table(const UnitSpread& spread) {
+  std::vector<TextColumn> columns = axis_columns(spread.axes);
+  columns.push_back({{"", "units", ""}, 6});
+  columns.push_back(
+      {{"lose at", "most", with_unit(fmt::format("{:g}", 100 * spread.flr), "%")}, 8});
+  std::vector<std::vector<std::string>> rows;
+  for (const UnitShare& share : spread.shares) {
+    std::vector<std::string> row = coordinate_texts(spread.axes, share.coordinates);
+    row.push_back(std::to_string(share.units));
+    row.push_back(share.units == 0 ? "-" : std::to_string(share.carried));
+    rows.push_back(std::move(row));
+  }
+  return text_table(std::move(columns), rows);
+}
+
+std::string range_line(const UnitSpread& spread, const RangeSpread& row) {
+  const Axis& axis = spread.axes[*spread.abscissa];
+  std::vector<Axis> others = spread.axes;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(*spread.abscissa));
+  const std::string place = place_text(others, row.others);
+  return fmt::format(
+      "{}frame loss passes {:g} % at {} {} (10 % quantile of {} units), {} (median), {} (90 % "
+      "quantile)\n",
+      place.empty() ? "" : place + ": ", 100 * spread.flr, axis.key,
+      range_words(axis, row.quantiles[0]), row.units.size(), range_words(axis, row.quantiles[1]),
+      range_words(axis, row.quantiles[2]));
+}
+
+}  // namespace
+
+std::string range_words(const Axis& axis, const UnitRange& range) {
+  const auto text = [&](double value) {
+    return with_unit(coordinate_text(axis, value), axis.unit);
+  };
+  if (std::isinf(range.low)) return "below " + text(range.high);
+  if (std::isinf(range.high)) return "beyond " + text(range.low);
+  return coordinate_text(axis, range.low) + " to " + text(range.high);
+}
+
+std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles, std::uint32_t units,
+                        const std::string& part) {
+  const auto text = [&](double value) {
+    return with_unit(coordinate_text(axis, value), axis.unit);
+  };
+  const double low = std::min(quantiles.front().low, quantiles.back().low);
+  const double high = std::max(quantiles.front().high, quantiles.back().high);
+  const std::string from = std::isinf(low) ? "below " + text(axis.values.front()) : text(low);
+  const std::string to = std::isinf(high) ? "beyond " + text(axis.values.back()) : text(high);
+  return fmt::format(
+      "as assumed; from {} to {} for 8 in 10 of {} units within what nobody printed of {}", from,
+      to, units, part);
+}
+
+bool has_loss(const std::vector<ColumnFacts>& columns) {
+  return std::ranges::any_of(columns, [](const ColumnFacts& column) {
+    return column.facts.name == loss_name && column.over.empty();
+  });
+}
+
+std::string unit_spread_lines(const Dataset& data) {
+  const auto spread = unit_spread(data);
+  if (!spread) return "";
+  std::string lines =
+      "units drawn within what nobody printed of their part:\n" + share_table(*spread);
+  return lines + range_lines(*spread);
+}
+
+std::string range_lines(const UnitSpread& spread) {
+  std::string lines;
+  for (const RangeSpread& row : spread.rows) lines += range_line(spread, row);
+  return lines;
+}
+
+}  // namespace sim

@@ -1,0 +1,163 @@
+#include "sim/result/unit_spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "sim/result/ranking.hpp"
+#include "sim/scenario/sweep.hpp"
+
+namespace sim {
+namespace {
+
+std::size_t unit_axis(const std::vector<Axis>& axes) {
+  return static_cast<std::size_t>(std::ranges::find(axes, unit_key, &Axis::key) - axes.begin());
+}
+
+/// The losses of a unit along the range, in the order of its values.
+using Line = std::vector<double>;
+
+/// A result whose points are told apart by their unit.
+class Grid {
+ public:
+  Grid(const std::vector<Axis>& axes, const std::vector<double>& losses)
+      : axes_(axes), losses_(losses), unit_(unit_axis(axes)) {}
+
+  std::vector<Axis> other_axes() const {
+    std::vector<Axis> axes = axes_;
+    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(unit_));
+    return axes;
+  }
+
+  std::size_t size() const { return losses_.size(); }
+  double loss(std::size_t i) const { return losses_[i]; }
+  std::vector<double> others(std::size_t i) const {
+    std::vector<double> coordinates = point_coordinates(axes_, i);
+    coordinates.erase(coordinates.begin() + static_cast<std::ptrdiff_t>(unit_));
+    return coordinates;
+  }
+  double unit(std::size_t i) const { return point_coordinates(axes_, i)[unit_]; }
+
+ private:
+  const std::vector<Axis>& axes_;
+  const std::vector<double>& losses_;
+  std::size_t unit_;
+};
+
+std::vector<UnitShare> shares_of(const Grid& grid, double flr) {
+  std::vector<UnitShare> shares;
+  std::map<std::vector<double>, std::size_t> known;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const std::vector<double> others = grid.others(i);
+    const auto [at, is_new] = known.try_emplace(others, shares.size());
+    if (is_new) shares.push_back({others, 0, 0});
+    if (std::isnan(grid.loss(i))) continue;
+    ++shares[at->second].units;
+    if (grid.loss(i) <= flr) ++shares[at->second].carried;
+  }
+  return shares;
+}
+
+/// Whether more units carry at the last value than at the first.
+bool more_is_better(const std::vector<UnitShare>& shares, const Axis& axis, std::size_t abscissa) {
+  std::ptrdiff_t last = 0, first = 0;
+  for (const UnitShare& share : shares) {
+    if (share.coordinates[abscissa] == axis.values.back())
+      last += static_cast<std::ptrdiff_t>(share.carried);
+    if (share.coordinates[abscissa] == axis.values.front())
+      first += static_cast<std::ptrdiff_t>(share.carried);
+  }
+  return last > first;
+}
+
+/// From the good end on, up to the first at which more is lost than the level.
+std::size_t n_carried(const Line& losses, double flr, bool from_above) {
+  const std::size_t n = losses.size();
+  std::size_t carried = 0;
+  while (carried < n && losses[from_above ? n - 1 - carried : carried] <= flr) ++carried;
+  return carried;
+}
+
+/// Of a number of things, the place of that below which a share of them lies.
+std::size_t place_of_quantile(double share, std::size_t n) {
+  const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(n)));
+  return std::clamp<std::size_t>(place, 1, n) - 1;
+}
+
+/// Lines of a unit each, in the order of the range, by the coordinates of the remaining axes.
+using Lines = std::map<std::vector<double>, std::map<double, Line>>;
+
+Lines lines_of(const Grid& grid, std::size_t abscissa) {
+  Lines lines;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    std::vector<double> others = grid.others(i);
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(abscissa));
+    lines[others][grid.unit(i)].push_back(grid.loss(i));
+  }
+  return lines;
+}
+
+std::vector<RangeSpread> rows_of(const Grid& grid, const UnitSpread& spread) {
+  const Axis& axis = spread.axes[*spread.abscissa];
+  const bool from_above = more_is_better(spread.shares, axis, *spread.abscissa);
+  std::vector<RangeSpread> rows;
+  for (const auto& [others, units] : lines_of(grid, *spread.abscissa)) {
+    RangeSpread row{others, {}, {}, {}};
+    for (const auto& [unit, line] : units) {
+      if (std::ranges::any_of(line, [](double loss) { return std::isnan(loss); })) continue;
+      row.units.push_back(unit);
+      row.ranges.push_back(
+          range_carried(axis, n_carried(line, spread.flr, from_above), from_above));
+    }
+    if (row.units.empty()) continue;
+    row.quantiles = range_quantiles(row.ranges, from_above);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+bool has_units(const std::vector<Axis>& axes) {
+  const std::size_t at = unit_axis(axes);
+  return at < axes.size() && axes[at].values.size() > 1;
+}
+
+UnitRange range_carried(const Axis& axis, std::size_t carried, bool from_above) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t n = axis.values.size();
+  if (from_above)
+    return {carried == n ? -infinity : axis.values[n - 1 - carried],
+            carried == 0 ? infinity : axis.values[n - carried]};
+  return {carried == 0 ? -infinity : axis.values[carried - 1],
+          carried == n ? infinity : axis.values[carried]};
+}
+
+RangeQuantiles range_quantiles(std::vector<UnitRange> ranges, bool from_above) {
+  std::ranges::sort(ranges, {}, &UnitRange::low);
+  if (from_above) std::ranges::reverse(ranges);
+  RangeQuantiles quantiles;
+  for (std::size_t q = 0; q < spread_quantiles.size(); ++q)
+    quantiles[q] = ranges[place_of_quantile(spread_quantiles[q], ranges.size())];
+  return quantiles;
+}
+
+std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,
+                                      const std::vector<double>& losses, double flr) {
+  if (!has_units(axes)) return std::nullopt;
+  const Grid grid(axes, losses);
+  UnitSpread spread{flr, grid.other_axes(), shares_of(grid, flr), std::nullopt, {}};
+  const std::size_t abscissa = abscissa_of(spread.axes);
+  if (abscissa == Ranking::none || spread.axes[abscissa].values.size() < 2) return spread;
+  spread.abscissa = abscissa;
+  spread.rows = rows_of(grid, spread);
+  return spread;
+}
+
+std::optional<UnitSpread> unit_spread(const Dataset& data) {
+  const Dataset::Variable* loss = find_variable(data, loss_name);
+  return loss == nullptr ? std::nullopt : unit_spread(data.axes, numbers_of(*loss));
+}
+
+}  // namespace sim

@@ -1,0 +1,71 @@
+// run --doubt, and the doubt that every range of a link is said with.
+#include <string>
+
+#include "program.hpp"
+#include "text_lines.hpp"
+
+namespace {
+
+using sim::line_with;
+
+class Doubt : public CommandLine {
+ protected:
+  static inline const std::string quickstart = COSYS_SOURCE_DIR "/scenarios/quickstart.toml";
+};
+
+TEST_F(Doubt, SaysHowManyUnitsCarry) {
+  const Outcome run =
+      program({"run", quickstart, "--doubt=4", "-n", "8", "-q", "--set", "receiver.range_m=1,3"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find("bit error ratio"), std::string::npos) << "rows of units are not printed";
+  EXPECT_NE(run.out.find("units drawn within what nobody printed"), std::string::npos);
+  EXPECT_NE(run.out.find("(10 % quantile of 4 units), "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("as assumed"), std::string::npos);
+}
+
+// It is a sweep as any other: it can be resumed, and says the same again.
+TEST_F(Doubt, IsASweepOfUnits) {
+  const Words words{"-n", "8", "-q", "--json", "--set", "receiver.range_m=1,3"};
+  const auto with = [&](Words more) {
+    more.insert(more.end(), words.begin(), words.end());
+    more.insert(more.begin(), {"run", quickstart});
+    return program(more);
+  };
+  const Outcome doubt = with({"--doubt=3"});
+  ASSERT_EQ(doubt.code, 0) << doubt.err;
+  const Outcome swept = with({"--set", "receiver.unit=1:1:3"});
+  EXPECT_EQ(line_with(doubt.out, "result_digest"), line_with(swept.out, "result_digest"));
+}
+
+TEST_F(Doubt, TakesTwoUnitsAtLeast) {
+  const Outcome run = program({"run", quickstart, "--doubt=1"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("two units"), std::string::npos) << run.err;
+}
+
+// The quick look of a plain run agrees with the whole sweep of the same units.
+TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
+  const Words sweep{"--set", "receiver.range_m=0.2,3,9", "-q", "-n", "8"};
+  Words plain{"run", quickstart}, whole{"run", quickstart, "--doubt=16", "-e", "1"};
+  for (Words* words : {&plain, &whole}) words->insert(words->end(), sweep.begin(), sweep.end());
+  const std::string said = line_with(program(plain).out, "as assumed");
+  const std::string found = line_with(program(whole).out, "of 16 units)");
+  ASSERT_NE(found.find("receiver.range_m 0.2 to 3 m (10 %"), std::string::npos) << found;
+  ASSERT_NE(found.find("beyond 9 m (90 %"), std::string::npos) << found;
+  EXPECT_EQ(said,
+            "as assumed; from 0.2 m to beyond 9 m for 8 in 10 of 16 units within what nobody "
+            "printed of TSOP4856");
+}
+
+TEST_F(Doubt, IsNotSaidOfWhatIsKnown) {
+  for (const std::string known :
+       {"module.agc_attack_db_per_ms=0.1", "receiver.population=constants", "receiver.unit=2",
+        "receiver.module=ideal-coherent"}) {
+    const Outcome run = program(
+        {"run", quickstart, "-q", "-n", "8", "--set", known, "--set", "receiver.range_m=1,10"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out.find("as assumed"), std::string::npos) << known;
+  }
+}
+
+}  // namespace
