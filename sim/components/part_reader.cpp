@@ -17,16 +17,22 @@
 namespace sim {
 namespace {
 
+constexpr const char* sibling_key = "like";
+
 /// What one part file says, against the keys that it may have.
 template <class Data>
 class PartReader {
  public:
-  PartReader(const PartKeys<Data>& keys, const std::string& text, const std::filesystem::path& path)
-      : keys_(keys), file_("in " + path.generic_string()), entries_(read_entries(text, path)) {}
+  PartReader(const PartKeys<Data>& keys, const std::string& text, const std::filesystem::path& path,
+             const Data* sibling)
+      : keys_(keys),
+        file_("in " + path.generic_string()),
+        entries_(read_entries(text, path)),
+        sibling_(sibling) {}
 
   Data read(const std::string& stem) const {
     refuse_unknown();
-    Data part;
+    Data part = sibling_ != nullptr ? *sibling_ : Data{};
     part.name = text("name", "add name = \"" + stem + "\"");
     if (!same_name(part.name, stem))
       throw bad_input(fmt::format("name = \"{}\" {}", part.name, find("name")->place),
@@ -35,7 +41,7 @@ class PartReader {
     for (const auto& number : keys_.numbers) read_number(number, part);
     for (const auto& curve : keys_.curves) read_curve(curve, part);
     if (needs_numbers(part))
-      for (const auto& [one, other] : keys_.either) require_either(one, other);
+      for (const auto& [one, other] : keys_.either) require_either(one, other, part);
     for (const auto& entry : entries_)
       if (entry.key.starts_with("figures.")) text(entry.key, "name a file in curves/");
     refuse_flaw(part);
@@ -44,7 +50,7 @@ class PartReader {
 
  private:
   std::vector<std::string> known() const {
-    std::vector<std::string> names{"name"};
+    std::vector<std::string> names{"name", sibling_key};
     for (const auto& c : keys_.choices) names.push_back(c.facts.name);
     for (const auto& n : keys_.numbers)
       for (const char* leaf : {".value", ".low", ".high", ".distribution", ".source"})
@@ -117,12 +123,27 @@ class PartReader {
     return true;
   }
 
-  void require_either(const std::string& one, const std::string& other) const {
-    if (has_any(one) != has_any(other)) return;
-    const bool both = has_any(one);
+  /// The one that is given takes the place of the other of a sibling.
+  void require_either(const std::string& one, const std::string& other, Data& part) const {
+    const bool both = has_any(one) && has_any(other);
+    if (sibling_ != nullptr && has_any(one) && !both) return reset(other, part);
+    if (sibling_ != nullptr && has_any(other) && !both) return reset(one, part);
+    if (has_any(one) != has_any(other) || (sibling_ != nullptr && !both)) return;
     throw bad_input(fmt::format("{} and {} {}", one, other, file_),
                     both ? "both are given" : "both are missing",
                     both ? "remove one of the two" : "add one of the two");
+  }
+
+  /// To what it is of a part of which nothing is known.
+  void reset(const std::string& name, Data& part) const {
+    const auto number =
+        std::ranges::find(keys_.numbers, name, [](const auto& n) { return n.facts.name; });
+    part.*number->member = Data{}.*number->member;
+    forget_bounds(name, part);
+  }
+
+  static void forget_bounds(const std::string& number, Data& part) {
+    std::erase_if(part.bounds, [&](const auto& bounds) { return bounds.number == number; });
   }
 
   void require_source(const std::string& name) const {
@@ -151,10 +172,12 @@ class PartReader {
   void read_number(const PartNumber<Data>& number, Data& part) const {
     const std::string& name = number.facts.name;
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
-    if (!present(name, sample, number.required && needs_numbers(part))) {
-      if (number.unsaid && needs_numbers(part)) part.bounds.push_back(*number.unsaid);
+    const bool is_alone = sibling_ == nullptr && needs_numbers(part);
+    if (!present(name, sample, number.required && is_alone)) {
+      if (number.unsaid && is_alone) part.bounds.push_back(*number.unsaid);
       return;
     }
+    forget_bounds(name, part);
     part.*number.member = number_at(number.facts, "value", "write " + sample);
     read_bounds(number, part);
   }
@@ -218,7 +241,7 @@ class PartReader {
     const std::string sample =
         fmt::format("{} = {{ {} = [...], {} = [...], source = \"document, figure\" }}", curve.name,
                     curve.x.name, curve.y.name);
-    if (!present(curve.name, sample, curve.required)) return;
+    if (!present(curve.name, sample, curve.required && sibling_ == nullptr)) return;
     part.*curve.member = {axis(curve.name, curve.x, sample), axis(curve.name, curve.y, sample)};
     check_shape(curve, part.*curve.member);
   }
@@ -247,6 +270,7 @@ class PartReader {
   const PartKeys<Data>& keys_;
   std::string file_;
   std::vector<Entry> entries_;
+  const Data* sibling_;
 };
 
 }  // namespace
@@ -256,22 +280,36 @@ bool same_name(const std::string& a, const std::string& b) {
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+std::optional<SiblingName> sibling_of(const std::string& text, const std::filesystem::path& path) {
+  const std::vector<Entry> entries = read_entries(text, path);
+  const auto entry = std::ranges::find(entries, sibling_key, &Entry::key);
+  if (entry == entries.end()) return std::nullopt;
+  const auto* name = std::get_if<std::string>(&entry->value);
+  if (name == nullptr)
+    throw bad_input(entry->key + " " + entry->place,
+                    fmt::format("{} where text is expected", kind_of(entry->value)),
+                    "name a part, as like = \"TSOP94256\"");
+  return SiblingName{*name, entry->place};
+}
+
 template <class Data>
 Data read_part_text(const PartKeys<Data>& keys, const std::string& text,
-                    const std::filesystem::path& path, const std::string& stem) {
-  return PartReader<Data>(keys, text, path).read(stem);
+                    const std::filesystem::path& path, const std::string& stem,
+                    const Data* sibling) {
+  return PartReader<Data>(keys, text, path, sibling).read(stem);
 }
 
 template channel::ModuleData read_part_text(const PartKeys<channel::ModuleData>&,
                                             const std::string&, const std::filesystem::path&,
-                                            const std::string&);
+                                            const std::string&, const channel::ModuleData*);
 template channel::EmitterData read_part_text(const PartKeys<channel::EmitterData>&,
                                              const std::string&, const std::filesystem::path&,
-                                             const std::string&);
+                                             const std::string&, const channel::EmitterData*);
 template channel::Floor read_part_text(const PartKeys<channel::Floor>&, const std::string&,
-                                       const std::filesystem::path&, const std::string&);
+                                       const std::filesystem::path&, const std::string&,
+                                       const channel::Floor*);
 template channel::PhotodiodeData read_part_text(const PartKeys<channel::PhotodiodeData>&,
                                                 const std::string&, const std::filesystem::path&,
-                                                const std::string&);
+                                                const std::string&, const channel::PhotodiodeData*);
 
 }  // namespace sim

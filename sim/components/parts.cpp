@@ -56,23 +56,49 @@ std::string file_of(const std::string& folder, const std::string& name) {
   return folder + "/" + name + ".toml";
 }
 
+/// Names of parts, each of which is like the next.
+using Kinship = std::vector<std::string>;
+
 template <class Data>
-Part<Data> read_part(const PartKeys<Data>& keys, const std::string& name, std::string text,
-                     const fs::path& path) {
-  Data data = read_part_text(keys, text, path, name);
-  return {std::move(data), {file_of(keys.folder, name), std::move(text)}};
+Part<Data> load_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
+                     const std::string& asked, const Kinship& of = {});
+
+/// The sibling that the last of its kin names.
+template <class Data>
+Part<Data> load_sibling(const PartKeys<Data>& keys, const SiblingName& sibling,
+                        const PartSources& from, const Kinship& kin) {
+  const std::string asked = fmt::format("like = \"{}\" {}", sibling.name, sibling.place);
+  if (std::ranges::any_of(kin, [&](const auto& one) { return same_name(one, sibling.name); }))
+    throw bad_input(asked, "parts that are like each other in a circle have no numbers",
+                    "give one of them its own");
+  return load_part(keys, sibling.name, from, asked, kin);
+}
+
+template <class Data>
+Part<Data> read_part(const PartKeys<Data>& keys, CarriedPart source, const fs::path& path,
+                     const PartSources& from, Kinship kin) {
+  kin.push_back(path.stem().string());
+  const auto sibling = sibling_of(source.text, path);
+  if (!sibling) return {read_part_text(keys, source.text, path, kin.back()), std::move(source)};
+  Part<Data> other = load_sibling(keys, *sibling, from, kin);
+  Data data = read_part_text(keys, source.text, path, kin.back(), &other.data);
+  other.siblings.push_back(std::move(other.source));
+  return {std::move(data), std::move(source), std::move(other.siblings)};
 }
 
 template <class Data>
 Part<Data> load_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
-                     const std::string& asked) {
-  for (const auto& [file, text] : from.carried)
-    if (same_name(file, file_of(keys.folder, name)))
-      return read_part(keys, fs::path(file).stem().string(), text, from.carrier / file);
+                     const std::string& asked, const Kinship& of) {
+  for (const CarriedPart& part : from.carried)
+    if (same_name(part.file, file_of(keys.folder, name)))
+      return read_part(keys, {file_of(keys.folder, fs::path(part.file).stem().string()), part.text},
+                       from.carrier / part.file, from, of);
   const auto parts = all_parts(keys, from.folders);
   for (const auto& part : parts)
     if (same_name(part.name, name))
-      return read_part(keys, part.name, read_text_file(part.path, keys.kind), part.path);
+      return read_part(keys,
+                       {file_of(keys.folder, part.name), read_text_file(part.path, keys.kind)},
+                       part.path, from, of);
   throw no_such_part(keys, name, from, parts, asked);
 }
 

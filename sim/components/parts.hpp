@@ -32,7 +32,8 @@ struct PartSources {
 template <class Data>
 struct Part {
   Data data;
-  CarriedPart source;  // what a scenario must carry to have the same part anywhere
+  CarriedPart source;                   // what a scenario must carry to have the same part anywhere
+  std::vector<CarriedPart> siblings{};  // and of the parts that its file calls like it
 };
 
 /// A part by its name (case aside). `asked` opens the error line if there is no such part.

@@ -37,6 +37,13 @@ std::string asked_for(const ParsedScenario& parsed, const std::string& key,
   return fmt::format("{} = \"{}\" {}", key, part, place_of(parsed.places, key));
 }
 
+/// The part's file, and those of the parts that it is like.
+template <class Data>
+void carry(std::vector<CarriedPart>& parts, Part<Data> part) {
+  parts.push_back(std::move(part.source));
+  std::ranges::move(part.siblings, std::back_inserter(parts));
+}
+
 /// LEDs of devices that have one of their own.
 void load_device_leds(Scenario& s, const ParsedScenario& parsed, const PartSources& from,
                       std::vector<CarriedPart>& parts) {
@@ -45,7 +52,7 @@ void load_device_leds(Scenario& s, const ParsedScenario& parsed, const PartSourc
     auto led =
         load_led(device.led, from, asked_for(parsed, "devices." + name + ".led", device.led));
     device.emitter = std::move(led.data);
-    parts.push_back(std::move(led.source));
+    carry(parts, std::move(led));
   }
 }
 
@@ -57,7 +64,7 @@ void load_photodiode(Scenario& s, const ParsedScenario& parsed, const PartSource
   const std::string& name = key->text(s);
   auto photodiode = load_photodiode(name, from, asked_for(parsed, key->name(), name));
   s.photodiode = std::move(photodiode.data);
-  parts.push_back(std::move(photodiode.source));
+  carry(parts, std::move(photodiode));
 }
 
 /// Files of pauses become lists in the parsed scenario, and in the options that repeat the run:
@@ -94,8 +101,10 @@ Assembly assemble(const ParsedScenario& parsed, const PartSources& from) {
   auto floor = load_floor(floor_name, from, asked_for(parsed, "floor.part", floor_name));
   s.floor = std::move(floor.data);
   for (const auto& [key, value] : parsed.numbers) key->number(s) = value;
-  std::vector<CarriedPart> parts{std::move(module.source), std::move(led.source),
-                                 std::move(floor.source)};
+  std::vector<CarriedPart> parts;
+  carry(parts, std::move(module));
+  carry(parts, std::move(led));
+  carry(parts, std::move(floor));
   load_device_leds(s, parsed, from, parts);
   load_photodiode(s, parsed, from, parts);
   forget_given_bounds(s, parsed.places);

@@ -32,6 +32,12 @@ std::string text_of(const std::vector<Entry>& entries, const std::string& key) {
   return at == entries.end() ? "" : std::get<std::string>(at->value);
 }
 
+/// Of an item of the file, or the part whose item it is.
+std::string source_of(const std::vector<Entry>& entries, const std::string& item) {
+  const std::string source = text_of(entries, item + ".source"), like = text_of(entries, "like");
+  return source.empty() && !like.empty() ? "as " + like : source;
+}
+
 /// The curve that a part names for a figure lies in curves/ beside the part's own folder.
 DigitisedCurve curve_of(const Entry& entry, const fs::path& part) {
   const std::string& name = std::get<std::string>(entry.value);
@@ -128,12 +134,12 @@ void add_keys(PartSheet& sheet, const PartKeys<Data>& keys, const Data& data,
   for (const auto& n : keys.numbers)
     if (n.facts.range.contains(data.*n.member))  // else it stands for none
       sheet.numbers.push_back({n.facts.name, n.facts.unit, n.facts.long_name,
-                               text_of(entries, n.facts.name + ".source"), data.*n.member,
+                               source_of(entries, n.facts.name), data.*n.member,
                                bounds_of(data, n.facts.name)});
   for (const auto& c : keys.curves)
     if (!(data.*c.member).empty())
-      sheet.curves.push_back({c.name, c.long_name, text_of(entries, c.name + ".source"), c.x.name,
-                              c.x.unit, c.y.name, c.y.unit, data.*c.member});
+      sheet.curves.push_back({c.name, c.long_name, source_of(entries, c.name), c.x.name, c.x.unit,
+                              c.y.name, c.y.unit, data.*c.member});
 }
 
 template <class Data>

@@ -168,6 +168,53 @@ TEST_F(Parts, RefusesBoundsThatBoundNothing) {
       "or use \"uniform\"");
 }
 
+TEST_F(Parts, APartMayBeLikeAnother) {
+  write("modules/a.toml", "name = \"A\"\n" + least.substr(least.find('\n') + 1) +
+                              "q = { value = 7, low = 6, high = 8, source = \"s\" }\n"
+                              "[directivity]\ndegrees = [0, 90]\nrelative_distance = [1, 0]\n"
+                              "source = \"s\"\n");
+  write("modules/x.toml", "name = \"X\"\nlike = \"a\"\n" + number("emin_mw_per_m2", "0.5") +
+                              number("agc_long_burst_ms", "2"));
+  const sim::Part<channel::ModuleData> x = sim::load_module("X", {{root_}, {}, {}}, "");
+  EXPECT_EQ(x.data.name, "X");
+  EXPECT_EQ(x.data.emin_mw_per_m2, 0.5);
+  EXPECT_EQ(x.data.centre_hz, 38000);
+  EXPECT_EQ(x.data.q, 7);
+  EXPECT_EQ(std::ranges::count(x.data.bounds, "q", &channel::NumberBounds::number), 1);
+  EXPECT_FALSE(x.data.directivity.empty());
+  EXPECT_EQ(x.data.agc_long_burst_ms, 2);
+  EXPECT_EQ(x.data.agc_long_burst_cycles, channel::ModuleData{}.agc_long_burst_cycles);
+  ASSERT_EQ(x.siblings.size(), 1U);
+  EXPECT_EQ(x.siblings[0].file, "modules/a.toml");
+}
+
+TEST_F(Parts, WhatIsGivenOfASiblingsNumberIsKnown) {
+  write("modules/a.toml", "name = \"A\"\n" + least.substr(least.find('\n') + 1) +
+                              "q = { value = 7, low = 6, high = 8, source = \"s\" }\n");
+  write("modules/x.toml", "name = \"X\"\nlike = \"A\"\n" + number("q", "9"));
+  const auto x = module_of("X", {root_});
+  EXPECT_EQ(x.q, 9);
+  EXPECT_EQ(std::ranges::count(x.bounds, "q", &channel::NumberBounds::number), 0);
+}
+
+TEST_F(Parts, RefusesSiblingsThatAreNone) {
+  EXPECT_EQ(
+      refusal("name = \"X\"\nlike = \"X\"\n"),
+      "like = \"X\" in R/modules/x.toml:2 (parts that are like each other in a circle have no "
+      "numbers) give one of them its own");
+  EXPECT_EQ(refusal("name = \"X\"\nlike = \"nobody\"\n"),
+            "like = \"nobody\" in R/modules/x.toml:2 (no module of this name in R/modules) did you "
+            "mean x?");
+  EXPECT_EQ(refusal("name = \"X\"\nlike = 3\n"),
+            "like in R/modules/x.toml:2 (a number where text is expected) name a part, as like = "
+            "\"TSOP94256\"");
+  write("modules/y.toml", "name = \"Y\"\nlike = \"X\"\n");
+  EXPECT_EQ(
+      refusal("name = \"X\"\nlike = \"Y\"\n"),
+      "like = \"X\" in R/modules/y.toml:2 (parts that are like each other in a circle have no "
+      "numbers) give one of them its own");
+}
+
 TEST_F(Parts, RefusesCurvesOfNoShape) {
   const auto curve = [&](const std::string& x, const std::string& y) {
     return refusal(least + "[directivity]\nsource = \"s\"\ndegrees = " + x +
