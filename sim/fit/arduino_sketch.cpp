@@ -37,6 +37,7 @@ constexpr const char* explanation =
 #include <avr/pgmspace.h>
 #include <avr/sleep.h>
 #include <stdint.h>
+#include <string.h>
 #include <util/delay.h>
 
 struct Step {
@@ -57,13 +58,16 @@ constexpr const char* program = R"(};
 const uint8_t module_pin = 1 << 0, carrier_pin = 1 << 2, running_pin = 1 << 5;          // of port B: D8, D10, D13
 const uint8_t level_pins = 1 << 4 | 1 << 5 | 1 << 6, mark_pin = 1 << 7;                // of port D: D4 to D6, D7
 
-// Of the schedule; for the interrupts alone, but for is_over.
+// The step that is played, and the next one, which the program has fetched long before. For the interrupts, but for
+// what is volatile.
+static Step fetched[2];
+static Step* step = &fetched[0];
+static Step* volatile next_step = &fetched[1];
+static volatile bool has_next = false;
 static volatile bool is_over = false;
-static const Step* coming = steps;
-static uint16_t period = 0, off = 0, repeats = 0;
-static uint32_t on = 0, left = 1;  // carrier cycles
-static uint8_t pin = 0;
-static bool is_lit = false, is_last = false;
+static uint16_t period = 0;
+static uint32_t left = 1;  // carrier cycles
+static bool is_lit = false;
 static uint8_t next_directions = mark_pin, next_levels = 0;  // of port D, for the next cycle
 
 // Clocks at the beginning of the carrier cycle of which the interrupt was last, and of the one behind it.
@@ -77,50 +81,62 @@ static volatile uint8_t first_edge = 0, behind_last_edge = 0;
 static volatile uint16_t lost_edges = 0;
 static volatile uint8_t level = 0;
 
-// OCR1A and OCR1B are taken over by the timer when its cycle ends.
-static inline void begin_step() {
-  period = pgm_read_word(&coming->period);
-  OCR1A = period - 1;
-  OCR1B = pgm_read_word(&coming->width) - 1;
-  pin = pgm_read_byte(&coming->pin);
-  left = pgm_read_dword(&coming->lead);
-  on = pgm_read_dword(&coming->on);
-  off = pgm_read_word(&coming->off);
-  repeats = pgm_read_word(&coming->repeats);
-  is_last = repeats == 0;
-  ++coming;
+static void fetch_next() {
+  static const Step* next = steps;
+  if (has_next || next == steps + sizeof(steps) / sizeof(*steps)) return;
+  memcpy_P(next_step, next++, sizeof(Step));
+  has_next = true;
 }
 
-// At the end of each pulse, so while it is dark.
+// OCR1A and OCR1B are taken over by the timer when its cycle ends.
+static inline void begin_step() {
+  Step* const begun = next_step;
+  next_step = step;
+  step = begun;
+  has_next = false;
+  left = begun->lead;
+  period = begun->period;
+  OCR1A = period - 1;
+  OCR1B = begun->width - 1;
+}
+
+// At the end of each pulse, so while it is dark. Where all is done it may be interrupted, so that an edge never waits
+// for a carrier cycle.
 ISR(TIMER1_COMPB_vect) {
   DDRD = next_directions;
   PORTD = next_levels;
   this_start = next_start;
   next_start = this_start + period;
-  if (--left != 0) return;
+  if (--left != 0) {
+    sei();
+    return;
+  }
   if (is_lit) {
     next_directions = mark_pin;
     next_levels = 0;
     is_lit = false;
-    --repeats;
-    left = off;
-  } else if (repeats != 0) {
-    next_directions = pin | mark_pin;
+    --step->repeats;
+    left = step->off;
+  } else if (step->repeats != 0) {
+    next_directions = step->pin | mark_pin;
     next_levels = mark_pin;
     is_lit = true;
-    left = on;
-  } else if (is_last) {
-    is_over = true;
-  } else {
+    left = step->on;
+  } else if (has_next) {
     begin_step();
+  } else {
+    is_over = true;
   }
+  sei();
 }
 
 // An edge of the module's output. Which cycle it belongs to is told by whether that cycle's interrupt has been: this
 // one comes first where both wait. The rest may be interrupted, so that the light is not late.
 ISR(TIMER1_CAPT_vect) {
-  const uint16_t at = ICR1, now = TCNT1;
-  const bool is_of_this = now < at || (now > OCR1B && !(TIFR1 & 1 << OCF1B));
+  const uint16_t at = ICR1, before = TCNT1;
+  const bool waits = TIFR1 & 1 << OCF1B;  // of the same cycle, if that is not over behind it
+  const uint16_t behind = TCNT1;
+  const bool is_of_this = behind < at || (before > OCR1B && !waits);
   const uint32_t when = (is_of_this ? this_start : next_start) + at;
   sei();
   const uint8_t is = PINB & module_pin;
@@ -190,6 +206,7 @@ void setup() {
   PORTB = module_pin | running_pin;  // a pull-up, should the module have none
   _delay_ms(2000);                   // the module has its power
   TCCR1A = TCCR1B = 0;
+  fetch_next();
   begin_step();
   level = told = PINB & module_pin;
   say("time_s,rx\n");
@@ -220,6 +237,7 @@ static void end_all(uint32_t now) {
 }
 
 void loop() {
+  fetch_next();
   const bool was_over = is_over;
   cli();
   const uint32_t now = next_start;

@@ -30,7 +30,7 @@ inline constexpr int bench_carrier_pin = 10, bench_module_pin = 8, bench_mark_pi
 /// interrupt has opened or closed the gate: 150 clocks at least.
 inline constexpr double widest_pulse = 1.0 / 3;
 /// Carriers that leave time for that, and for the serial line, in clocks a cycle.
-inline constexpr int shortest_period = 240, longest_period = 1000;
+inline constexpr int shortest_period = 250, longest_period = 1000;
 
 /// A pulse of so many clocks in each carrier cycle, by a resistor.
 struct BenchPulse {
