@@ -281,6 +281,16 @@ TEST_F(BenchSketch, StampsEachEdgeOfTheModuleAndIsNotDisturbed) {
   EXPECT_LT(worst_us, 31 / clocks_per_us + 0.7) << "what simavr is wrong by, and an instruction";
 }
 
+// With its rests and its long carriers, as people run it.
+TEST_F(BenchSketch, MeasuredAMinuteIsThePlan) {
+  const BenchSchedule schedule = bench_schedule(1);
+  build(schedule);
+  play({});
+  const PlayedLight played = light(2 * longest_period);
+  expect_played(schedule, played.bursts, first_clock(schedule, played));
+  EXPECT_EQ(played.cut, 0U);
+}
+
 TEST_F(BenchSketch, OfHalfAnHourHasRoom) {
   write("sketch.ino", arduino_sketch(bench_schedule(30), "TSOP4856"));
   tool("avr-gcc", {"-x", "c++", "-std=gnu++11", "-mmcu=atmega328p", "-DF_CPU=16000000UL", "-Os",
