@@ -281,6 +281,29 @@ TEST_F(BenchSketch, StampsEachEdgeOfTheModuleAndIsNotDisturbed) {
   EXPECT_LT(worst_us, 31 / clocks_per_us + 0.7) << "what simavr is wrong by, and an instruction";
 }
 
+// Where a burst begins or ends the light is switched by an interrupt behind the end of a pulse: an
+// edge about then is what delays it most.
+TEST_F(BenchSketch, CutsNoPulseWhereAnEdgeComesAtItsEnd) {
+  const BenchSchedule schedule = hurried(bench_schedule(1));
+  build(schedule);
+  play({});
+  const PlayedLight alone = light(2 * longest_period);
+  std::mt19937 draws(1);
+  std::uniform_int_distribution<std::int64_t> about(-4 * 16, 8 * 16);
+  std::vector<PinEdge> edges;
+  for (const PulseBurst& burst : alone.bursts) {
+    const bool at_end = edges.size() % 4 < 2;
+    const std::int64_t pulse = at_end ? burst.last : burst.start - 286;
+    const std::int64_t at = pulse + burst.longest + about(draws);
+    edges.push_back({static_cast<double>(at) / clocks_per_us, edges.size() % 2 == 1});
+  }
+  play(edges);
+  const PlayedLight played = light(2 * longest_period);
+  EXPECT_EQ(played.cut, 0U);
+  expect_played(schedule, played.bursts, first_clock(schedule, alone));
+  EXPECT_EQ(captured().size(), edges.size());
+}
+
 // With its rests and its long carriers, as people run it.
 TEST_F(BenchSketch, MeasuredAMinuteIsThePlan) {
   const BenchSchedule schedule = bench_schedule(1);
