@@ -60,7 +60,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 /// All of them or none.
-void write_files(const std::vector<BenchFile>& all) {
+void write_bench(const std::vector<BenchFile>& all) {
   for (const BenchFile& file : all) refuse_to_lose(file.place, file.own);
   for (const BenchFile& file : all) make_folder(file.place.parent_path());
   std::deque<NewFile> files;
@@ -83,7 +83,7 @@ void refuse_what_is_not_there_yet(const FitRequest& request) {
 ExitCode fit_command(const FitRequest& request) {
   refuse_what_is_not_there_yet(request);
   const std::vector<BenchFile> files = bench_files(request);
-  write_files(files);
+  write_bench(files);
   for (const BenchFile& file : files) print(file.place.string() + "\n");
   return ExitCode::done;
 }
