@@ -70,14 +70,14 @@ TrialBursts single_bursts(const ExpectedModule& module, double level_db, double 
 
 BenchTrials emin_part(const ExpectedModule& module) {
   BenchTrials trials;
-  for (const double level_db : {-36, -44, -48, -52, -55, -58, -61})
+  for (const double level_db : {-40, -46, -49, -52, -55, -58, -61})
     trials.push_back({single_bursts(module, level_db, 1)});
   return trials;
 }
 
 BenchTrials tune_part(const ExpectedModule& module) {
   BenchTrials trials;
-  for (const double level_db : {-32, -38, -44, -50})
+  for (const double level_db : {-38, -43, -47, -51})
     for (const double carrier : {0.9, 0.95, 1.05, 1.1})
       trials.push_back({single_bursts(module, level_db, carrier)});
   return trials;
