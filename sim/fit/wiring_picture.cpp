@@ -129,6 +129,7 @@ void draw_output(SvgDrawing& drawing) {
   drawing.text({board_right + 12, output_y - 6}, "output of the module", "small");
 }
 
+/// With the 100 Ohm as in the application circuits of Vishay's sheets; newer ones have 0.1 uF.
 void draw_capacitor(SvgDrawing& drawing) {
   const double y = 235, half = 10, middle = (ground_x + module_supply_x) / 2;
   draw_joint(drawing, {ground_x, y}, ground_wire);
