@@ -64,6 +64,7 @@ struct Requests {
   PartsRequest parts;
   FindRequest find;
   LocateRequest locate;
+  FitRequest fit;
   MergeRequest merge;
   ReportRequest report;
   DiffRequest diff;
@@ -81,7 +82,7 @@ void fill_in(Requests& to, const Surroundings& from) {
   to.manual.date = from.commit_date;
   for (PartRoots* parts :
        {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts,
-        &to.locate.options.parts, &to.serve.options.parts, &to.check.options.parts,
+        &to.fit.parts, &to.locate.options.parts, &to.serve.options.parts, &to.check.options.parts,
         &to.baseline.options.parts, &to.compare.options.parts})
     parts->push_back(from.shipped_parts);
 }
@@ -106,6 +107,7 @@ ExitCode carry_out(CLI::App& app, const Requests& requests) {
   if (app.got_subcommand("parts")) return parts_command(requests.parts);
   if (app.got_subcommand("find")) return find_command(requests.find);
   if (app.got_subcommand("locate")) return locate_command(requests.locate);
+  if (app.got_subcommand("fit")) return fit_command(requests.fit);
   if (app.got_subcommand("merge")) return merge_command(requests.merge);
   if (app.got_subcommand("report")) return report_command(requests.report);
   if (app.got_subcommand("check")) return check_command(requests.check);
@@ -162,6 +164,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_parts(app, requests.parts);
   add_find(app, requests.find);
   add_locate(app, requests.locate);
+  add_fit(app, requests.fit);
   add_merge(app, requests.merge);
   add_report(app, requests.report);
   add_diff(app, requests.diff);

@@ -228,6 +228,16 @@ struct LocateRequest {
 /// open.
 ExitCode locate_command(const LocateRequest& request);
 
+struct FitRequest {
+  bool plan = false;                            // write one
+  std::optional<std::filesystem::path> output;  // the folder that it is for
+  double minutes = 5;
+  std::string module = "TSOP4856";  // like the one to be measured
+  PartRoots parts;                  // --parts, then the program's own
+};
+/// What it takes to measure a receiver module.
+ExitCode fit_command(const FitRequest& request);
+
 struct CompletionRequest {
   std::string shell;  // "bash" or "zsh"
 };

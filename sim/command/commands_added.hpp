@@ -18,6 +18,7 @@ void add_node(CLI::App& app, NodeRequest& request);
 void add_serve(CLI::App& app, ServeRequest& request);
 void add_parts(CLI::App& app, PartsRequest& request);
 void add_locate(CLI::App& app, LocateRequest& request);
+void add_fit(CLI::App& app, FitRequest& request);
 void add_check(CLI::App& app, CheckRequest& request);
 void add_compare(CLI::App& app, CompareRequest& request);
 void add_baseline(CLI::App& app, BaselineRequest& request);

@@ -1,0 +1,74 @@
+// `cosys-sim fit` as users see it.
+#include <algorithm>
+
+#include "program.hpp"
+#include "sim/fit/plan_text.hpp"
+
+namespace {
+
+class FitCommand : public CommandLine {};
+
+const std::set<std::string> bench{"bench",        "bench/README.txt",        "bench/plan.txt",
+                                  "bench/sketch", "bench/sketch/sketch.ino", "bench/wiring.svg"};
+
+TEST_F(FitCommand, WritesABench) {
+  const Outcome o = program({"fit", "--plan", "-o", "bench"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  EXPECT_EQ(o.out, "bench/plan.txt\nbench/sketch/sketch.ino\nbench/wiring.svg\nbench/README.txt\n");
+  EXPECT_EQ(files(), bench);
+  EXPECT_GT(sim::read_plan(path("bench/plan.txt")).steps.size(), 100U);
+  const std::string notes = content(path("bench/README.txt"));
+  EXPECT_LE(std::ranges::count(notes, '\n'), 12);
+  EXPECT_NE(notes.find("0.50 m"), std::string::npos) << notes;
+}
+
+TEST_F(FitCommand, ReplacesItsOwnBenchByAnother) {
+  ASSERT_EQ(program({"fit", "--plan", "-o", "bench"}).code, 0);
+  const std::string before = content(path("bench/plan.txt"));
+  ASSERT_EQ(
+      program({"fit", "--plan", "-o", "bench", "--minutes", "1", "--module", "tsop38456"}).code, 0);
+  EXPECT_EQ(files(), bench);
+  EXPECT_NE(content(path("bench/plan.txt")), before);
+  EXPECT_NE(content(path("bench/wiring.svg")).find("TSOP38456"), std::string::npos);
+}
+
+TEST_F(FitCommand, TheDrawingIsWellFormed) {
+  if (start_tool("xmllint", {"--version"}).finish().code != 0) GTEST_SKIP() << "needs xmllint";
+  ASSERT_EQ(program({"fit", "--plan", "-o", "bench"}).code, 0);
+  tool("xmllint", {"--noout", "bench/wiring.svg"});
+}
+
+TEST_F(FitCommand, ReplacesNoFileOfOthers) {
+  std::filesystem::create_directories(path("bench/sketch"));
+  for (const std::string name : {"bench/plan.txt", "bench/sketch/sketch.ino", "bench/README.txt"}) {
+    write(name, "mine\n");
+    const Outcome o = program({"fit", "--plan", "-o", "bench"});
+    EXPECT_EQ(o.code, bad_input);
+    EXPECT_NE(o.err.find(name), std::string::npos) << o.err;
+    EXPECT_EQ(content(path(name)), "mine\n");
+    std::filesystem::remove(path(name));
+  }
+  EXPECT_EQ(files(), (std::set<std::string>{"bench", "bench/sketch"}));
+}
+
+TEST_F(FitCommand, SaysWhatItCan) {
+  const std::string how = "write cosys-sim fit --plan -o FOLDER";
+  expect_refused(
+      {"fit"}, bad_input,
+      "fit without --plan (it writes plans of what to measure, and reads no capture yet) " + how);
+  expect_refused({"fit", "--plan"}, bad_input, "fit --plan (it has no folder to write to) " + how);
+  for (const std::string minutes : {"0.9", "31", "nan"})
+    expect_refused({"fit", "--plan", "-o", "bench", "--minutes", minutes}, bad_input,
+                   "--minutes: " + minutes +
+                       " is no number from 1 to 30 (wrong usage) see cosys-sim fit --help");
+}
+
+TEST_F(FitCommand, RefusesAModuleThatItDoesNotKnow) {
+  const Outcome o = program({"fit", "--plan", "-o", "bench", "--module", "TSOP4855"});
+  EXPECT_EQ(o.code, bad_input);
+  EXPECT_NE(o.err.find("--module TSOP4855"), std::string::npos) << o.err;
+  EXPECT_TRUE(files().empty());
+}
+
+}  // namespace
