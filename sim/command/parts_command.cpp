@@ -43,9 +43,9 @@ std::vector<PartFile> named(const PartsRequest& request) {
 }
 
 /// A part that cannot be read says so in its line: the others are still worth listing.
-PartSheet listed(const PartFile& file) {
+PartSheet listed(const PartFile& file, const PartRoots& folders) {
   try {
-    return read_part_sheet(file, Compare::no);
+    return read_part_sheet(file, folders, Compare::no);
   } catch (const Failure& failure) {
     PartSheet sheet{};
     sheet.kind = file.kind;
@@ -58,7 +58,7 @@ PartSheet listed(const PartFile& file) {
 
 ExitCode list(const PartsRequest& request) {
   std::vector<PartSheet> sheets;
-  for (const PartFile& part : matching(request)) sheets.push_back(listed(part));
+  for (const PartFile& part : matching(request)) sheets.push_back(listed(part, request.parts));
   if (sheets.empty() && !request.search.empty())
     throw bad_input("--search " + request.search, "no part mentions it",
                     "leave it out to see all parts");
@@ -71,7 +71,7 @@ ExitCode list(const PartsRequest& request) {
 ExitCode parts_command(const PartsRequest& request) {
   if (request.name.empty()) return list(request);
   for (const PartFile& part : named(request)) {
-    const PartSheet sheet = read_part_sheet(part, Compare::yes);
+    const PartSheet sheet = read_part_sheet(part, request.parts, Compare::yes);
     request.json ? print_json(sheet_json(sheet)) : print(sheet_text(sheet));
   }
   return ExitCode::done;

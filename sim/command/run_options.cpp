@@ -1,8 +1,4 @@
 // Options of run, trace, find, merge and diff.
-#include <fmt/format.h>
-
-#include <cstdint>
-
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/scenario/keys.hpp"
@@ -35,15 +31,11 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->check(likely(find_key("simulation.method")->choices));
   add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
                  "frame loss ratio; a point is finished when its own is surely below or above");
-  run.add_flag_function(
-      "--doubt{32}",
-      [&request](std::int64_t units) {
-        if (units < 2) throw CLI::ValidationError("--doubt", "it takes two units at least");
-        request.options.overrides.push_back(fmt::format("receiver.unit=1:1:{}", units));
-      },
-      "run with 32 units, or with --doubt=N, in place of the part: each has what nobody printed of "
-      "it drawn within its bounds, and the answer is how many of them carry (the key "
-      "receiver.unit)");
+  run.add_flag_callback(
+      "--doubt", [&request] { request.options.overrides.emplace_back("receiver.unit=1:1:32"); },
+      "run with 32 units in place of the part: each has what nobody printed of it drawn within its "
+      "bounds, and the answer is how many of them carry; of more units by --set "
+      "receiver.unit=1:1:100");
   run.add_flag("--resume", request.resume,
                "go on with what an interrupted run of the same command left in its result file; "
                "the counts are those of a run without interrupt");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/columns/unit_spread_text.hpp"
+#include "sim/components/drawn_part.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/fidelity_check.hpp"
 #include "sim/loading/point_scenario.hpp"
@@ -39,16 +40,14 @@ class RangeLine {
   const Axis& axis() const { return scenario_.sweep[ranking_.abscissa]; }
 
   /// The place of the module in it, as its file has it.
-  channel::ModuleData module() const { return at(scenario_, 0).module; }
+  channel::ModuleData module() const { return at(0, 0).module; }
 
   UnitRange range_of(std::uint32_t unit, const std::atomic<bool>* stop) const {
-    LoadedScenario drawn = scenario_;
-    drawn.base.receiver.unit = unit;
     const std::size_t n = axis().values.size();
     std::size_t carried = 0, end = n;  // values from the good end
     while (carried < end && !is_stopped(stop)) {
       const std::size_t middle = carried + (end - carried) / 2;
-      if (carries(at(drawn, ranking_.more_is_better ? n - 1 - middle : middle), stop))
+      if (carries(at(ranking_.more_is_better ? n - 1 - middle : middle, unit), stop))
         carried = middle + 1;
       else
         end = middle;
@@ -57,12 +56,16 @@ class RangeLine {
   }
 
  private:
-  Scenario at(const LoadedScenario& scenario, std::size_t value) const {
-    std::vector<double> coordinates(scenario.sweep.size());
+  /// Unit 0: the parts as their files have them.
+  Scenario at(std::size_t value, std::uint32_t unit) const {
+    std::vector<double> coordinates(scenario_.sweep.size());
     coordinates[ranking_.abscissa] = axis().values[value];
     for (std::size_t i = 0; i < ranking_.others.size(); ++i)
       coordinates[ranking_.others[i]] = row_.others[i];
-    return point_scenario(scenario, coordinates);
+    Scenario scenario = point_scenario(scenario_, coordinates);
+    scenario.receiver.unit = unit;
+    place_unit(scenario);
+    return scenario;
   }
 
   /// Whether no frame of a few is lost.

@@ -202,8 +202,9 @@ double Comparison::median_share() const {
   return median_of(std::move(shares));
 }
 
-PartSheet read_part_sheet(const PartFile& file, Compare whether) {
-  const PartSources from{{file.path.parent_path().parent_path()}, {}, {}};
+PartSheet read_part_sheet(const PartFile& file, const PartRoots& folders, Compare whether) {
+  PartSources from{{file.path.parent_path().parent_path()}, {}, {}};
+  from.folders.insert(from.folders.end(), folders.begin(), folders.end());
   if (file.kind == module_keys().kind)
     return sheet_of(file, load_module(file.name, from, ""), module_keys(), module_figures(),
                     whether);

@@ -62,7 +62,8 @@ struct PartSheet {
 
 enum class Compare { no, yes };
 
-/// Reads the part, and if asked runs the model for every figure that it names.
-PartSheet read_part_sheet(const PartFile& file, Compare whether);
+/// Reads the part, and if asked runs the model for every figure that it names. Parts that it is
+/// like are looked for beside it, and then in the folders.
+PartSheet read_part_sheet(const PartFile& file, const PartRoots& folders, Compare whether);
 
 }  // namespace sim

@@ -80,5 +80,20 @@ TEST(CarriedPart, IsRefusedInOneLine) {
             "\"tsop4856\"");
 }
 
+// A part that is like another needs that one's file too.
+TEST(CarriedPart, BringsThePartThatItIsLike) {
+  const fs::path folder = fs::path(testing::TempDir()) / "carried_part_like";
+  fs::create_directories(folder / "modules");
+  std::ofstream(folder / "modules/mine.toml")
+      << "name = \"MINE\"\nlike = \"TSOP94256\"\n"
+         "emin_mw_per_m2 = { value = 0.09, source = \"measured\" }\n";
+  const LoadedScenario mine = parse("receiver.module = \"MINE\"", {}, {folder, scenarios});
+  EXPECT_EQ(mine.base.module.emin_mw_per_m2, 0.09);
+  EXPECT_EQ(mine.base.module.agc_hold_ms, 9.2);
+  const LoadedScenario again = parse(mine.text, {}, {});
+  EXPECT_EQ(canonical_text(again.base), canonical_text(mine.base));
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace sim

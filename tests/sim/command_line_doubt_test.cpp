@@ -14,8 +14,8 @@ class Doubt : public CommandLine {
 };
 
 TEST_F(Doubt, SaysHowManyUnitsCarry) {
-  const Outcome run =
-      program({"run", quickstart, "--doubt=4", "-n", "8", "-q", "--set", "receiver.range_m=1,3"});
+  const Outcome run = program({"run", quickstart, "-n", "8", "-q", "--set", "receiver.unit=1:1:4",
+                               "--set", "receiver.range_m=1,3"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out.find("bit error ratio"), std::string::npos) << "rows of units are not printed";
   EXPECT_NE(run.out.find("units drawn within what nobody printed"), std::string::npos);
@@ -25,28 +25,23 @@ TEST_F(Doubt, SaysHowManyUnitsCarry) {
 
 // It is a sweep as any other: it can be resumed, and says the same again.
 TEST_F(Doubt, IsASweepOfUnits) {
-  const Words words{"-n", "8", "-q", "--json", "--set", "receiver.range_m=1,3"};
+  const Words words{"-n", "8", "-q", "--json", "--set", "receiver.range_m=2"};
   const auto with = [&](Words more) {
     more.insert(more.end(), words.begin(), words.end());
     more.insert(more.begin(), {"run", quickstart});
     return program(more);
   };
-  const Outcome doubt = with({"--doubt=3"});
+  const Outcome doubt = with({"--doubt"});
   ASSERT_EQ(doubt.code, 0) << doubt.err;
-  const Outcome swept = with({"--set", "receiver.unit=1:1:3"});
+  const Outcome swept = with({"--set", "receiver.unit=1:1:32"});
   EXPECT_EQ(line_with(doubt.out, "result_digest"), line_with(swept.out, "result_digest"));
-}
-
-TEST_F(Doubt, TakesTwoUnitsAtLeast) {
-  const Outcome run = program({"run", quickstart, "--doubt=1"});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("two units"), std::string::npos) << run.err;
 }
 
 // The quick look of a plain run agrees with the whole sweep of the same units.
 TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
   const Words sweep{"--set", "receiver.range_m=0.2,3,9", "-q", "-n", "8"};
-  Words plain{"run", quickstart}, whole{"run", quickstart, "--doubt=16", "-e", "1"};
+  Words plain{"run", quickstart},
+      whole{"run", quickstart, "-e", "1", "--set", "receiver.unit=1:1:16"};
   for (Words* words : {&plain, &whole}) words->insert(words->end(), sweep.begin(), sweep.end());
   const std::string said = line_with(program(plain).out, "as assumed");
   const std::string found = line_with(program(whole).out, "of 16 units)");

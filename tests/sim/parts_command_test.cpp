@@ -145,7 +145,7 @@ Deviations deviations(const std::string& name, const fs::path& folder = scenario
   Deviations all;
   for (const auto& part : sim::list_parts({folder})) {
     if (part.name != name) continue;
-    for (const auto& c : sim::read_part_sheet(part, sim::Compare::yes).comparisons) {
+    for (const auto& c : sim::read_part_sheet(part, {}, sim::Compare::yes).comparisons) {
       const bool of_agc = c.figure.name == "max_duty" || c.figure.name == "min_repetition";
       all[c.figure.name] = of_agc ? c.median_deviation() : c.rms_deviation();
     }
