@@ -36,12 +36,12 @@ const NumberBounds* bounds_of(const channel::ModuleData& module, const std::stri
 }
 
 /// The only point of a scenario.
-Scenario point_of(const std::vector<std::string>& set) {
+Scenario only_point(const std::vector<std::string>& set) {
   return point_scenario(loaded("", set), {});
 }
 
 double attack_of(const std::vector<std::string>& set) {
-  return point_of(set).module.agc_attack_db_per_ms;
+  return only_point(set).module.agc_attack_db_per_ms;
 }
 
 /// Of a sample from what should be uniform on [0, 1): Kolmogorov and Smirnov's distance.
@@ -109,18 +109,18 @@ TEST(ReceiverUnit, IsTheSameUnitAtEveryPointAndAnotherByItsNumber) {
 }
 
 TEST(ReceiverUnit, HasACentreAndAThresholdOfItsOwn) {
-  const Scenario unit = point_of({"receiver.unit=3"});
+  const Scenario unit = only_point({"receiver.unit=3"});
   EXPECT_NE(unit.module.centre_hz, 56e3);
   EXPECT_GE(unit.module.emin_mw_per_m2, 0.12);
   EXPECT_LE(unit.module.emin_mw_per_m2, 0.25);
-  EXPECT_NE(unit.floor.roughness_um, point_of({}).floor.roughness_um);
+  EXPECT_NE(unit.floor.roughness_um, only_point({}).floor.roughness_um);
 }
 
 TEST(ReceiverUnit, KeepsWhatTheScenarioGives) {
   const std::vector<std::string> given{"receiver.unit=3", "module.agc_attack_db_per_ms=0.2"};
   EXPECT_EQ(attack_of(given), 0.2);
-  EXPECT_EQ(point_of(given).module.agc_margin_db,
-            point_of({"receiver.unit=3"}).module.agc_margin_db);
+  EXPECT_EQ(only_point(given).module.agc_margin_db,
+            only_point({"receiver.unit=3"}).module.agc_margin_db);
   const LoadedScenario swept = loaded("", {"receiver.unit=3", "module.agc_range_db=60,70"});
   EXPECT_EQ(point_scenario(swept, {70}).module.agc_range_db, 70);
 }
@@ -131,7 +131,7 @@ TEST(ReceiverUnit, CanBeSwept) {
   EXPECT_EQ(point_scenario(swept, {3, 2}).module.agc_attack_db_per_ms,
             attack_of({"receiver.unit=3"}));
   EXPECT_EQ(point_scenario(swept, {0, 2}).module.agc_attack_db_per_ms, attack_of({}));
-  EXPECT_EQ(canonical_text(point_scenario(swept, {0, 1})), canonical_text(point_of({})));
+  EXPECT_EQ(canonical_text(point_scenario(swept, {0, 1})), canonical_text(only_point({})));
 }
 
 TEST(ReceiverUnit, IsRefusedBesideAPopulation) {
