@@ -6,7 +6,7 @@
 
 namespace {
 
-using sim::line_with;
+using sim::first_line_with;
 
 class Doubt : public CommandLine {
  protected:
@@ -34,7 +34,8 @@ TEST_F(Doubt, IsASweepOfUnits) {
   const Outcome doubt = with({"--doubt"});
   ASSERT_EQ(doubt.code, 0) << doubt.err;
   const Outcome swept = with({"--set", "receiver.unit=1:1:32"});
-  EXPECT_EQ(line_with(doubt.out, "result_digest"), line_with(swept.out, "result_digest"));
+  EXPECT_EQ(first_line_with(doubt.out, "result_digest"),
+            first_line_with(swept.out, "result_digest"));
 }
 
 // The quick look of a plain run agrees with the whole sweep of the same units.
@@ -43,8 +44,8 @@ TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
   Words plain{"run", quickstart},
       whole{"run", quickstart, "-e", "1", "--set", "receiver.unit=1:1:16"};
   for (Words* words : {&plain, &whole}) words->insert(words->end(), sweep.begin(), sweep.end());
-  const std::string said = line_with(program(plain).out, "as assumed");
-  const std::string found = line_with(program(whole).out, "of 16 units)");
+  const std::string said = first_line_with(program(plain).out, "as assumed");
+  const std::string found = first_line_with(program(whole).out, "of 16 units)");
   ASSERT_NE(found.find("receiver.range_m 0.2 to 3 m (10 %"), std::string::npos) << found;
   ASSERT_NE(found.find("beyond 9 m (90 %"), std::string::npos) << found;
   EXPECT_EQ(said,

@@ -22,7 +22,7 @@ inline std::string last_line(const std::string& text) {
 }
 
 /// The first line that has a part in it; empty if none has.
-inline std::string line_with(const std::string& text, const std::string& part) {
+inline std::string first_line_with(const std::string& text, const std::string& part) {
   for (std::string& line : lines_of(text))
     if (line.find(part) != std::string::npos) return std::move(line);
   return "";
