@@ -60,7 +60,8 @@ std::vector<UnitShare> shares_of(const Grid& grid, double flr) {
 }
 
 /// Whether more units carry at the last value than at the first.
-bool more_is_better(const std::vector<UnitShare>& shares, const Axis& axis, std::size_t abscissa) {
+bool is_better_from_above(const std::vector<UnitShare>& shares, const Axis& axis,
+                          std::size_t abscissa) {
   std::ptrdiff_t last = 0, first = 0;
   for (const UnitShare& share : shares) {
     if (share.coordinates[abscissa] == axis.values.back())
@@ -98,9 +99,9 @@ Lines lines_of(const Grid& grid, std::size_t abscissa) {
   return lines;
 }
 
-std::vector<RangeSpread> rows_of(const Grid& grid, const UnitSpread& spread) {
+std::vector<RangeSpread> range_rows(const Grid& grid, const UnitSpread& spread) {
   const Axis& axis = spread.axes[*spread.abscissa];
-  const bool from_above = more_is_better(spread.shares, axis, *spread.abscissa);
+  const bool from_above = is_better_from_above(spread.shares, axis, *spread.abscissa);
   std::vector<RangeSpread> rows;
   for (const auto& [others, units] : lines_of(grid, *spread.abscissa)) {
     RangeSpread row{others, {}, {}, {}};
@@ -151,7 +152,7 @@ std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,
   const std::size_t abscissa = abscissa_of(spread.axes);
   if (abscissa == Ranking::none || spread.axes[abscissa].values.size() < 2) return spread;
   spread.abscissa = abscissa;
-  spread.rows = rows_of(grid, spread);
+  spread.rows = range_rows(grid, spread);
   return spread;
 }
 
