@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -54,18 +53,18 @@ std::string range_words(const Axis& axis, const UnitRange& range) {
   return coordinate_text(axis, range.low) + " to " + text(range.high);
 }
 
-std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles, std::uint32_t units,
+std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles,
                         const std::string& part) {
   const auto text = [&](double value) {
     return with_unit(coordinate_text(axis, value), axis.unit);
   };
+  const auto [least, most] = std::ranges::minmax(axis.values);
   const double low = std::min(quantiles.front().low, quantiles.back().low);
   const double high = std::max(quantiles.front().high, quantiles.back().high);
-  const std::string from = std::isinf(low) ? "below " + text(axis.values.front()) : text(low);
-  const std::string to = std::isinf(high) ? "beyond " + text(axis.values.back()) : text(high);
   return fmt::format(
-      "as assumed; from {} to {} for 8 in 10 of {} units within what nobody printed of {}", from,
-      to, units, part);
+      "as assumed; {} to {} for 8 of 10 units, as not all of {} is published (--doubt says more)",
+      std::isinf(low) ? "below " + text(least) : text(low),
+      std::isinf(high) ? "beyond " + text(most) : text(high), part);
 }
 
 bool has_loss(const std::vector<ColumnFacts>& columns) {

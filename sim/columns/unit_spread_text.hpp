@@ -1,6 +1,5 @@
 #pragma once
 // A spread over units (sim/result/unit_spread) in words.
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,9 @@ namespace sim {
 /// "beyond 10 m", "3 to 5 m", "below 0.5 m".
 std::string range_words(const Axis& axis, const UnitRange& range);
 
-/// What the part as its file has it hides: "as assumed; from 0.5 m to beyond 10 m for ...".
-std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles, std::uint32_t units,
-                        const std::string& part);
+/// What the part as its file has it hides: "as assumed; 0.5 m to beyond 10 m for 8 of 10 units,
+/// ...".
+std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles, const std::string& part);
 
 /// Whether one of the columns is the loss of which a spread is made.
 bool has_loss(const std::vector<ColumnFacts>& columns);

@@ -5,16 +5,10 @@
 
 namespace sim {
 
-void add_run(CLI::App& app, RunRequest& request) {
-  auto& run = *app.add_subcommand(
-      "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
-  add_place(run, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
-  add_place(run, "-o,--output", request.output, "OUT.h5|DIR/",
-            "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
-            "scenario's name ending in .h5, in the current folder");
-  add_scenario_options(run, request.options);
-  add_threads(run, request.threads);
-  add_amount(run, request.options);
+namespace {
+
+/// When a point is finished, and how its trials are drawn.
+void add_stop_rules(CLI::App& run, RunRequest& request) {
   add_short_form(run, "-e,--max-frame-errors", "stop.max_frame_errors", request.options.overrides,
                  "lost frames after which a point is finished, 0 for no such limit");
   add_short_form(run, "--rel-ci", "stop.rel_ci", request.options.overrides,
@@ -31,11 +25,28 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->check(likely(find_key("simulation.method")->choices));
   add_short_form(run, "--target-flr", "stop.target_flr", request.options.overrides,
                  "frame loss ratio; a point is finished when its own is surely below or above");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, RunRequest& request) {
+  auto& run = *app.add_subcommand(
+      "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
+  add_place(run, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
+  add_place(run, "-o,--output", request.output, "OUT.h5|DIR/",
+            "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
+            "scenario's name ending in .h5, in the current folder");
+  add_scenario_options(run, request.options);
+  add_threads(run, request.threads);
+  add_amount(run, request.options);
+  add_stop_rules(run, request);
   run.add_flag_callback(
-      "--doubt", [&request] { request.options.overrides.emplace_back("receiver.unit=1:1:32"); },
-      "run with 32 units in place of the part: each has what nobody printed of it drawn within its "
-      "bounds, and the answer is how many of them carry; of more units by --set "
-      "receiver.unit=1:1:100");
+         "--doubt", [&request] { request.options.overrides.emplace_back("receiver.unit=1:1:32"); },
+         "run with 32 units in place of the part: each has what nobody printed of it drawn within "
+         "its "
+         "bounds, and the answer is how many of them carry; of more units by --set "
+         "receiver.unit=1:1:100")
+      ->disable_flag_override();
   run.add_flag("--resume", request.resume,
                "go on with what an interrupted run of the same command left in its result file; "
                "the counts are those of a run without interrupt");

@@ -56,6 +56,8 @@ channel::ModuleData drawn_unit(const channel::ModuleData& module, const dsp::Ran
 std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario) {
   std::vector<DrawnNumber> numbers;
   for (const char* of_a_unit : {"centre_hz", "emin_mw_per_m2"}) {
+    if (std::ranges::count(scenario.module.bounds, of_a_unit, &channel::NumberBounds::number) > 0)
+      continue;  // it is among those
     const auto& number = number_named(module_keys(), of_a_unit);
     numbers.push_back(
         {std::string("module.") + of_a_unit, number.facts.unit, scenario.module.*number.member});
@@ -69,6 +71,12 @@ std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario) {
 void forget_given_bounds(Scenario& scenario, const SourceLocations& places) {
   forget(scenario.module, "module", places);
   forget(scenario.floor, "floor", places);
+}
+
+bool is_drawn_by_point(const std::vector<Axis>& sweep) {
+  return std::ranges::any_of(sweep, [](const Axis& axis) {
+    return axis.key == unit_key || axis.key == "simulation.seed";
+  });
 }
 
 void place_unit(Scenario& scenario) {

@@ -29,6 +29,9 @@ std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario);
 /// Takes the bounds of those numbers off the scenario's parts that the scenario itself gives.
 void forget_given_bounds(Scenario& scenario, const SourceLocations& places);
 
+/// Whether each point of a sweep has a unit of its own; else the base has that of all.
+bool is_drawn_by_point(const std::vector<Axis>& sweep);
+
 /// Puts unit number receiver.unit in the place of module, LED and floor; 0 leaves them as they are.
 /// A unit has the same numbers at every point of a sweep.
 void place_unit(Scenario& scenario);

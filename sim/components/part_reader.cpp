@@ -134,11 +134,12 @@ class PartReader {
                     both ? "remove one of the two" : "add one of the two");
   }
 
-  /// To what it is of a part of which nothing is known.
+  /// A number or a curve, to what it is of a part of which nothing is known.
   void reset(const std::string& name, Data& part) const {
-    const auto number =
-        std::ranges::find(keys_.numbers, name, [](const auto& n) { return n.facts.name; });
-    part.*number->member = Data{}.*number->member;
+    for (const auto& number : keys_.numbers)
+      if (number.facts.name == name) part.*number.member = Data{}.*number.member;
+    for (const auto& curve : keys_.curves)
+      if (curve.name == name) part.*curve.member = Data{}.*curve.member;
     forget_bounds(name, part);
   }
 

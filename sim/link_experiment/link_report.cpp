@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -46,7 +47,8 @@ std::string profile_of(const std::vector<LinkPoint>& points) {
 std::string notes_of(const Swept& swept) {
   const LinkResult result = result_of(swept);
   Ranking ranking = rank(result);
-  add_doubts(ranking, swept.scenario, swept.workers);
+  const bool is_whole = std::ranges::all_of(swept.shards, [](auto s) { return s == Shard{}; });
+  if (is_whole) add_doubts(ranking, swept.scenario, swept.workers);
   return link_notes(result, ranking);
 }
 

@@ -25,19 +25,29 @@ constexpr std::size_t most_rows = 40;
 constexpr int frames_a_point = 8;  // as many as cost one
 
 bool is_doubted(const LoadedScenario& scenario) {
-  const ReceiverSettings& receiver = scenario.base.receiver;
-  return !scenario.places.contains("module.agc_attack_db_per_ms") &&
-         !scenario.places.contains("receiver.unit") && receiver.population == 0 &&
+  const auto is_given = [&](const char* key) { return scenario.places.contains(key); };
+  return !is_given("module.agc_attack_db_per_ms") && !is_given("receiver.unit") &&
+         !is_given("receiver.population") &&
          method_of(scenario.base.simulation) == Method::brute_force;
+}
+
+bool is_unclear(const RowCrossing& row) {
+  return row.crossing.kind == Crossing::Kind::not_monotone ||
+         row.crossing.kind == Crossing::Kind::unclear;
 }
 
 /// A line of the sweep along its range.
 class RangeLine {
  public:
   RangeLine(const LoadedScenario& scenario, const Ranking& ranking, const RowCrossing& row)
-      : scenario_(scenario), ranking_(ranking), row_(row) {}
+      : scenario_(scenario),
+        ranking_(ranking),
+        row_(row),
+        axis_(in_rising_order(scenario.sweep[ranking.abscissa])),
+        from_above_(known_direction(axis_.key).value_or(false)) {}
 
-  const Axis& axis() const { return scenario_.sweep[ranking_.abscissa]; }
+  const Axis& axis() const { return axis_; }
+  bool from_above() const { return from_above_; }
 
   /// The place of the module in it, as its file has it.
   channel::ModuleData module() const { return at(0, 0).module; }
@@ -47,12 +57,12 @@ class RangeLine {
     std::size_t carried = 0, end = n;  // values from the good end
     while (carried < end && !is_stopped(stop)) {
       const std::size_t middle = carried + (end - carried) / 2;
-      if (carries(at(ranking_.more_is_better ? n - 1 - middle : middle, unit), stop))
+      if (carries(at(from_above_ ? n - 1 - middle : middle, unit), stop))
         carried = middle + 1;
       else
         end = middle;
     }
-    return range_carried(axis(), carried, ranking_.more_is_better);
+    return range_carried(axis_, carried, from_above_);
   }
 
  private:
@@ -78,6 +88,8 @@ class RangeLine {
   const LoadedScenario& scenario_;
   const Ranking& ranking_;
   const RowCrossing& row_;
+  Axis axis_;
+  bool from_above_;
 };
 
 std::vector<UnitRange> ranges_of(const RangeLine& line, const Workers& workers) {
@@ -91,15 +103,16 @@ std::vector<UnitRange> ranges_of(const RangeLine& line, const Workers& workers) 
 }  // namespace
 
 void add_doubts(Ranking& ranking, const LoadedScenario& scenario, const Workers& workers) {
-  if (!is_doubted(scenario) || ranking.rows.size() > most_rows) return;
+  if (!is_doubted(scenario) || ranking.rows.empty() || ranking.rows.size() > most_rows) return;
+  if (!known_direction(scenario.sweep[ranking.abscissa].key)) return;
   for (RowCrossing& row : ranking.rows) {
     const RangeLine line(scenario, ranking, row);
     const channel::ModuleData module = line.module();
-    if (module.bounds.empty() || line.axis().values.size() < 2) continue;
+    if (module.bounds.empty() || line.axis().values.size() < 2 || is_unclear(row)) continue;
     std::vector<UnitRange> ranges = ranges_of(line, workers);
     if (workers.interrupted()) return;
-    row.doubt = doubt_words(line.axis(), range_quantiles(std::move(ranges), ranking.more_is_better),
-                            n_units, module.name);
+    row.doubt = doubt_words(line.axis(), range_quantiles(std::move(ranges), line.from_above()),
+                            module.name);
   }
 }
 

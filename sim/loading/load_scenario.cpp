@@ -87,10 +87,6 @@ void read_interval_files(ParsedScenario& parsed, const std::filesystem::path& sc
   }
 }
 
-bool has_axis(const std::vector<Axis>& sweep, const std::string& key) {
-  return std::ranges::find(sweep, key, &Axis::key) != sweep.end();
-}
-
 Assembly assemble(const ParsedScenario& parsed, const PartSources& from) {
   Scenario s;
   for (const auto& [key, value] : parsed.texts) key->text(s) = value;
@@ -112,7 +108,7 @@ Assembly assemble(const ParsedScenario& parsed, const PartSources& from) {
   load_device_leds(s, parsed, from, parts);
   load_photodiode(s, parsed, from, parts);
   forget_given_bounds(s, parsed.places);
-  if (!has_axis(parsed.sweep, unit_key)) place_unit(s);
+  if (!is_drawn_by_point(parsed.sweep)) place_unit(s);
   return {std::move(s), std::move(parts)};
 }
 

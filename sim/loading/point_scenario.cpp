@@ -187,11 +187,6 @@ void place_text(Scenario& s, const Key& key, const std::string& label,
   if (key.facts.type == KeyType::part) part_slot(key.name()).copy(variants[which], s);
 }
 
-/// The base then has the parts as they are.
-bool has_swept_unit(const LoadedScenario& loaded) {
-  return std::ranges::find(loaded.sweep, unit_key, &Axis::key) != loaded.sweep.end();
-}
-
 /// Parts first: numbers hold for any of them. `s` has had no unit of the sweep placed.
 void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
               const std::vector<double>& coordinates) {
@@ -203,7 +198,7 @@ void place_at(Scenario& s, const LoadedScenario& loaded, const Setters& setters,
   }
   for (std::size_t i = 0; i < setters.size(); ++i)
     if (setters[i]->is_number()) setters[i]->number(s) = coordinates[i];
-  if (has_swept_unit(loaded)) place_unit(s);
+  if (is_drawn_by_point(loaded.sweep)) place_unit(s);
 }
 
 }  // namespace
@@ -267,7 +262,7 @@ void check_all_points(const LoadedScenario& loaded) {
   Scenario s = loaded.base;
   const std::vector<Limit> limits = limits_of(s);
   for (std::size_t i = 0; i < n; ++i) {
-    if (has_swept_unit(loaded)) s = loaded.base;
+    if (is_drawn_by_point(loaded.sweep)) s = loaded.base;
     place_at(s, loaded, setters, point_coordinates(loaded.sweep, i));
     choose_sample_rate(s, limits, loaded.places);
     check_point(s, limits, loaded.places);

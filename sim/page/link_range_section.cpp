@@ -27,7 +27,7 @@ std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ran
   for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
   head.push_back(fmt::format("{} at which frame loss passes {:g} %",
                              result.axes[ranking.abscissa].key, 100 * ranking.flr));
-  if (has_doubts(ranking)) head.push_back("how sure that is");
+  if (has_doubts(ranking)) head.emplace_back("how sure that is");
   return head;
 }
 

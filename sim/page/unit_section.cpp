@@ -24,8 +24,8 @@ constexpr std::size_t least_units = 6, most_bars = 8;
 
 /// A range that is known as a bracket only; what is beyond the sweep stands at its end.
 double middle_of(const Axis& axis, const UnitRange& range) {
-  if (std::isinf(range.low)) return axis.values.front();
-  if (std::isinf(range.high)) return axis.values.back();
+  if (std::isinf(range.low)) return std::ranges::min(axis.values);
+  if (std::isinf(range.high)) return std::ranges::max(axis.values);
   return range.low > 0 ? std::sqrt(range.low * range.high) : (range.low + range.high) / 2;
 }
 

@@ -199,6 +199,12 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
 
 }  // namespace
 
+std::optional<bool> known_direction(const std::string& key) {
+  if (key == "receiver.range_m") return false;
+  if (key == "led.current_ma" || key == "receiver.ebn0_db") return true;
+  return std::nullopt;
+}
+
 std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
   std::size_t abscissa = Ranking::none;
   for (std::size_t i = 0; i < axes.size(); ++i) {

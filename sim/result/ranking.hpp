@@ -3,6 +3,7 @@
 // the others. With texts among the others ("which module do I buy?") it is sorted, best first, for
 // each combination of their numbers.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct Ranking {
   bool more_is_better = false;      // more of the abscissa means less loss, all rows together
   std::vector<RowCrossing> rows;
 };
+
+/// Whether more of a key means less loss, where that is known of every link; else nothing.
+std::optional<bool> known_direction(const std::string& key);
 
 /// The axis along which a loss is looked for: that of the key, if one is named. Else distance where
 /// it is swept, as it is what users ask for, or else the last axis of numbers; Ranking::none where

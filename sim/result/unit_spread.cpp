@@ -15,8 +15,8 @@ std::size_t unit_axis(const std::vector<Axis>& axes) {
   return static_cast<std::size_t>(std::ranges::find(axes, unit_key, &Axis::key) - axes.begin());
 }
 
-/// The losses of a unit along the range, in the order of its values.
-using Line = std::vector<double>;
+/// The losses of a unit along the range, by its values.
+using Line = std::map<double, double>;
 
 /// A result whose points are told apart by their unit.
 class Grid {
@@ -59,25 +59,26 @@ std::vector<UnitShare> shares_of(const Grid& grid, double flr) {
   return shares;
 }
 
-/// Whether more units carry at the last value than at the first.
-bool is_better_from_above(const std::vector<UnitShare>& shares, const Axis& axis,
+/// Whether more units carry at the greatest value than at the least; where they are as many, what
+/// is known of the key.
+bool is_better_from_above(const std::vector<UnitShare>& shares, const Axis& rising,
                           std::size_t abscissa) {
-  std::ptrdiff_t last = 0, first = 0;
+  std::ptrdiff_t gain = 0;
   for (const UnitShare& share : shares) {
-    if (share.coordinates[abscissa] == axis.values.back())
-      last += static_cast<std::ptrdiff_t>(share.carried);
-    if (share.coordinates[abscissa] == axis.values.front())
-      first += static_cast<std::ptrdiff_t>(share.carried);
+    const auto carried = static_cast<std::ptrdiff_t>(share.carried);
+    if (share.coordinates[abscissa] == rising.values.back()) gain += carried;
+    if (share.coordinates[abscissa] == rising.values.front()) gain -= carried;
   }
-  return last > first;
+  return gain == 0 ? known_direction(rising.key).value_or(false) : gain > 0;
 }
 
 /// From the good end on, up to the first at which more is lost than the level.
 std::size_t n_carried(const Line& losses, double flr, bool from_above) {
-  const std::size_t n = losses.size();
-  std::size_t carried = 0;
-  while (carried < n && losses[from_above ? n - 1 - carried : carried] <= flr) ++carried;
-  return carried;
+  std::vector<double> from_good;
+  for (const auto& [value, loss] : losses) from_good.push_back(loss);
+  if (from_above) std::ranges::reverse(from_good);
+  const auto end = std::ranges::find_if(from_good, [&](double loss) { return loss > flr; });
+  return static_cast<std::size_t>(end - from_good.begin());
 }
 
 /// Of a number of things, the place of that below which a share of them lies.
@@ -93,20 +94,21 @@ Lines lines_of(const Grid& grid, std::size_t abscissa) {
   Lines lines;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     std::vector<double> others = grid.others(i);
+    const double value = others[abscissa];
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(abscissa));
-    lines[others][grid.unit(i)].push_back(grid.loss(i));
+    lines[others][grid.unit(i)][value] = grid.loss(i);
   }
   return lines;
 }
 
 std::vector<RangeSpread> range_rows(const Grid& grid, const UnitSpread& spread) {
-  const Axis& axis = spread.axes[*spread.abscissa];
+  const Axis axis = in_rising_order(spread.axes[*spread.abscissa]);
   const bool from_above = is_better_from_above(spread.shares, axis, *spread.abscissa);
   std::vector<RangeSpread> rows;
   for (const auto& [others, units] : lines_of(grid, *spread.abscissa)) {
     RangeSpread row{others, {}, {}, {}};
     for (const auto& [unit, line] : units) {
-      if (std::ranges::any_of(line, [](double loss) { return std::isnan(loss); })) continue;
+      if (std::ranges::any_of(line, [](const auto& at) { return std::isnan(at.second); })) continue;
       row.units.push_back(unit);
       row.ranges.push_back(
           range_carried(axis, n_carried(line, spread.flr, from_above), from_above));
@@ -123,6 +125,11 @@ std::vector<RangeSpread> range_rows(const Grid& grid, const UnitSpread& spread) 
 bool has_units(const std::vector<Axis>& axes) {
   const std::size_t at = unit_axis(axes);
   return at < axes.size() && axes[at].values.size() > 1;
+}
+
+Axis in_rising_order(Axis axis) {
+  std::ranges::sort(axis.values);
+  return axis;
 }
 
 UnitRange range_carried(const Axis& axis, std::size_t carried, bool from_above) {

@@ -50,8 +50,11 @@ struct UnitSpread {
   std::vector<RangeSpread> rows;        // of lines that are counted to their ends
 };
 
-/// The range of a unit that carries at so many values of an axis, counted from the good end: from
-/// above, where more is better.
+/// The same axis with its values in rising order.
+Axis in_rising_order(Axis axis);
+
+/// The range of a unit that carries at so many values of an axis, which rise, counted from the good
+/// end: from above, where more is better.
 UnitRange range_carried(const Axis& axis, std::size_t carried, bool from_above);
 
 /// Ranges at spread_quantiles of all units, the worst first. At least one unit.

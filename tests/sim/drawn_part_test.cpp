@@ -134,6 +134,18 @@ TEST(ReceiverUnit, CanBeSwept) {
   EXPECT_EQ(canonical_text(point_scenario(swept, {0, 1})), canonical_text(only_point({})));
 }
 
+TEST(ReceiverUnit, IsThatOfItsPointsSeed) {
+  const LoadedScenario seeds = loaded("", {"receiver.unit=3", "simulation.seed=1,2"});
+  EXPECT_EQ(point_scenario(seeds, {2}).module.agc_attack_db_per_ms,
+            attack_of({"receiver.unit=3", "simulation.seed=2"}));
+}
+
+TEST(ReceiverUnit, NamesEachDrawnNumberOnce) {
+  const auto numbers = drawn_numbers(only_point({"receiver.unit=3", "receiver.module=TSSP4056"}));
+  for (const DrawnNumber& number : numbers)
+    EXPECT_EQ(std::ranges::count(numbers, number.key, &DrawnNumber::key), 1) << number.key;
+}
+
 TEST(ReceiverUnit, IsRefusedBesideAPopulation) {
   EXPECT_EQ(refusal("", {"receiver.unit=3", "receiver.population=parts"}),
             "receiver.unit = 3 in --set with receiver.population in --set (a population draws "

@@ -188,6 +188,20 @@ TEST_F(Parts, APartMayBeLikeAnother) {
   EXPECT_EQ(x.siblings[0].file, "modules/a.toml");
 }
 
+// An LED has a pattern or an angle: the one that is given takes the place of the sibling's other.
+TEST_F(Parts, AnLedMayBeLikeAnother) {
+  const std::string intensity =
+      "[intensity]\nma = [1, 100]\nmw_per_sr = [1, 100]\nsource = \"s\"\n";
+  write("leds/a.toml", "name = \"A\"\n" + intensity +
+                           "[pattern]\ndegrees = [0, 90]\nrelative_intensity = [1, 0]\n"
+                           "source = \"s\"\n");
+  write("leds/x.toml", "name = \"X\"\nlike = \"A\"\n" + number("half_angle_deg", "20"));
+  const auto x = led_of("X", {root_});
+  EXPECT_EQ(x.half_angle_deg, 20);
+  EXPECT_TRUE(x.pattern.empty());
+  EXPECT_FALSE(x.intensity_mw_per_sr.empty());
+}
+
 TEST_F(Parts, WhatIsGivenOfASiblingsNumberIsKnown) {
   write("modules/a.toml", "name = \"A\"\n" + least.substr(least.find('\n') + 1) +
                               "q = { value = 7, low = 6, high = 8, source = \"s\" }\n");

@@ -114,10 +114,10 @@ TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
                       "receiver.range_m = 40 m, "),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>1</td><td>TSSP4056</td><td>between 5 and 40 " + doubt +
-                      "5 m</td><td>as assumed; from 5 m to "),
+                      "5 m</td><td>as assumed; 5 m to "),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>2</td><td>TSOP4856</td><td>between 1 and 5 " + doubt +
-                      "1 m</td><td>as assumed; from "),
+                      "1 m</td><td>as assumed; "),
             std::string::npos);
   EXPECT_NE(page.find("<th scope=\"col\">receiver.range_m at which frame loss passes 1 %</th>"),
             std::string::npos);

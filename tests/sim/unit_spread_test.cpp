@@ -80,6 +80,28 @@ TEST(UnitSpread, TakesTheGoodEndFromTheLosses) {
   EXPECT_EQ(worst_first[2].high, 10);
 }
 
+// The order in which a sweep lists its values means nothing.
+TEST(UnitSpread, TakesValuesInAnyOrder) {
+  const Axis mixed{"receiver.range_m", "m", "", {2, 4, 1}};
+  const auto spread = unit_spread(losses_over({mixed, units}, {1, .5, .01, 0, 0,      //
+                                                               1, 1, .02, .011, .01,  //
+                                                               1, 0, 0, 0, 0}));
+  const RangeQuantiles& quantiles = spread->rows.at(0).quantiles;
+  EXPECT_EQ(quantiles[0].high, 1);
+  EXPECT_EQ(quantiles[1].low, 2);
+  EXPECT_EQ(quantiles[1].high, 4);
+  EXPECT_EQ(quantiles[2].low, 4);
+}
+
+// Where as many carry at both ends, the key itself tells which is the good one.
+TEST(UnitSpread, KnowsTheGoodEndOfItsKey) {
+  const Axis current{"led.current_ma", "mA", "", {10, 20}};
+  const auto none = unit_spread(losses_over({current, units}, std::vector<double>(10, 1)));
+  EXPECT_EQ(none->rows.at(0).quantiles[1].low, 20);
+  const auto all = unit_spread(losses_over({current, units}, std::vector<double>(10, 0)));
+  EXPECT_EQ(all->rows.at(0).quantiles[1].high, 10);
+}
+
 TEST(UnitSpread, HasARowForEachOfTheOtherAxes) {
   const Axis modules{"receiver.module", "", "", {0, 1}, {"A", "B"}};
   const Axis two{unit_key, "1", "", {1, 2}};
