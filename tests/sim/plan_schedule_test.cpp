@@ -80,7 +80,7 @@ TEST(PlanSchedule, HasTheBurstsOfTheModule) {
   const Plan plan = scheduled("TSOP4856", 5);
   std::set<std::uint64_t> bursts;
   for (const PlanStep& step : plan.steps) bursts.insert(step.cycles_on);
-  for (const std::uint64_t cycles : {20, 30, 60, 98, 150, 300, 600, 67200})
+  for (const std::uint64_t cycles : {20U, 30U, 60U, 98U, 150U, 300U, 600U, 67200U})
     EXPECT_TRUE(bursts.contains(cycles)) << cycles;
 }
 
