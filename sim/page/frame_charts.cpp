@@ -8,23 +8,15 @@
 #include <map>
 #include <utility>
 
+#include "sim/counting/sample_quantile.hpp"
 #include "sim/section/picture_sections.hpp"
 
 namespace sim {
 namespace {
 
-/// The value that such a share of all is below.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, place);
-  return *place;
-}
-
 /// Half of what the middle 68 % span: the standard deviation of what is normal.
 double spread(const std::vector<double>& values) {
-  return (quantile(values, 0.8413) - quantile(values, 0.1587)) / 2;
+  return (sample_quantile(values, 0.8413) - sample_quantile(values, 0.1587)) / 2;
 }
 
 /// What is further out than that from the median is counted where the histogram ends.
@@ -33,13 +25,13 @@ constexpr long most_steps = 40;
 /// A frequency polygon: how many are in each step, at its middle.
 ChartCurve histogram(const std::string& name, const std::vector<double>& delays_us,
                      double step_us) {
+  ChartCurve curve{.name = name, .points = {}, .kind = CurveKind::continuous};
+  if (delays_us.empty()) return curve;
   std::map<long, int> counts;
-  const long middle = std::lround(std::floor(quantile(delays_us, 0.5) / step_us));
+  const long middle = std::lround(std::floor(sample_quantile(delays_us, 0.5) / step_us));
   for (const double delay : delays_us)
     ++counts[std::clamp(std::lround(std::floor(delay / step_us)), middle - most_steps,
                         middle + most_steps)];
-  ChartCurve curve{.name = name, .points = {}, .kind = CurveKind::continuous};
-  if (counts.empty()) return curve;
   for (long bin = counts.begin()->first - 1; bin <= counts.rbegin()->first + 1; ++bin) {
     const auto found = counts.find(bin);
     const double count = found == counts.end() ? 0 : found->second;
@@ -137,7 +129,8 @@ PageSection bursts_section(const FrameStatistics& frames) {
 
 std::string delays_text(const FrameStatistics& frames) {
   const EdgeDelays& delays = frames.delays;
-  const double begins = quantile(delays.falling_us, 0.5), ends = quantile(delays.rising_us, 0.5);
+  const double begins = sample_quantile(delays.falling_us, 0.5),
+               ends = sample_quantile(delays.rising_us, 0.5);
   std::string text = fmt::format(
       "Median delay: {:.0f} us where light begins and {:.0f} us where it ends, so pulses of light "
       "are {:.0f} us {} at the pin (pulse-width distortion). Jitter: {:.0f} and {:.0f} us (half of "

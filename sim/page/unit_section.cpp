@@ -11,6 +11,7 @@
 
 #include "sim/columns/unit_spread_text.hpp"
 #include "sim/components/drawn_part.hpp"
+#include "sim/counting/sample_quantile.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/loading/point_scenario.hpp"
 #include "sim/picture/range_bars.hpp"
@@ -33,12 +34,6 @@ std::vector<double> middles_of(const Axis& axis, const RangeSpread& row) {
   std::vector<double> middles;
   for (const UnitRange& range : row.ranges) middles.push_back(middle_of(axis, range));
   return middles;
-}
-
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 /// Equal values share the mean of their ranks.
@@ -86,10 +81,10 @@ NumberEffect effect_of(const DrawnNumber& number, const std::vector<double>& val
   const std::span<const std::size_t> all(order), low = all.first(third), high = all.last(third);
   return {.key = number.key,
           .unit = number.unit,
-          .range_at_low = median_of(chosen(ranges, low)),
-          .range_at_high = median_of(chosen(ranges, high)),
-          .low = median_of(chosen(values, low)),
-          .high = median_of(chosen(values, high)),
+          .range_at_low = sample_quantile(chosen(ranges, low), 0.5),
+          .range_at_high = sample_quantile(chosen(ranges, high), 0.5),
+          .low = sample_quantile(chosen(values, low), 0.5),
+          .high = sample_quantile(chosen(values, high), 0.5),
           .correlation = rank_correlation(values, ranges)};
 }
 
@@ -182,7 +177,7 @@ PageSection effects_section(const UnitSpread& spread, const std::vector<NumberEf
                      "Median range of the third of the units where a number is lowest, "
                      "and of the third where it is highest",
                  .axis = axis_name(axis),
-                 .middle = median_of(middles_of(axis, spread.rows.front())),
+                 .middle = sample_quantile(middles_of(axis, spread.rows.front()), 0.5),
                  .bars = {}};
   const std::string there = with_unit("range there", bracketed_unit(axis.unit));
   PageTable table{

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "sim/counting/sample_quantile.hpp"
 #include "sim/failure.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
@@ -161,14 +162,6 @@ PartSheet sheet_of(const PartFile& file, const Part<Data>& part, const PartKeys<
   return sheet;
 }
 
-/// NaN of none.
-double median_of(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 }  // namespace
 
 double Comparison::deviation(std::size_t i) const {
@@ -190,7 +183,7 @@ double Comparison::rms_deviation() const {
   return std::sqrt(sum / static_cast<double>(known.size()));
 }
 
-double Comparison::median_deviation() const { return median_of(known_deviations()); }
+double Comparison::median_deviation() const { return sample_quantile(known_deviations(), 0.5); }
 
 double Comparison::median_share() const {
   std::vector<double> shares;
@@ -199,7 +192,7 @@ double Comparison::median_share() const {
     if (sheet.y[i] <= 0) return std::numeric_limits<double>::quiet_NaN();
     if (std::isfinite(share)) shares.push_back(share);
   }
-  return median_of(std::move(shares));
+  return sample_quantile(std::move(shares), 0.5);
 }
 
 PartSheet read_part_sheet(const PartFile& file, const PartRoots& folders, Compare whether) {
