@@ -20,7 +20,8 @@ struct BenchResistor {
   double ohm;
   double led_ma;  // while the carrier is high
 };
-/// Strongest first. Of 5 V the LED takes 1.3, 1.2 and 1.1 V, both pins together some 55 Ohm.
+/// Strongest first. Currents are estimates, not measured: of 5 V the LED takes 1.3, 1.2 and 1.1 V,
+/// both pins together some 55 Ohm.
 inline constexpr std::array bench_resistors{BenchResistor{4, 100, 24}, BenchResistor{5, 1e3, 3.6},
                                             BenchResistor{6, 10e3, 0.39}};
 

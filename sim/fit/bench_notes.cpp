@@ -24,8 +24,8 @@ std::vector<std::string> bench_remarks(const std::string& module) {
           "For a module like " + module + ", played by sketch/sketch.ino; README.txt says how.",
           "In what the sketch records, time 0 is that of the plan, by the same clock. A burst",
           "begins with its first pulse. Levels are those of the carrier's fundamental, as an LED",
-          "TSAL6200 gives them by its sheet: right to 5 to 10 %, and to 25 % below -48 dB, where",
-          "what charges the wires counts.",
+          "TSAL6200 gives them by its sheet. They are estimated, not measured, to be right to 5 to",
+          "10 %, and to 25 % below -48 dB, where what charges the wires counts.",
           ""};
 }
 
