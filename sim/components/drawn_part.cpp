@@ -46,6 +46,8 @@ void forget(Data& part, const std::string& table, const SourceLocations& places)
 channel::ModuleData with_drawn_numbers(channel::ModuleData module,
                                        const dsp::RandomAddress& draws) {
   draw_numbers(module, module_keys(), draws);
+  if (module.emin_max_mw_per_m2 > 0)
+    module.emin_max_mw_per_m2 = std::max(module.emin_max_mw_per_m2, module.emin_mw_per_m2);
   return module;
 }
 

@@ -10,7 +10,7 @@
 namespace sim {
 
 /// The module with each number that has bounds drawn from them. A number's draw depends on its key
-/// and on nothing else of the part.
+/// and on nothing else of the part; only that a greatest Emin is never below the drawn one.
 channel::ModuleData with_drawn_numbers(channel::ModuleData module, const dsp::RandomAddress& draws);
 
 /// One unit: centre and threshold as of the population (channel::unit_of), and the numbers that

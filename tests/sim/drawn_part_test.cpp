@@ -99,6 +99,22 @@ TEST(DrawnPart, ANumbersDrawDependsOnNoOther) {
   EXPECT_NE(before.agc_margin_db, part.agc_margin_db);
 }
 
+// Both may have bounds, which overlap.
+TEST(DrawnPart, TheGreatestThresholdIsNeverBelowTheDrawnOne) {
+  channel::ModuleData part = tsop4856();
+  part.bounds = {{"emin_mw_per_m2", 0.1, 0.3}, {"emin_max_mw_per_m2", 0.2, 0.25}};
+  int raised = 0;
+  for (std::uint32_t unit = 1; unit <= 100; ++unit) {
+    const auto drawn = with_drawn_numbers(part, {.seed = 1, .trial = unit});
+    EXPECT_GE(drawn.emin_max_mw_per_m2, drawn.emin_mw_per_m2);
+    if (drawn.emin_max_mw_per_m2 > 0.25) ++raised;
+  }
+  EXPECT_GT(raised, 10);
+  part.emin_max_mw_per_m2 = 0;  // the sheet does not say
+  std::erase_if(part.bounds, [](const auto& b) { return b.number == "emin_max_mw_per_m2"; });
+  EXPECT_EQ(with_drawn_numbers(part, {.seed = 1, .trial = 1}).emin_max_mw_per_m2, 0);
+}
+
 TEST(ReceiverUnit, IsTheSameUnitAtEveryPointAndAnotherByItsNumber) {
   EXPECT_EQ(attack_of({}), tsop4856().agc_attack_db_per_ms);
   const double third = attack_of({"receiver.unit=3"});
