@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -201,11 +202,31 @@ std::vector<std::string> swept_texts(const Entry& entry) {
   refuse_kind(entry, "a list of texts", "write [\"A\", \"B\"] or \"*\" for all");
 }
 
+/// The values that words of a flag stand for; nothing where the entry is no list of words.
+std::optional<std::vector<double>> swept_words(const Key& key, const Entry& entry) {
+  if (key.facts.type != KeyType::flag) return std::nullopt;
+  const auto* mixed = std::get_if<WordList>(&entry.value);
+  const auto* texts =
+      mixed != nullptr ? &mixed->words : std::get_if<std::vector<std::string>>(&entry.value);
+  if (texts == nullptr) return std::nullopt;
+  std::vector<double> values;
+  for (const std::string& word : *texts) {
+    const auto value = flag_value(key, word);
+    if (!value)
+      throw bad_input(fmt::format("{} = \"{}\" {}", key.name(), word, entry.place),
+                      "not " + flag_words(key), "use " + flag_words(key));
+    values.push_back(*value);
+  }
+  return values;
+}
+
 void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   const std::string name = entry.key.substr(sweep_prefix.size());
   const Key& key = sweepable_key(name, entry.place);
   if (!key.is_number())
     return parsed.set_axis(make_text_axis(key, swept_texts(entry), entry.place), entry.place);
+  if (const auto values = swept_words(key, entry))
+    return parsed.set_axis(make_axis(key, *values, entry.place), entry.place);
   std::vector<double> values;
   if (const auto* number = std::get_if<double>(&entry.value))
     values = {*number};

@@ -48,6 +48,19 @@ Value list_of_texts(const toml::array& list) {
   return texts;
 }
 
+Value list_of_words(const toml::array& list) {
+  WordList all;
+  for (const auto& item : list) {
+    if (const auto* flag = item.as_boolean())
+      all.words.emplace_back(flag->get() ? "true" : "false");
+    else if (const auto* text = item.as_string())
+      all.words.push_back(text->get());
+    else
+      return OtherValue{name_of(toml::node_type::array)};
+  }
+  return all;
+}
+
 Value list_of_numbers(const toml::array& list) {
   std::vector<double> values;
   for (const auto& item : list) {
@@ -57,14 +70,18 @@ Value list_of_numbers(const toml::array& list) {
   return values;
 }
 
+Value list_value(const toml::array& list) {
+  const auto is_flag = [](const toml::node& item) { return item.is_boolean(); };
+  if (std::any_of(list.begin(), list.end(), is_flag)) return list_of_words(list);
+  return !list.empty() && list.front().is_string() ? list_of_texts(list) : list_of_numbers(list);
+}
+
 Value to_value(const toml::node& node) {
   if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
   if (const auto* real = node.as_floating_point()) return real->get();
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* text = node.as_string()) return text->get();
-  if (const auto* list = node.as_array())
-    return !list->empty() && list->front().is_string() ? list_of_texts(*list)
-                                                       : list_of_numbers(*list);
+  if (const auto* list = node.as_array()) return list_value(*list);
   return OtherValue{name_of(node.type())};
 }
 
@@ -157,6 +174,7 @@ std::string kind_of(const Value& value) {
   if (std::holds_alternative<std::string>(value)) return "text";
   if (std::holds_alternative<std::vector<double>>(value)) return "a list";
   if (std::holds_alternative<std::vector<std::string>>(value)) return "a list of texts";
+  if (std::holds_alternative<WordList>(value)) return "a list with true or false in it";
   return std::get<OtherValue>(value).what;
 }
 

@@ -13,8 +13,13 @@ struct OtherValue {
   std::string what;
 };
 
+/// A list with true or false in it, as words; it may have texts too.
+struct WordList {
+  std::vector<std::string> words;
+};
+
 using Value = std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>,
-                           OtherValue>;
+                           WordList, OtherValue>;
 
 /// One `key = value` of a file, with its tables joined to its name by dots.
 struct Entry {

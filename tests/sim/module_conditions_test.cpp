@@ -115,6 +115,21 @@ TEST(Population, IsSetAndSweptByWords) {
       "or constants");
 }
 
+TEST(Population, IsSweptByWordsInAFile) {
+  const auto values = [](const std::string& list) {
+    return loaded("[sweep]\nreceiver.population = " + list).sweep.at(0).values;
+  };
+  EXPECT_EQ(values("[\"parts\", \"constants\"]"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(values("[\"constants\", false, \"parts\"]"), (std::vector<double>{2, 0, 1}));
+  EXPECT_EQ(values("[false, true]"), (std::vector<double>{0, 1}));
+  EXPECT_EQ(refusal("[sweep]\nreceiver.population = [false, \"all\"]"),
+            "receiver.population = \"all\" in x.toml:2 (not false or parts or constants) use false "
+            "or parts or constants");
+  EXPECT_EQ(refusal("[sweep]\nreceiver.range_m = [1, true]"),
+            "sweep.receiver.range_m in x.toml:2 (a list that is not of numbers where a range or "
+            "list is expected) write \"1:1:20\" or [1, 2, 5]");
+}
+
 TEST(Population, IsOffByDefaultAndMovesNoOtherDraw) {
   EXPECT_FALSE(draw_unit(link_of({}), 0));
   Link on = link_of({"receiver.population=true"}), off = link_of({});
