@@ -39,6 +39,14 @@ bool has_wrong_clock(const Scenario& s) {
          s.device.start_jitter_us > 0;
 }
 
+/// A unit's threshold is half of its own: without a greatest one it is not drawn again.
+std::vector<std::string> half_the_threshold(const Scenario& s) {
+  std::vector<std::string> changes{
+      fmt::format("module.emin_mw_per_m2={}", s.module.emin_mw_per_m2 / 2)};
+  if (s.receiver.unit != 0) changes.emplace_back("module.emin_max_mw_per_m2=0");
+  return changes;
+}
+
 std::vector<Trouble> troubles_of(const Scenario& s) {
   std::vector<Trouble> troubles;
   const auto add = [&](bool is_there, std::string change, std::vector<std::string> overrides) {
@@ -47,8 +55,7 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
   add(s.noise.scale > 0, "without noise", {"noise.scale=0"});
   add(s.module.agc_attack_db_per_ms > 0, "without the module's automatic gain control",
       {"module.agc_attack_db_per_ms=0"});
-  add(s.module.emin_mw_per_m2 > 0, "with half of the module's threshold",
-      {fmt::format("module.emin_mw_per_m2={}", s.module.emin_mw_per_m2 / 2)});
+  add(s.module.emin_mw_per_m2 > 0, "with half of the module's threshold", half_the_threshold(s));
   add(is_on(s.ambient), "without ambient light",
       {"ambient.irradiance_w_per_m2=0", "ambient.daylight_lux=0", "ambient.tungsten_lux=0"});
   add(has_wrong_clock(s), "without errors of the clocks",

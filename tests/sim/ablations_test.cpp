@@ -1,9 +1,12 @@
 // What limits a link, found by running it again without one thing at a time.
 #include "sim/page/ablations.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <string>
 
 #include "sim/link_experiment/link_measurement.hpp"
 #include "sim/loading/load_scenario.hpp"
@@ -35,6 +38,35 @@ TEST(Ablations, FindTheGainControlOfTheQuickstart) {
   EXPECT_EQ(found.along->key, "receiver.range_m");
   EXPECT_NEAR(found.ablations[0].half->at, 2.18, 0.06) << "quickstart loses none at 2.15 m";
   EXPECT_GT(found.ablations[2].half->at, 10) << "without gain control";
+}
+
+/// The quickstart in the dark, without noise and gain control, with one unit.
+LoadedScenario quickstart_with(int unit) {
+  return load_scenario(
+      COSYS_SOURCE_DIR "/scenarios/quickstart.toml",
+      {"stop.max_frames=4", "receiver.range_m=10,60", "simulation.sample_rate_hz=250000",
+       "noise.scale=0", "module.agc_attack_db_per_ms=0", "ambient.irradiance_w_per_m2=0",
+       fmt::format("receiver.unit={}", unit)},
+      {COSYS_SOURCE_DIR "/scenarios"});
+}
+
+/// One that is less sensitive than most.
+LoadedScenario quickstart_with_a_dull_unit() {
+  for (int unit = 1;; ++unit) {
+    LoadedScenario scenario = quickstart_with(unit);
+    if (scenario.base.module.emin_mw_per_m2 > 0.22) return scenario;
+  }
+}
+
+// Its threshold would be drawn again, of a spread that begins lower, and be as high as before.
+TEST(Ablations, HalveTheThresholdOfAUnitAsItIs) {
+  const LoadedScenario scenario = quickstart_with_a_dull_unit();
+  const std::atomic<bool> never = false;
+  const Ablations found = ablate(scenario, run_link(scenario, {.threads = 2}), {2, &never});
+  const auto half =
+      std::ranges::find(found.ablations, "with half of the module's threshold", &Ablation::change);
+  ASSERT_NE(half, found.ablations.end());
+  EXPECT_GT(half->half->at, 1.2 * found.ablations.front().half->at);
 }
 
 TEST(Ablations, LookForHalfTheLossOnlyWhereItsDirectionIsKnown) {
