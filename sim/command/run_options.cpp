@@ -1,6 +1,7 @@
 // Options of run, trace, find, merge and diff.
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/loading/parsed_scenario.hpp"
 #include "sim/scenario/keys.hpp"
 
 namespace sim {
@@ -41,11 +42,10 @@ void add_run(CLI::App& app, RunRequest& request) {
   add_amount(run, request.options);
   add_stop_rules(run, request);
   run.add_flag_callback(
-         "--doubt", [&request] { request.options.overrides.emplace_back("receiver.unit=1:1:32"); },
-         "run with 32 units in place of the part: each has what nobody printed of it drawn within "
-         "its "
-         "bounds, and the answer is how many of them carry; of more units by --set "
-         "receiver.unit=1:1:100")
+         "--doubt", [&request] { request.options.overrides.emplace_back(doubt_option); },
+         "run with 32 units in place of the parts: each has what nobody printed of them drawn "
+         "within its bounds, and the answer is how many of them carry; of more units by --set "
+         "receiver.unit=1:1:100 in place of this")
       ->disable_flag_override();
   run.add_flag("--resume", request.resume,
                "go on with what an interrupted run of the same command left in its result file; "

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channel/conditions.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/text/digest.hpp"
 
@@ -53,6 +54,11 @@ channel::ModuleData with_drawn_numbers(channel::ModuleData module,
 
 channel::ModuleData drawn_unit(const channel::ModuleData& module, const dsp::RandomAddress& draws) {
   return channel::unit_of(with_drawn_numbers(module, draws), draws.uniform(0), draws.uniform(1));
+}
+
+bool has_unlike_units(const Scenario& scenario) {
+  if (kind_of(scenario).has_modules) return !channel::is_matched(scenario.module);
+  return !scenario.emitter.bounds.empty() || !scenario.floor.bounds.empty();
 }
 
 std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario) {

@@ -23,6 +23,10 @@ struct DrawnNumber {
   double value;
 };
 
+/// Whether units of the scenario's parts differ: a module of more than theory, or bounds of LED or
+/// floor.
+bool has_unlike_units(const Scenario& scenario);
+
 /// What was drawn of the parts of a scenario in which a unit was placed.
 std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario);
 

@@ -165,6 +165,11 @@ std::string spelt_out(const std::vector<Axis>& sweep, const std::string& key) {
   return fmt::format("{}={},", key, fmt::join(axis->labels, ","));
 }
 
+/// As of --set, in the place where it was taken.
+void spell_doubt_out(std::vector<std::string>& options) {
+  if (std::erase(options, doubt_option) > 0) options.emplace_back(doubt_override);
+}
+
 std::string with_parts(std::string text, const std::vector<CarriedPart>& used,
                        const std::vector<CarriedPart>& carried) {
   std::set<std::string> known;
@@ -199,6 +204,7 @@ LoadedScenario parse_scenario(const std::string& text, const std::filesystem::pa
   const std::vector<Entry> entries = scenario_entries(text, path);
   std::vector<std::string> options = with_amount_key(entries, overrides);
   ParsedScenario parsed = parsed_scenario_of(entries, options);
+  spell_doubt_out(options);
   count_points(parsed.sweep);
   check_dimension_names(parsed.sweep);
   read_interval_files(parsed, path, options);

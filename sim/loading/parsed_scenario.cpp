@@ -286,6 +286,15 @@ void take_override(ParsedScenario& parsed, const std::string& override, const st
   override_text(parsed, key, value, place);
 }
 
+/// Where the scenario has not chosen its unit itself.
+void take_doubt(ParsedScenario& parsed) {
+  const auto chosen = parsed.places.find(unit_key);
+  if (chosen != parsed.places.end())
+    throw bad_input(fmt::format("{} with {} {}", doubt_option, unit_key, chosen->second),
+                    "both say which units there are", "remove one of the two");
+  take_override(parsed, std::string(doubt_override), fmt::format("by {}", doubt_option));
+}
+
 void take_file_override(ParsedScenario& parsed, const Entry& entry) {
   const auto* text = std::get_if<std::string>(&entry.value);
   if (!text) refuse_kind(entry, "text", "write set = \"key=value\"");
@@ -337,7 +346,9 @@ ParsedScenario parsed_scenario_of(const std::vector<Entry>& entries,
   for (const Entry& entry : entries) take_entry(parsed, entry);
   for (const Entry& entry : entries)
     if (entry.key == override_key) take_file_override(parsed, entry);
-  for (const std::string& override : overrides) take_override(parsed, override, "in --set");
+  for (const std::string& override : overrides)
+    if (override != doubt_option) take_override(parsed, override, "in --set");
+  if (std::ranges::find(overrides, doubt_option) != overrides.end()) take_doubt(parsed);
   return parsed;
 }
 

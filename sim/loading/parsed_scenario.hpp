@@ -32,13 +32,18 @@ struct ParsedScenario {
 /// How much of each point shall be simulated, as an override that names no key: "-n=500".
 inline constexpr std::string_view amount_option = "-n=";
 
+/// Units in place of the parts, as an override that names no key.
+inline constexpr std::string_view doubt_option = "--doubt";
+/// The key and the units that it stands for. It comes last, wherever it is given.
+inline constexpr std::string_view doubt_override = "receiver.unit=1:1:32";
+
 /// The overrides with the key of the scenario's experiment in place of amount_option:
 /// "stop.max_frames=500" of a link, "arena.runs=500" of an arena. These are the last.
 std::vector<std::string> with_amount_key(const std::vector<Entry>& entries,
                                          const std::vector<std::string>& overrides);
 
-/// Entries of the file in their order, then the file's own overrides, then those of --set.
-/// Throws bad_input, naming place and remedy, of the first that cannot be.
+/// Entries of the file in their order, then the file's own overrides, then those of --set, then the
+/// units of --doubt. Throws bad_input, naming place and remedy, of the first that cannot be.
 ParsedScenario parsed_scenario_of(const std::vector<Entry>& entries,
                                   const std::vector<std::string>& overrides);
 

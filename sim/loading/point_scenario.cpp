@@ -119,13 +119,23 @@ void check_current(const Scenario& s, const SourceLocations& places) {
       fmt::format("use at most {}", last));
 }
 
-/// One says which unit it is, the other draws one a trial.
+/// A unit is one of parts that are not all alike, and the same in each trial.
 void check_unit(const Scenario& s, const SourceLocations& places) {
-  if (s.receiver.unit == 0 || s.receiver.population == 0) return;
-  throw bad_input(
-      fmt::format("receiver.unit = {} {} with receiver.population {}", s.receiver.unit,
-                  place_of(places, "receiver.unit"), place_of(places, "receiver.population")),
-      "a population draws another unit in each trial", "remove one of the two");
+  if (s.receiver.unit == 0) return;
+  const std::string asked =
+      fmt::format("{} = {} {}", unit_key, s.receiver.unit, place_of(places, unit_key));
+  if (s.receiver.population != 0)
+    throw bad_input(fmt::format("{} with receiver.population {}", asked,
+                                place_of(places, "receiver.population")),
+                    "a population draws another unit in each trial", "remove one of the two");
+  if (channel::is_matched(s.module))
+    throw bad_input(fmt::format("{} with receiver.module = \"{}\" {}", asked, s.receiver.module,
+                                place_of(places, "receiver.module")),
+                    "an ideal receiver is that of theory, so all units of it are alike",
+                    "use a module, or no unit");
+  if (!has_unlike_units(s))
+    throw bad_input(asked, "all numbers of its LED and floor are known, so all units are alike",
+                    "use parts with bounds, or no unit");
 }
 
 /// Without noise there is no light of a given Eb/N0.

@@ -168,6 +168,40 @@ TEST(ReceiverUnit, IsRefusedBesideAPopulation) {
             "another unit in each trial) remove one of the two");
 }
 
+TEST(ReceiverUnit, IsRefusedOfAnIdealReceiver) {
+  EXPECT_EQ(refusal("", {"receiver.unit=3", "receiver.module=ideal-coherent"}),
+            "receiver.unit = 3 in --set with receiver.module = \"ideal-coherent\" in --set (an "
+            "ideal receiver is that of theory, so all units of it are alike) use a module, or no "
+            "unit");
+  EXPECT_EQ(refusal("", {"receiver.unit=0", "receiver.module=ideal-coherent"}), "accepted");
+}
+
+TEST(ReceiverUnit, OfADoubtAreASweepThatComesLast) {
+  const LoadedScenario scenario = loaded("", {"--doubt", "receiver.range_m=1,2"});
+  ASSERT_EQ(scenario.sweep.size(), 2u);
+  EXPECT_EQ(scenario.sweep[1].key, unit_key);
+  EXPECT_EQ(scenario.sweep[1].values.size(), 32u);
+  EXPECT_EQ(loaded(scenario.text).sweep[1].values, scenario.sweep[1].values) << "it repeats itself";
+}
+
+TEST(ReceiverUnit, OfADoubtAreNotChosenTwice) {
+  const auto twice = [](const std::string& place) {
+    return "--doubt with receiver.unit " + place +
+           " (both say which units there are) remove one of the two";
+  };
+  EXPECT_EQ(refusal("", {"--doubt", "receiver.unit=0"}), twice("in --set"));
+  EXPECT_EQ(refusal("", {"receiver.unit=1:1:8", "--doubt"}), twice("in --set"));
+  EXPECT_EQ(refusal("[receiver]\nunit = 3", {"--doubt"}), twice("in x.toml:2"));
+  EXPECT_EQ(refusal("[sweep]\nreceiver.unit = \"1:1:8\"", {"--doubt"}), twice("in x.toml:2"));
+}
+
+TEST(ReceiverUnit, OfADoubtAreRefusedWhereNothingIsDrawn) {
+  EXPECT_EQ(refusal("", {"--doubt", "receiver.module=ideal-coherent"}),
+            "receiver.unit = 1 by --doubt with receiver.module = \"ideal-coherent\" in --set (an "
+            "ideal receiver is that of theory, so all units of it are alike) use a module, or no "
+            "unit");
+}
+
 TEST(Population, OfConstantsDrawsWhatNobodyPrinted) {
   const Link parts = link_of({"receiver.population=parts"});
   const Link constants = link_of({"receiver.population=constants"});
