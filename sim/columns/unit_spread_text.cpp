@@ -31,9 +31,7 @@ std::string share_table(const UnitSpread& spread) {
 
 std::string range_line(const UnitSpread& spread, const RangeSpread& row) {
   const Axis& axis = spread.axes[*spread.abscissa];
-  std::vector<Axis> others = spread.axes;
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(*spread.abscissa));
-  const std::string place = place_text(others, row.others);
+  const std::string place = place_text(axes_of_rows(spread), row.others);
   return fmt::format(
       "{}frame loss passes {:g} % at {} {} (10 % quantile of {} units), {} (median), {} (90 % "
       "quantile)\n",

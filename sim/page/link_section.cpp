@@ -17,6 +17,7 @@
 #include "sim/page/summary.hpp"
 #include "sim/page/trial_tables.hpp"
 #include "sim/page/trial_view.hpp"
+#include "sim/page/unit_section.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"

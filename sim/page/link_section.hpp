@@ -7,8 +7,8 @@
 
 #include "sim/page/ablations.hpp"
 #include "sim/page/frame_statistics.hpp"
+#include "sim/page/number_effects.hpp"
 #include "sim/page/shown_trial.hpp"
-#include "sim/page/unit_section.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/result/result.hpp"
 #include "sim/section/report_section.hpp"

@@ -12,10 +12,10 @@
 #include "sim/counting/statistics.hpp"
 #include "sim/link_experiment/link_notes.hpp"
 #include "sim/page/link_range_section.hpp"
-#include "sim/page/unit_section.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/result/unit_spread.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {

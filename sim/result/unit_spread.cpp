@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "sim/counting/statistics.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/scenario/sweep.hpp"
 
@@ -166,6 +167,19 @@ std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,
 std::optional<UnitSpread> unit_spread(const Dataset& data) {
   const Dataset::Variable* loss = find_variable(data, loss_name);
   return loss == nullptr ? std::nullopt : unit_spread(data.axes, numbers_of(*loss));
+}
+
+std::optional<UnitSpread> unit_spread(const LinkResult& result) {
+  std::vector<double> losses;
+  for (const LinkPoint& point : result.points)
+    losses.push_back(frame_loss_ratio(point.tally, LinkResult::ci_level).value);
+  return unit_spread(result.axes, losses);
+}
+
+std::vector<Axis> axes_of_rows(const UnitSpread& spread) {
+  std::vector<Axis> axes = spread.axes;
+  axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(*spread.abscissa));
+  return axes;
 }
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/result/dataset.hpp"
+#include "sim/result/result.hpp"
 #include "sim/scenario/axis.hpp"
 
 namespace sim {
@@ -67,5 +68,9 @@ std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,
 
 /// The same of a result; nothing where it has no losses.
 std::optional<UnitSpread> unit_spread(const Dataset& data);
+std::optional<UnitSpread> unit_spread(const LinkResult& result);
+
+/// The axes of RangeSpread::others. Of a spread that has rows.
+std::vector<Axis> axes_of_rows(const UnitSpread& spread);
 
 }  // namespace sim

@@ -57,5 +57,36 @@ TEST(UnitsOnAPage, HaveATableAndABarForEachNumber) {
   EXPECT_NE(moved.picture->svg.find(">module.agc_attack_db_per_ms<"), std::string::npos);
 }
 
+/// Two modules, along a range from 1 to 40 m.
+UnitSpread two_modules() {
+  UnitSpread spread;
+  spread.axes = {{"receiver.module", "", "", {0, 1}, {"A", "B"}},
+                 {"receiver.range_m", "m", "", {1, 10, 40}}};
+  spread.abscissa = 1;
+  spread.rows = {{{1}, {1, 2}, {{1, 10}, {10, 40}}, {}}, {{0}, {1, 2}, {{1, 10}, {10, 40}}, {}}};
+  return spread;
+}
+
+// What ends at an end of the sweep may go on.
+TEST(UnitsOnAPage, SayWhereARangeIsThatOfTheSweep) {
+  const NumberEffect effect{.key = "module.q", .unit = "1", .range_at_low = 40, .range_at_high = 1};
+  const PageSection section = effects_section(two_modules(), {effect});
+  EXPECT_EQ(section.table->rows[0][2], ">= 40");
+  EXPECT_EQ(section.table->rows[0][4], "<= 1");
+}
+
+TEST(UnitsOnAPage, NameTheRowThatTheTornadoIsOf) {
+  const NumberEffect effect{.key = "module.q", .unit = "", .range_at_low = 20, .range_at_high = 3};
+  UnitSpread spread = two_modules();
+  EXPECT_TRUE(effects_section(spread, {effect})
+                  .text.starts_with("At receiver.module = B, the first of the sweep. The strong"));
+  spread.rows.pop_back();
+  EXPECT_TRUE(effects_section(spread, {effect}).text.starts_with("At receiver.module = B. The"));
+  spread.axes.erase(spread.axes.begin());
+  spread.abscissa = 0;
+  spread.rows[0].others.clear();
+  EXPECT_TRUE(effects_section(spread, {effect}).text.starts_with("The strongest"));
+}
+
 }  // namespace
 }  // namespace sim
