@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "sim/columns/text_table.hpp"
+#include "sim/result/crossing_text.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/text/unit_text.hpp"
 
@@ -41,29 +41,6 @@ std::string range_line(const UnitSpread& spread, const RangeSpread& row) {
 }
 
 }  // namespace
-
-std::string range_words(const Axis& axis, const UnitRange& range) {
-  const auto text = [&](double value) {
-    return with_unit(coordinate_text(axis, value), axis.unit);
-  };
-  if (std::isinf(range.low)) return "below " + text(range.high);
-  if (std::isinf(range.high)) return "beyond " + text(range.low);
-  return coordinate_text(axis, range.low) + " to " + text(range.high);
-}
-
-std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles,
-                        const std::string& part) {
-  const auto text = [&](double value) {
-    return with_unit(coordinate_text(axis, value), axis.unit);
-  };
-  const auto [least, most] = std::ranges::minmax(axis.values);
-  const double low = std::min(quantiles.front().low, quantiles.back().low);
-  const double high = std::max(quantiles.front().high, quantiles.back().high);
-  return fmt::format(
-      "as assumed; {} to {} for 8 of 10 units, as not all of {} is published (--doubt says more)",
-      std::isinf(low) ? "below " + text(least) : text(low),
-      std::isinf(high) ? "beyond " + text(most) : text(high), part);
-}
 
 bool has_loss(const std::vector<ColumnFacts>& columns) {
   return std::ranges::any_of(columns, [](const ColumnFacts& column) {

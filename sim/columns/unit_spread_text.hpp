@@ -8,13 +8,6 @@
 
 namespace sim {
 
-/// "beyond 10 m", "3 to 5 m", "below 0.5 m".
-std::string range_words(const Axis& axis, const UnitRange& range);
-
-/// What the part as its file has it hides: "as assumed; 0.5 m to beyond 10 m for 8 of 10 units,
-/// ...".
-std::string doubt_words(const Axis& axis, const RangeQuantiles& quantiles, const std::string& part);
-
 /// Whether one of the columns is the loss of which a spread is made.
 bool has_loss(const std::vector<ColumnFacts>& columns);
 

@@ -200,7 +200,7 @@ ExitCode find_command(const FindRequest& request) {
   const std::atomic<bool>& interrupt = heed_stop_signals();
   Finds finds(request, over, scenario, output, interrupt);
   const auto json_of = [&](const LinkResult& result) {
-    return to_json(result, link_dataset(result), finds.question());
+    return to_json(result, link_dataset(result), rank(result, finds.question()));
   };
   const auto keep_all = [&](const LinkResult& result) {
     keep_finished(

@@ -1,7 +1,6 @@
 #include "sim/link_experiment/link_json.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -12,6 +11,7 @@
 #include "sim/result/alarms.hpp"
 #include "sim/result/axis_json.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/result/unit_spread_json.hpp"
 #include "sim/scenario/flags.hpp"
 
 namespace sim {
@@ -30,19 +30,11 @@ Json json_cell(const Dataset::Variable& variable, std::size_t i) {
   return variable.flags.at(static_cast<std::size_t>(number));
 }
 
-Json json_coordinate(const Axis& axis, double coordinate) {
-  if (axis.is_text()) return axis.labels.at(static_cast<std::size_t>(coordinate));
-  return coordinate;
-}
-
 const char* crossing_name(Crossing::Kind kind) {
   static constexpr std::array names{"fitted",    "jump",    "bracketed",    "all_below",
                                     "all_above", "unclear", "not_monotone", "unfinished"};
   return names.at(static_cast<std::size_t>(kind));
 }
-
-/// JSON has no infinity.
-Json end_of(double end) { return std::isfinite(end) ? Json(end) : nullptr; }
 
 Json json_crossing(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   Json json;
@@ -57,18 +49,18 @@ Json json_crossing(const LinkResult& result, const Ranking& ranking, const RowCr
   json["flr"] = ranking.flr;
   json["kind"] = crossing_name(c.kind);
   json["at"] = c.kind == Kind::fitted ? Json(c.at) : nullptr;
-  json["low"] = at_one_place ? end_of(c.low) : nullptr;
-  json["high"] = at_one_place ? end_of(c.high) : nullptr;
+  json["low"] = at_one_place ? json_end(c.low) : nullptr;
+  json["high"] = at_one_place ? json_end(c.high) : nullptr;
   const bool has_bound =
       c.kind == Kind::jump || c.kind == Kind::all_below || c.kind == Kind::all_above;
   json["not_ruled_out"] = has_bound ? Json(c.bound) : nullptr;
+  if (row.doubt) json["doubt"] = json_doubt(*row.doubt);
   return json;
 }
 
 /// In the order of the ranking.
-Json json_crossings(const LinkResult& result, const CrossingQuestion& question) {
+Json json_crossings(const LinkResult& result, const Ranking& ranking) {
   Json json = Json::array();
-  const Ranking ranking = rank(result, question);
   for (const RowCrossing& row : ranking.rows) json.push_back(json_crossing(result, ranking, row));
   return json;
 }
@@ -95,8 +87,7 @@ Json json_point(const LinkResult& result, const Dataset& data, std::size_t i) {
 
 }  // namespace
 
-std::string to_json(const LinkResult& result, const Dataset& data,
-                    const CrossingQuestion& question) {
+std::string to_json(const LinkResult& result, const Dataset& data, const Ranking& ranking) {
   Json json{{"title", result.title},       {"command", result.command},
             {"seed", result.seed},         {"ci_level", LinkResult::ci_level},
             {"eb_convention", "average"},  {"shards", shards_text(result.shards)},
@@ -106,7 +97,8 @@ std::string to_json(const LinkResult& result, const Dataset& data,
   json["points"] = Json::array();
   for (std::size_t i = 0; i < result.points.size(); ++i)
     json["points"].push_back(json_point(result, data, i));
-  json["crossings"] = json_crossings(result, question);
+  json["crossings"] = json_crossings(result, ranking);
+  if (const auto units = unit_spread(data)) json["units"] = json_units(*units);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -9,9 +9,9 @@
 namespace sim {
 
 /// All variables of the points, which `data` has of the same result; what is NaN is null.
-/// "crossings" is the ranking (sim/result/ranking) in its order: of each row where the loss passes
-/// the level, 1 % if no other is asked for.
-std::string to_json(const LinkResult& result, const Dataset& data,
-                    const CrossingQuestion& question = {});
+/// "crossings" is the ranking (sim/result/ranking) of the result in its order: of each row where
+/// the loss passes the level, with its doubt, if it has one. "units" is what a sweep of units says
+/// of its other axes (sim/result/unit_spread_json).
+std::string to_json(const LinkResult& result, const Dataset& data, const Ranking& ranking);
 
 }  // namespace sim

@@ -44,12 +44,22 @@ std::string profile_of(const std::vector<LinkPoint>& points) {
   return profile_lines(profile, samples);
 }
 
-std::string notes_of(const Swept& swept) {
-  const LinkResult result = result_of(swept);
+/// How far the links reach, with its doubts where all shards are counted.
+Ranking ranking_of(const Swept& swept, const LinkResult& result) {
   Ranking ranking = rank(result);
   const bool is_whole = std::ranges::all_of(swept.shards, [](auto s) { return s == Shard{}; });
   if (is_whole) add_doubts(ranking, swept.scenario, swept.workers);
-  return link_notes(result, ranking);
+  return ranking;
+}
+
+std::string notes_of(const Swept& swept) {
+  const LinkResult result = result_of(swept);
+  return link_notes(result, ranking_of(swept, result));
+}
+
+std::string json_of(const Swept& swept, const Dataset& data) {
+  const LinkResult result = result_of(swept);
+  return to_json(result, data, ranking_of(swept, result));
 }
 
 }  // namespace
@@ -59,7 +69,7 @@ constinit const PointReport<LinkPoint> link_report{
     .complete = complete_link,
     .progress = progress_of,
     .profile = profile_of,
-    .json = [](const Swept& swept, const Dataset& data) { return to_json(result_of(swept), data); },
+    .json = json_of,
     .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },
     .notes = notes_of};
 

@@ -1,19 +1,16 @@
 #include "sim/link_experiment/range_doubt.hpp"
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
-#include "sim/columns/unit_spread_text.hpp"
 #include "sim/components/drawn_part.hpp"
 #include "sim/link/link.hpp"
 #include "sim/loading/fidelity_check.hpp"
 #include "sim/loading/point_scenario.hpp"
-#include "sim/result/unit_spread.hpp"
+#include "sim/result/unit_range.hpp"
 #include "sim/scenario/method.hpp"
 #include "sim/trial/trial.hpp"
 
@@ -111,8 +108,8 @@ void add_doubts(Ranking& ranking, const LoadedScenario& scenario, const Workers&
     if (module.bounds.empty() || line.axis().values.size() < 2 || is_unclear(row)) continue;
     std::vector<UnitRange> ranges = ranges_of(line, workers);
     if (workers.interrupted()) return;
-    row.doubt = doubt_words(line.axis(), range_quantiles(std::move(ranges), line.from_above()),
-                            module.name);
+    row.doubt =
+        RangeDoubt{module.name, n_units, range_quantiles(std::move(ranges), line.from_above())};
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 bool has_doubts(const Ranking& ranking) {
   return std::ranges::any_of(ranking.rows,
-                             [](const RowCrossing& row) { return !row.doubt.empty(); });
+                             [](const RowCrossing& row) { return row.doubt.has_value(); });
 }
 
 std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ranking) {
@@ -27,7 +27,7 @@ std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ran
   for (const std::size_t axis : ranking.others) head.push_back(axis_name(result.axes[axis]));
   head.push_back(fmt::format("{} at which frame loss passes {:g} %",
                              result.axes[ranking.abscissa].key, 100 * ranking.flr));
-  if (has_doubts(ranking)) head.emplace_back("how sure that is");
+  if (has_doubts(ranking)) head.emplace_back("8 of 10 units");
   return head;
 }
 
@@ -48,6 +48,19 @@ std::string reach_text(const LinkResult& result, const Ranking& ranking, const R
   std::string words = crossing_of(result, ranking, row);
   if (row.validity_flags == 0) return words;
   return words + "  " + raised_mark(validity_limits(), row.validity_flags, validity_sign);
+}
+
+/// Where most units end.
+std::string doubt_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
+  return row.doubt ? span_words(result.axes[ranking.abscissa], row.doubt->quantiles) : "-";
+}
+
+/// What the column of units means.
+std::string doubts_text(const Ranking& ranking) {
+  if (!has_doubts(ranking)) return "";
+  return "Ranges are those of the parts as assumed. Not all of them is published: 8 of 10 units, "
+         "each with what nobody printed drawn within its bounds, end where the last column says. A "
+         "run with --doubt says more.";
 }
 
 std::string link_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
@@ -75,10 +88,11 @@ PageSection link_range_section(const LinkResult& result, const Ranking& ranking)
     for (std::size_t i = 0; i < ranking.others.size(); ++i)
       cells.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
     cells.push_back(reach_text(result, ranking, row));
-    if (has_doubts(ranking)) cells.push_back(row.doubt.empty() ? "-" : row.doubt);
+    if (has_doubts(ranking)) cells.push_back(doubt_of(result, ranking, row));
     table.rows.push_back(std::move(cells));
   }
   return {.heading = link_range_heading(result.axes[ranking.abscissa].key),
+          .text = doubts_text(ranking),
           .table = std::move(table)};
 }
 

@@ -1,5 +1,6 @@
 #include "sim/result/axis_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace sim {
@@ -12,6 +13,15 @@ nlohmann::ordered_json json_axis(const Axis& axis) {
   else
     json["values"] = axis.values;
   return json;
+}
+
+nlohmann::ordered_json json_coordinate(const Axis& axis, double coordinate) {
+  if (axis.is_text()) return axis.labels.at(static_cast<std::size_t>(coordinate));
+  return coordinate;
+}
+
+nlohmann::ordered_json json_end(double end) {
+  return std::isfinite(end) ? nlohmann::ordered_json(end) : nullptr;
 }
 
 }  // namespace sim

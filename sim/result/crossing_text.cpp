@@ -55,6 +55,10 @@ std::string too_few(const Crossing& c) {
   return fmt::format(": too few frames to tell how far {}", open_side(c));
 }
 
+std::string value_words(const Axis& axis, double value) {
+  return with_unit(coordinate_text(axis, value), axis.unit);
+}
+
 }  // namespace
 
 std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
@@ -116,6 +120,24 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
   }
   return fmt::format("frame loss does not clearly cross {:g} % inside the sweep of {}", level * 100,
                      axis.key);
+}
+
+std::string range_words(const Axis& axis, const UnitRange& range) {
+  if (std::isinf(range.low)) return "below " + value_words(axis, range.high);
+  if (std::isinf(range.high)) return "beyond " + value_words(axis, range.low);
+  return coordinate_text(axis, range.low) + " to " + value_words(axis, range.high);
+}
+
+std::string span_words(const Axis& axis, const RangeQuantiles& quantiles) {
+  const UnitRange span = span_of(quantiles);
+  const auto [least, most] = std::ranges::minmax(axis.values);
+  const bool has_ends = std::isfinite(span.low) && std::isfinite(span.high);
+  if (has_ends || span.high <= least || span.low >= most) return range_words(axis, span);
+  const std::string low =
+      std::isinf(span.low) ? "below " + value_words(axis, least) : value_words(axis, span.low);
+  const std::string high =
+      std::isinf(span.high) ? "beyond " + value_words(axis, most) : value_words(axis, span.high);
+  return low + " to " + high;
 }
 
 }  // namespace sim

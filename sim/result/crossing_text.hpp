@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/result/curve_fit.hpp"
+#include "sim/result/unit_range.hpp"
 
 namespace sim {
 
@@ -11,5 +12,11 @@ std::string crossing_sentence(const Axis& axis, const Crossing& crossing, double
 
 /// The same in few words, for a list whose head says the rest: "7.88 [7.60, 8.20] m".
 std::string crossing_words(const Axis& axis, const Crossing& crossing, double level = 0.01);
+
+/// Where a unit ends: "beyond 10 m", "3 to 5 m", "below 0.5 m".
+std::string range_words(const Axis& axis, const UnitRange& range);
+
+/// Where most units end: "0.5 m to beyond 10 m".
+std::string span_words(const Axis& axis, const RangeQuantiles& quantiles);
 
 }  // namespace sim

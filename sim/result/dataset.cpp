@@ -7,6 +7,7 @@
 
 #include "sim/failure.hpp"
 #include "sim/result/axis_json.hpp"
+#include "sim/result/unit_spread_json.hpp"
 #include "sim/text/digest.hpp"
 
 namespace sim {
@@ -121,6 +122,7 @@ std::string dataset_json(const Dataset& data) {
   json["variables"] = Json::object();
   for (const Dataset::Variable& v : data.variables)
     json["variables"][v.facts.name] = json_variable(data, v);
+  if (const auto units = unit_spread(data)) json["units"] = json_units(*units);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -176,6 +176,29 @@ std::string without_end_blanks(std::string line) {
   return line + '\n';
 }
 
+/// Below the only row.
+std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
+  return fmt::format(
+      "as assumed; {} for 8 of 10 units, as not all of {} is published (--doubt says more)\n",
+      span_words(axis, doubt.quantiles), doubt.part);
+}
+
+/// Behind a row of several.
+std::string doubt_mark(const Axis& axis, const RowCrossing& row) {
+  return row.doubt ? "; 8 of 10 units: " + span_words(axis, row.doubt->quantiles) : "";
+}
+
+/// Below all rows: what their doubts mean.
+std::string doubt_note(const Ranking& ranking) {
+  const auto doubted = std::ranges::find_if(
+      ranking.rows, [](const RowCrossing& row) { return row.doubt.has_value(); });
+  if (doubted == ranking.rows.end()) return "";
+  return fmt::format(
+      "as assumed; 8 of 10 units: of {} drawn within what is not published of a part (--doubt says "
+      "more)\n",
+      doubted->doubt->units);
+}
+
 std::string list(const LinkResult& result, const Ranking& ranking) {
   const Axis& abscissa = result.axes[ranking.abscissa];
   const std::vector<ListColumn> columns = columns_of(result, ranking);
@@ -191,10 +214,10 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
     const RowCrossing& row = ranking.rows[i];
     text += place(row.place == 0 ? "-" : std::to_string(row.place));
     for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
-    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) +
-            (row.doubt.empty() ? "" : "; " + row.doubt) + mark(row) + "\n";
+    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + doubt_mark(abscissa, row) +
+            mark(row) + "\n";
   }
-  return text;
+  return text + doubt_note(ranking);
 }
 
 }  // namespace
@@ -257,8 +280,9 @@ std::string ranking_lines(const LinkResult& result, const Ranking& ranking) {
   if (ranking.rows.empty()) return "";
   if (!ranking.others.empty()) return list(result, ranking);
   const RowCrossing& row = ranking.rows.front();
-  return crossing_sentence(result.axes[ranking.abscissa], row.crossing, ranking.flr) + mark(row) +
-         "\n" + (row.doubt.empty() ? "" : row.doubt + "\n");
+  const Axis& abscissa = result.axes[ranking.abscissa];
+  return crossing_sentence(abscissa, row.crossing, ranking.flr) + mark(row) + "\n" +
+         (row.doubt ? doubt_line(abscissa, *row.doubt) : "");
 }
 
 }  // namespace sim

@@ -9,6 +9,7 @@
 
 #include "sim/result/curve_fit.hpp"
 #include "sim/result/result.hpp"
+#include "sim/result/unit_range.hpp"
 
 namespace sim {
 
@@ -16,10 +17,10 @@ namespace sim {
 struct RowCrossing {
   std::vector<double> others;  // their coordinates, in the order of Ranking::others
   Crossing crossing;
-  std::uint64_t validity_flags;  // limits of validity that any of its points leaves
-  double merit = 0;              // larger is better, also between rankings along one key
-  std::string doubt{};           // of the crossing, in words; empty: none that is known of
-  std::size_t place = 0;         // from 1, the same for equals; 0: none, not sorted or unfinished
+  std::uint64_t validity_flags;       // limits of validity that any of its points leaves
+  double merit = 0;                   // larger is better, also between rankings along one key
+  std::optional<RangeDoubt> doubt{};  // of the crossing, where one is known of
+  std::size_t place = 0;  // from 1, the same for equals; 0: none, not sorted or unfinished
 };
 
 /// What is asked: along which axis the loss passes which level.
@@ -57,7 +58,8 @@ Ranking rank(const LinkResult& result, const CrossingQuestion& question = {});
 /// goes best first and there is no axis but these texts and that of the loss; else as it is.
 LinkResult best_first(const LinkResult& result, const Ranking& ranking);
 
-/// The ranking in words, one line a row; empty where there is nothing to say.
+/// The ranking in words, one line a row, and one that says what a doubt is; empty where there is
+/// nothing to say.
 std::string ranking_lines(const LinkResult& result, const Ranking& ranking);
 
 }  // namespace sim

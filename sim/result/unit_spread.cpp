@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "sim/counting/statistics.hpp"
@@ -82,12 +81,6 @@ std::size_t n_carried(const Line& losses, double flr, bool from_above) {
   return static_cast<std::size_t>(end - from_good.begin());
 }
 
-/// Of a number of things, the place of that below which a share of them lies.
-std::size_t place_of_quantile(double share, std::size_t n) {
-  const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(n)));
-  return std::clamp<std::size_t>(place, 1, n) - 1;
-}
-
 /// Lines of a unit each, in the order of the range, by the coordinates of the remaining axes.
 using Lines = std::map<std::vector<double>, std::map<double, Line>>;
 
@@ -126,30 +119,6 @@ std::vector<RangeSpread> range_rows(const Grid& grid, const UnitSpread& spread) 
 bool has_units(const std::vector<Axis>& axes) {
   const std::size_t at = unit_axis(axes);
   return at < axes.size() && axes[at].values.size() > 1;
-}
-
-Axis in_rising_order(Axis axis) {
-  std::ranges::sort(axis.values);
-  return axis;
-}
-
-UnitRange range_carried(const Axis& axis, std::size_t carried, bool from_above) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::size_t n = axis.values.size();
-  if (from_above)
-    return {carried == n ? -infinity : axis.values[n - 1 - carried],
-            carried == 0 ? infinity : axis.values[n - carried]};
-  return {carried == 0 ? -infinity : axis.values[carried - 1],
-          carried == n ? infinity : axis.values[carried]};
-}
-
-RangeQuantiles range_quantiles(std::vector<UnitRange> ranges, bool from_above) {
-  std::ranges::sort(ranges, {}, &UnitRange::low);
-  if (from_above) std::ranges::reverse(ranges);
-  RangeQuantiles quantiles;
-  for (std::size_t q = 0; q < spread_quantiles.size(); ++q)
-    quantiles[q] = ranges[place_of_quantile(spread_quantiles[q], ranges.size())];
-  return quantiles;
 }
 
 std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,

@@ -1,4 +1,6 @@
 // run --doubt, and the doubt that every range of a link is said with.
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "program.hpp"
@@ -52,6 +54,34 @@ TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
       said,
       "as assumed; 0.2 m to beyond 9 m for 8 of 10 units, as not all of TSOP4856 is published "
       "(--doubt says more)");
+}
+
+TEST_F(Doubt, IsInTheJsonOfAPlainRunAndOfASweepOfUnits) {
+  Words words{"run", quickstart, "-q", "-n", "8", "--json", "--set", "receiver.range_m=0.2,3,9"};
+  const auto plain = nlohmann::json::parse(program(words).out);
+  EXPECT_EQ(
+      plain["crossings"][0]["doubt"],
+      nlohmann::json::parse(R"({"part": "TSOP4856", "units": 16, "low": 0.2, "high": null})"));
+  EXPECT_FALSE(plain.contains("units"));
+  words.insert(words.end(), {"-e", "1", "--set", "receiver.unit=1:1:16"});
+  const auto swept = nlohmann::json::parse(program(words).out);
+  EXPECT_FALSE(swept["crossings"][0].contains("doubt"));
+  EXPECT_EQ(swept["units"]["shares"].size(), 3U);
+  EXPECT_EQ(swept["units"]["ranges"][0]["quantiles"][0],
+            nlohmann::json::parse(R"({"quantile": 0.1, "low": 0.2, "high": 3.0})"));
+}
+
+TEST_F(Doubt, IsSaidOfEachRowOfAListAndExplainedOnce) {
+  const Outcome run =
+      program({"run", quickstart, "-q", "-n", "8", "--set", "receiver.range_m=0.2,9", "--set",
+               "receiver.module=TSOP4856,TSOP4456"});
+  const auto lines = sim::lines_of(run.out);
+  const auto with = [&](const std::string& words) {
+    return std::ranges::count_if(
+        lines, [&](const auto& line) { return line.find(words) != std::string::npos; });
+  };
+  EXPECT_EQ(with("; 8 of 10 units: "), 2 + 1) << run.out;
+  EXPECT_EQ(with("as assumed; 8 of 10 units: of 16 drawn within"), 1) << run.out;
 }
 
 TEST_F(Doubt, IsNotSaidOfWhatIsKnown) {

@@ -83,4 +83,20 @@ TEST(CrossingWords, SayEachOutcomeInAList) {
   EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
 }
 
+// Units between the least and the greatest of three quantiles.
+TEST(SpanWords, SayWhereMostUnitsEnd) {
+  const sim::Axis axis{"receiver.range_m", "m", "distance", {10, 0.5, 3}};
+  const auto say = [&](sim::UnitRange least, sim::UnitRange most) {
+    return sim::span_words(axis, {least, {0.5, 3}, most});
+  };
+  const sim::UnitRange below{-infinity, 0.5}, beyond{10, infinity};
+  EXPECT_EQ(say({0.5, 3}, {3, 10}), "0.5 to 10 m");
+  EXPECT_EQ(say({3, 10}, {0.5, 3}), "0.5 to 10 m") << "where more is better";
+  EXPECT_EQ(say({0.5, 3}, beyond), "0.5 m to beyond 10 m");
+  EXPECT_EQ(say(below, {3, 10}), "below 0.5 m to 10 m");
+  EXPECT_EQ(say(below, beyond), "below 0.5 m to beyond 10 m");
+  EXPECT_EQ(say(below, below), "below 0.5 m");
+  EXPECT_EQ(say(beyond, beyond), "beyond 10 m");
+}
+
 }  // namespace

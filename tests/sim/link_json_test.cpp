@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -17,6 +18,10 @@ namespace {
 using sim::measured_point;
 using sim::text_axes;
 
+nlohmann::json json_of(const sim::LinkResult& result) {
+  return nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result), sim::rank(result)));
+}
+
 TEST(Json, HoldsAllCountsAndRates) {
   sim::LinkResult result;
   result.title = "a \"quoted\" title";
@@ -24,7 +29,7 @@ TEST(Json, HoldsAllCountsAndRates) {
   result.axes = {{"receiver.range_m", "m", "distance", {7.5, 8}}};
   result.points = {measured_point(), {}};
   result.points[1].coordinates = {8};
-  const auto object = nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)));
+  const auto object = json_of(result);
   EXPECT_EQ(object["title"], result.title);
   EXPECT_EQ(object["seed"], result.seed);
   EXPECT_EQ(object["result_digest"], sim::result_digest(result));
@@ -53,8 +58,7 @@ sim::LinkResult two_modules() {
 }
 
 TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
-  const auto object =
-      nlohmann::json::parse(sim::to_json(two_modules(), sim::link_dataset(two_modules())));
+  const auto object = json_of(two_modules());
   EXPECT_EQ(object["axes"][0]["values"], text_axes[0].labels);
   EXPECT_EQ(object["points"][4]["receiver.module"], "a-longer-name");
   EXPECT_EQ(object["points"][4]["receiver.range_m"], 2);
@@ -71,6 +75,39 @@ TEST(Json, ListsTextsAndWhereTheirLossCrosses) {
   EXPECT_EQ(crossings, expected);
 }
 
+TEST(Json, HasTheDoubtOfACrossing) {
+  const sim::LinkResult result = two_modules();
+  sim::Ranking ranking = sim::rank(result);
+  const double infinity = std::numeric_limits<double>::infinity();
+  ranking.rows[0].doubt = sim::RangeDoubt{"TSOP4856", 16, {{{1, 2}, {2, 3}, {3, infinity}}}};
+  const auto crossings =
+      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result), ranking))["crossings"];
+  EXPECT_EQ(crossings[0]["doubt"],
+            nlohmann::json::parse(R"({"part": "TSOP4856", "units": 16, "low": 1, "high": null})"));
+  EXPECT_FALSE(crossings[1].contains("doubt"));
+}
+
+// The middle one of three units ends between 1 and 2 m.
+TEST(Json, HasWhatUnitsSayTogether) {
+  sim::LinkResult result;
+  result.axes = {{sim::unit_key, "1", "", {1, 2, 3}}, {"receiver.range_m", "m", "", {1, 2}}};
+  const std::vector<std::uint64_t> lost{0, 0, 0, 1000, 1000, 1000};
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    result.points.push_back(measured_point());
+    result.points[i].coordinates = {1.0 + static_cast<double>(i / 2),
+                                    1.0 + static_cast<double>(i % 2)};
+    result.points[i].tally.n_frames_lost = lost[i];
+  }
+  EXPECT_EQ(json_of(result)["units"], nlohmann::json::parse(R"({"flr": 0.01,
+    "shares": [{"receiver.range_m": 1, "units": 3, "carried": 2, "share": 0.6666666666666666},
+               {"receiver.range_m": 2, "units": 3, "carried": 1, "share": 0.3333333333333333}],
+    "ranges": [{"along": "receiver.range_m", "units": 3, "quantiles": [
+      {"quantile": 0.1, "low": null, "high": 1},
+      {"quantile": 0.5, "low": 1, "high": 2},
+      {"quantile": 0.9, "low": 2, "high": null}]}]})"));
+  EXPECT_FALSE(json_of(two_modules()).contains("units"));
+}
+
 TEST(Json, TextsCountInTheDigest) {
   sim::LinkResult result = two_modules();
   const std::string before = sim::result_digest(result);
@@ -82,8 +119,7 @@ TEST(Json, NamesEachRateForWhatItIs) {
   sim::LinkResult result;
   result.points = {measured_point()};
   result.points[0].tally.n_frames_undetected = 3;
-  const auto object =
-      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
+  const auto object = json_of(result)["points"][0];
   const sim::Tally& tally = result.points[0].tally;
   const auto expect = [&](const std::string& name, const sim::Estimate& e) {
     EXPECT_EQ(object[name], e.value);
@@ -110,8 +146,7 @@ TEST(Json, NamesEachCounterForWhatItIs) {
   sim::LinkResult result;
   result.points.resize(1);
   result.points[0].tally = sim::tally_of(words);
-  const auto object =
-      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
+  const auto object = json_of(result)["points"][0];
   const std::vector<std::string> names{"n_bits",
                                        "n_bit_errors",
                                        "n_bytes",
@@ -141,8 +176,7 @@ TEST(Json, IsNullWhereNothingIsKnown) {
   sim::LinkResult result;
   result.title = "not \xff UTF-8";
   result.points = {{}};
-  const auto point =
-      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)))["points"][0];
+  const auto point = json_of(result)["points"][0];
   EXPECT_EQ(point["n_frames"], 0);
   for (const char* name : {"ber", "flr_ci_low", "uer", "snr_db", "stop_reason"}) {
     EXPECT_TRUE(point[name].is_null()) << name;

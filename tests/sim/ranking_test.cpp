@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -231,6 +232,36 @@ TEST(Ranking, OfOneAxisIsOneSentence) {
   EXPECT_EQ(
       lines(result),
       "frame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two neighbours in the sweep\n");
+}
+
+const double infinity = std::numeric_limits<double>::infinity();
+const sim::RangeDoubt doubt{"A", 16, {{{1, 2}, {2, 3}, {4, infinity}}}};
+
+TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
+  sim::LinkResult result;
+  result.axes = {range};
+  for (const double x : range.values) result.points.push_back(ranked_point({x}, 0));
+  sim::Ranking ranking = sim::rank(result);
+  ranking.rows[0].doubt = doubt;
+  EXPECT_EQ(sim::ranking_lines(result, ranking),
+            lines(result) +
+                "as assumed; 1 m to beyond 4 m for 8 of 10 units, as not all of A is published "
+                "(--doubt says more)\n");
+}
+
+TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
+  const sim::LinkResult result =
+      grid(modules({"A", "B"}), range, {{0, 1000, 1000, 1000}, {0, 0, 0, 0}});
+  sim::Ranking ranking = sim::rank(result);
+  ranking.rows[1].doubt = doubt;
+  EXPECT_EQ(
+      sim::ranking_lines(result, ranking),
+      "receiver.range_m at which frame loss passes 1 %, best first:\n"
+      "      receiver.module\n"
+      "   1  B                beyond the sweep: at most 1 % lost in 1 .. 4 m\n"
+      "   2  A                between 1 and 2 m; 8 of 10 units: 1 m to beyond 4 m\n"
+      "as assumed; 8 of 10 units: of 16 drawn within what is not published of a part (--doubt "
+      "says more)\n");
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {

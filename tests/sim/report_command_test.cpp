@@ -114,12 +114,15 @@ TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
                       "receiver.range_m = 40 m, "),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>1</td><td>TSSP4056</td><td>between 5 and 40 " + doubt +
-                      "5 m</td><td>as assumed; 5 m to "),
+                      "5 m</td><td>5 to 40 m</td></tr>"),
             std::string::npos);
   EXPECT_NE(page.find("<tr><td>2</td><td>TSOP4856</td><td>between 1 and 5 " + doubt +
-                      "1 m</td><td>as assumed; "),
+                      "1 m</td><td>1 to 40 m</td></tr>"),
             std::string::npos);
-  EXPECT_NE(page.find("<th scope=\"col\">receiver.range_m at which frame loss passes 1 %</th>"),
+  EXPECT_NE(page.find("<th scope=\"col\">receiver.range_m at which frame loss passes 1 %</th>"
+                      "<th scope=\"col\">8 of 10 units</th>"),
+            std::string::npos);
+  EXPECT_NE(page.find("8 of 10 units, each with what nobody printed drawn within its bounds, end "),
             std::string::npos);
 }
 

@@ -112,7 +112,8 @@ sim::LinkResult sweep_of_texts() {
 }
 
 void expect_all_readers_agree(const fs::path& path, const sim::LinkResult& result) {
-  auto expected = nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result)));
+  auto expected =
+      nlohmann::json::parse(sim::to_json(result, sim::link_dataset(result), sim::rank(result)));
   expected["scenario_toml"] = result.scenario_toml;
   const std::string json = path.string() + ".json";
   std::ofstream(json) << expected;
