@@ -11,6 +11,9 @@
 namespace sim {
 namespace {
 
+/// The number of the parts as their files have them, which no spread counts among its units.
+constexpr double as_assumed = 0;
+
 std::size_t unit_axis(const std::vector<Axis>& axes) {
   return static_cast<std::size_t>(std::ranges::find(axes, unit_key, &Axis::key) - axes.begin());
 }
@@ -24,20 +27,13 @@ class Grid {
   Grid(const std::vector<Axis>& axes, const std::vector<double>& losses)
       : axes_(axes), losses_(losses), unit_(unit_axis(axes)) {}
 
-  std::vector<Axis> other_axes() const {
-    std::vector<Axis> axes = axes_;
-    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(unit_));
-    return axes;
-  }
-
   std::size_t size() const { return losses_.size(); }
   double loss(std::size_t i) const { return losses_[i]; }
   std::vector<double> others(std::size_t i) const {
-    std::vector<double> coordinates = point_coordinates(axes_, i);
-    coordinates.erase(coordinates.begin() + static_cast<std::ptrdiff_t>(unit_));
-    return coordinates;
+    return without_unit(axes_, point_coordinates(axes_, i));
   }
   double unit(std::size_t i) const { return point_coordinates(axes_, i)[unit_]; }
+  bool is_drawn(std::size_t i) const { return unit(i) != as_assumed; }
 
  private:
   const std::vector<Axis>& axes_;
@@ -45,16 +41,16 @@ class Grid {
   std::size_t unit_;
 };
 
-std::vector<UnitShare> shares_of(const Grid& grid, double flr) {
+std::vector<UnitShare> shares_of(const std::vector<Axis>& axes, const std::vector<double>& losses,
+                                 double flr) {
   std::vector<UnitShare> shares;
-  std::map<std::vector<double>, std::size_t> known;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const std::vector<double> others = grid.others(i);
-    const auto [at, is_new] = known.try_emplace(others, shares.size());
-    if (is_new) shares.push_back({others, 0, 0});
-    if (std::isnan(grid.loss(i))) continue;
-    ++shares[at->second].units;
-    if (grid.loss(i) <= flr) ++shares[at->second].carried;
+  for (const UnitGroup& group : unit_groups(axes)) {
+    UnitShare& share = shares.emplace_back(UnitShare{group.coordinates, 0, 0});
+    for (const std::size_t point : group.points) {
+      if (std::isnan(losses[point])) continue;
+      ++share.units;
+      if (losses[point] <= flr) ++share.carried;
+    }
   }
   return shares;
 }
@@ -87,6 +83,7 @@ using Lines = std::map<std::vector<double>, std::map<double, Line>>;
 Lines lines_of(const Grid& grid, std::size_t abscissa) {
   Lines lines;
   for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (!grid.is_drawn(i)) continue;
     std::vector<double> others = grid.others(i);
     const double value = others[abscissa];
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(abscissa));
@@ -118,14 +115,40 @@ std::vector<RangeSpread> range_rows(const Grid& grid, const UnitSpread& spread) 
 
 bool has_units(const std::vector<Axis>& axes) {
   const std::size_t at = unit_axis(axes);
-  return at < axes.size() && axes[at].values.size() > 1;
+  if (at == axes.size()) return false;
+  const std::vector<double>& units = axes[at].values;
+  return units.size() - static_cast<std::size_t>(std::ranges::count(units, as_assumed)) > 1;
+}
+
+std::vector<Axis> without_unit(std::vector<Axis> axes) {
+  axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(unit_axis(axes)));
+  return axes;
+}
+
+std::vector<double> without_unit(const std::vector<Axis>& axes, std::vector<double> coordinates) {
+  coordinates.erase(coordinates.begin() + static_cast<std::ptrdiff_t>(unit_axis(axes)));
+  return coordinates;
+}
+
+std::vector<UnitGroup> unit_groups(const std::vector<Axis>& axes) {
+  std::vector<UnitGroup> groups;
+  std::map<std::vector<double>, std::size_t> known;
+  const std::size_t unit = unit_axis(axes);
+  for (std::size_t i = 0; i < count_points(axes); ++i) {
+    const std::vector<double> coordinates = point_coordinates(axes, i);
+    const std::vector<double> others = without_unit(axes, coordinates);
+    const auto [at, is_new] = known.try_emplace(others, groups.size());
+    if (is_new) groups.push_back({others, {}});
+    if (coordinates[unit] != as_assumed) groups[at->second].points.push_back(i);
+  }
+  return groups;
 }
 
 std::optional<UnitSpread> unit_spread(const std::vector<Axis>& axes,
                                       const std::vector<double>& losses, double flr) {
   if (!has_units(axes)) return std::nullopt;
   const Grid grid(axes, losses);
-  UnitSpread spread{flr, grid.other_axes(), shares_of(grid, flr), std::nullopt, {}};
+  UnitSpread spread{flr, without_unit(axes), shares_of(axes, losses, flr), std::nullopt, {}};
   const std::size_t abscissa = abscissa_of(spread.axes);
   if (abscissa == Ranking::none || spread.axes[abscissa].values.size() < 2) return spread;
   spread.abscissa = abscissa;

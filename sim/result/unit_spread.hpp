@@ -12,8 +12,22 @@
 
 namespace sim {
 
-/// Whether several units are among what is swept.
+/// Whether several drawn units are among what is swept. Unit 0, the parts as their files have them,
+/// is none, and is left out of all that follows.
 bool has_units(const std::vector<Axis>& axes);
+
+/// The axes besides that of the units, which is one of them, and a point's coordinates on them.
+std::vector<Axis> without_unit(std::vector<Axis> axes);
+std::vector<double> without_unit(const std::vector<Axis>& axes, std::vector<double> coordinates);
+
+/// Points of a sweep, by their numbers, that differ in their unit alone.
+struct UnitGroup {
+  std::vector<double> coordinates;  // of the other axes
+  std::vector<std::size_t> points;
+};
+
+/// A group for each point of the other axes, in the order of their grid.
+std::vector<UnitGroup> unit_groups(const std::vector<Axis>& axes);
 
 /// The variable of which a spread is made: the frame loss ratio of a point.
 inline constexpr const char* loss_name = "flr";

@@ -123,6 +123,22 @@ TEST(UnitSpread, LeavesOutWhatIsNotCounted) {
   EXPECT_EQ(spread->rows.at(0).units, (std::vector<double>{1, 2, 3, 4}));
 }
 
+// The part as its file has it is no unit among others.
+TEST(UnitSpread, LeavesOutThePartAsAssumed) {
+  const Axis and_none{unit_key, "1", "", {0, 1, 2, 3, 4, 5}};
+  const auto with = unit_spread(losses_over({range, and_none}, {0, 1, 0, 0, 0, 0,     //
+                                                                0, 1, .5, .01, 0, 0,  //
+                                                                0, 1, 1, .02, .011, .01}));
+  const auto without = unit_spread(five);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(with->shares[i].units, 5u);
+    EXPECT_EQ(with->shares[i].carried, without->shares[i].carried);
+  }
+  EXPECT_EQ(with->rows.at(0).units, units.values);
+  const Axis only_one{unit_key, "1", "", {0, 1}};
+  EXPECT_FALSE(has_units({only_one}));
+}
+
 TEST(UnitSpread, IsNoneOfOneUnitOrWithoutLosses) {
   const Axis one{unit_key, "1", "", {1}};
   EXPECT_FALSE(unit_spread(losses_over({range, one}, {0, 0, 1})));
