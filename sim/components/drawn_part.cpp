@@ -72,6 +72,8 @@ std::vector<DrawnNumber> drawn_numbers(const Scenario& scenario) {
   }
   add_numbers(numbers, scenario.module, module_keys(), "module");
   add_numbers(numbers, scenario.emitter, led_keys(), "led");
+  for (const auto& [name, device] : scenario.devices)
+    add_numbers(numbers, device.emitter, led_keys(), "devices." + name + ".led");
   add_numbers(numbers, scenario.floor, floor_keys(), "floor");
   return numbers;
 }
@@ -95,6 +97,7 @@ void place_unit(Scenario& scenario) {
                                  .purpose = purpose_of_units};
   scenario.module = drawn_unit(scenario.module, draws);
   draw_numbers(scenario.emitter, led_keys(), draws);
+  for (auto& [name, device] : scenario.devices) draw_numbers(device.emitter, led_keys(), draws);
   draw_numbers(scenario.floor, floor_keys(), draws);
 }
 

@@ -36,8 +36,9 @@ void forget_given_bounds(Scenario& scenario, const SourceLocations& places);
 /// Whether each point of a sweep has a unit of its own; else the base has that of all.
 bool is_drawn_by_point(const std::vector<Axis>& sweep);
 
-/// Puts unit number receiver.unit in the place of module, LED and floor; 0 leaves them as they are.
-/// A unit has the same numbers at every point of a sweep.
+/// Puts unit number receiver.unit in the place of module, LEDs and floor; 0 leaves them as they
+/// are. A unit has the same numbers at every point of a sweep. What is not known of an LED is drawn
+/// alike for all devices that have it.
 void place_unit(Scenario& scenario);
 
 }  // namespace sim

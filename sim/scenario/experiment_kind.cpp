@@ -19,7 +19,7 @@ std::vector<const ExperimentKind*>& known_kinds() {
 }
 
 /// Of every experiment.
-constexpr std::array<std::string_view, 13> common{
+constexpr std::array<std::string_view, 14> common{
     "title",
     "experiment",
     "led.part",
@@ -31,6 +31,7 @@ constexpr std::array<std::string_view, 13> common{
     "receiver.height_mm",
     "receiver.yaw_deg",
     "receiver.tilt_deg",
+    "receiver.unit",
     "simulation.seed",
     "stop.rel_ci",
 };

@@ -162,6 +162,31 @@ TEST(ReceiverUnit, NamesEachDrawnNumberOnce) {
     EXPECT_EQ(std::ranges::count(numbers, number.key, &DrawnNumber::key), 1) << number.key;
 }
 
+TEST(ReceiverUnit, HasLedsOfDevicesToo) {
+  const auto arena = [](const std::vector<std::string>& set) {
+    return only_point(with_keys({"experiment=arena", "devices.a.x_m=1", "devices.a.led=generic",
+                                 "devices.b.x_m=2", "devices.b.led=generic", "devices.c.x_m=3"},
+                                set));
+  };
+  const double as_assumed = arena({}).devices.at("a").emitter.half_angle_deg;
+  const Scenario unit = arena({"receiver.unit=3"});
+  EXPECT_NE(unit.devices.at("a").emitter.half_angle_deg, as_assumed);
+  EXPECT_EQ(unit.devices.at("a").emitter.half_angle_deg,
+            unit.devices.at("b").emitter.half_angle_deg);
+  const auto numbers = drawn_numbers(unit);
+  EXPECT_EQ(std::ranges::count(numbers, "devices.a.led.half_angle_deg", &DrawnNumber::key), 1);
+  EXPECT_EQ(std::ranges::count(numbers, "devices.c.led.half_angle_deg", &DrawnNumber::key), 0);
+}
+
+TEST(ReceiverUnit, IsRefusedWhereNoNumberOfItsPartsHasBounds) {
+  const std::vector<std::string> presence{"experiment=presence", "receiver.unit=3"};
+  EXPECT_EQ(refusal("", with_keys(presence, {"floor.part=none"})),
+            "receiver.unit = 3 in --set (all numbers of its LED and floor are known, so all units "
+            "are alike) use parts with bounds, or no unit");
+  EXPECT_EQ(refusal("", with_keys(presence, {"floor.part=none", "led.part=generic"})), "accepted");
+  EXPECT_EQ(refusal("", presence), "accepted");
+}
+
 TEST(ReceiverUnit, IsRefusedBesideAPopulation) {
   EXPECT_EQ(refusal("", {"receiver.unit=3", "receiver.population=parts"}),
             "receiver.unit = 3 in --set with receiver.population in --set (a population draws "
