@@ -11,6 +11,7 @@
 #include "sim/counting/statistics.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/result/unit_spread.hpp"
 #include "sim/section/swept_curves.hpp"
 #include "sim/section/swept_maps.hpp"
 
@@ -71,6 +72,31 @@ Chart chart_of(const LinkResult& result, std::size_t over, const Ratio& ratio) {
   return chart;
 }
 
+ChartPoint share_point(double x, const UnitShare& share) {
+  const auto carried = static_cast<double>(share.carried), units = static_cast<double>(share.units);
+  const Interval interval = clopper_pearson(carried, units, LinkResult::ci_level);
+  return {.x = x, .y = carried / units, .low = interval.low, .high = interval.high};
+}
+
+/// In place of a curve for each unit.
+Chart units_chart(const UnitSpread& spread, std::size_t over) {
+  const std::string losing = fmt::format("lose at most {:g} %", 100 * spread.flr);
+  Chart chart{.title = "Share of units that carry",
+              .description = fmt::format("Share of units that {} over {}, {:g} % intervals", losing,
+                                         spread.axes[over].key, 100 * LinkResult::ci_level),
+              .x = chart_axis(spread.axes[over]),
+              .y = {.label = "share of units that " + losing, .from_zero = true},
+              .curves = {}};
+  for (const UnitShare& share : spread.shares) {
+    if (share.units == 0) continue;
+    const std::string others = other_values(spread.axes, {over}, share.coordinates);
+    curve_of(chart, others.empty() ? "units" : others, CurveKind::measured)
+        .points.push_back(share_point(share.coordinates[over], share));
+  }
+  settle(chart);
+  return chart;
+}
+
 /// The axis of which the answer speaks, if it has more than one value.
 std::optional<std::size_t> drawn_over(const std::vector<Axis>& axes) {
   const std::size_t abscissa = abscissa_of(axes);
@@ -82,13 +108,15 @@ std::optional<std::size_t> drawn_over(const std::vector<Axis>& axes) {
 }  // namespace
 
 std::vector<Chart> result_charts(const LinkResult& result) {
-  const std::optional<std::size_t> over = drawn_over(result.axes);
+  const auto spread = unit_spread(result);
+  const std::optional<std::size_t> over = drawn_over(spread ? spread->axes : result.axes);
   std::vector<Chart> charts;
   if (!over) return charts;
-  for (const Ratio& ratio : ratios) {
-    charts.push_back(chart_of(result, *over, ratio));
-    if (charts.back().curves.empty()) charts.pop_back();
-  }
+  if (spread)
+    charts.push_back(units_chart(*spread, *over));
+  else
+    for (const Ratio& ratio : ratios) charts.push_back(chart_of(result, *over, ratio));
+  std::erase_if(charts, [](const Chart& chart) { return chart.curves.empty(); });
   return charts;
 }
 

@@ -12,7 +12,8 @@ namespace sim {
 /// BER and FLR over the number along which the ranking looks for the loss (the swept number with
 /// the most values, where that one stands still), a curve for each combination of the others, and
 /// theory where there is one. Points without an error are limits; those never reached are left out.
-/// Empty where no number was swept.
+/// Of a sweep of units one chart in place of those: the share of units that carry. Empty where no
+/// other number was swept.
 std::vector<Chart> result_charts(const LinkResult& result);
 
 /// FLR over the two swept numbers with the most values, a map for each combination of the others'

@@ -129,6 +129,31 @@ TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
   }
 }
 
+// Tens of units would be tens of curves, of which nobody sees how many carry.
+TEST(ResultCharts, OfUnitsSayWhichShareOfThemCarries) {
+  LinkResult result;
+  result.axes = {{"receiver.unit", "1", "", {0, 1, 2, 3, 4}},
+                 {"receiver.range_m", "m", "", {1, 2, 4}}};
+  for (const double unit : result.axes[0].values)
+    for (const double range : result.axes[1].values)
+      result.points.push_back(charted_point({unit, range}, 10, range <= unit ? 0 : 10));
+  const std::vector<Chart> charts = result_charts(result);
+  ASSERT_EQ(charts.size(), 1U);
+  EXPECT_EQ(charts[0].x.label, "receiver.range_m [m]");
+  ASSERT_EQ(charts[0].curves.size(), 1U);
+  EXPECT_EQ(charts[0].curves[0].name, "units");
+  const std::vector<ChartPoint>& shares = charts[0].curves[0].points;
+  ASSERT_EQ(shares.size(), 3U);
+  EXPECT_EQ(shares[0].y, 1);
+  EXPECT_EQ(shares[1].y, 0.75);
+  EXPECT_EQ(shares[2].y, 0.25);
+  EXPECT_LT(shares[2].low, 0.01);
+  EXPECT_GT(shares[2].high, 0.8);
+  result.axes.pop_back();
+  result.points.resize(5);
+  EXPECT_TRUE(result_charts(result).empty()) << "units are no axis";
+}
+
 TEST(ResultCharts, OfASinglePointAreNone) {
   LinkResult result;
   result.points = {charted_point({}, 10, 5)};

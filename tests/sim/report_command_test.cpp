@@ -126,6 +126,15 @@ TEST_F(ReportCommand, LooksCloserAtTheLinkThatComesFirst) {
             std::string::npos);
 }
 
+TEST_F(ReportCommand, SaysOfUnitsHowManyCarry) {
+  run("units", "receiver.unit = \"0:1:4\"\nreceiver.range_m = [1, 40]");
+  const std::string page = report({"units.h5"});
+  EXPECT_EQ(occurrences(page, "<h2>How many units carry</h2>"), 1U);
+  EXPECT_EQ(occurrences(page, "<h2>Share of units that carry</h2>"), 1U);
+  EXPECT_EQ(occurrences(page, "<h2>Frame loss</h2>"), 0U) << "a curve for each unit";
+  EXPECT_NE(page.find("<td>40</td><td>4</td><td>0 % ["), std::string::npos) << "unit 0 is none";
+}
+
 TEST_F(ReportCommand, TellsResultsOfOneNameApart) {
   run("one", "receiver.range_m = [1, 11]");
   std::filesystem::create_directory(path("old"));
