@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -41,12 +40,6 @@ std::string range_line(const UnitSpread& spread, const RangeSpread& row) {
 }
 
 }  // namespace
-
-bool has_loss(const std::vector<ColumnFacts>& columns) {
-  return std::ranges::any_of(columns, [](const ColumnFacts& column) {
-    return column.facts.name == loss_name && column.over.empty();
-  });
-}
 
 std::string unit_spread_lines(const Dataset& data) {
   const auto spread = unit_spread(data);

@@ -1,15 +1,10 @@
 #pragma once
 // A spread over units (sim/result/unit_spread) in words.
 #include <string>
-#include <vector>
 
-#include "sim/columns/column.hpp"
 #include "sim/result/unit_spread.hpp"
 
 namespace sim {
-
-/// Whether one of the columns is the loss of which a spread is made.
-bool has_loss(const std::vector<ColumnFacts>& columns);
 
 /// A line for each row: the quantiles of its ranges.
 std::string range_lines(const UnitSpread& spread);

@@ -13,6 +13,7 @@
 #include "sim/columns/columns_table.hpp"
 #include "sim/columns/point_report.hpp"
 #include "sim/columns/unit_spread_text.hpp"
+#include "sim/columns/unit_values_text.hpp"
 #include "sim/columns/validity_column.hpp"
 #include "sim/engine/checkpointer.hpp"
 #include "sim/engine/plan.hpp"
@@ -23,6 +24,7 @@
 #include "sim/report/plan_report.hpp"
 #include "sim/result/store.hpp"
 #include "sim/result/stored_dataset.hpp"
+#include "sim/result/unit_spread.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/section/dataset_charts.hpp"
@@ -40,7 +42,8 @@ class PointRun : public ReadyRun {
         report_(report),
         counting_(kind, run_.scenario, run_.shards),
         table_(report.columns(), run_.scenario, counting_.points().front()),
-        rows_(run_.json || !run_.speaks() || is_summed_up()),
+        // a table of hundreds of units would hide what they say together
+        rows_(run_.json || !run_.speaks() || has_units(run_.scenario.sweep)),
         progress_(!run_.quiet && run_.speaks()) {
     for (const std::filesystem::path& path : run_.counted_in) counting_.add(read_checkpoint(path));
   }
@@ -69,11 +72,6 @@ class PointRun : public ReadyRun {
   }
 
  private:
-  /// A table of hundreds of units would hide what they say together.
-  bool is_summed_up() const {
-    return has_units(run_.scenario.sweep) && has_loss(report_.columns().facts());
-  }
-
   void take_point(std::size_t i, const RunCounters& by) {
     if (run_.counts_nothing) return;
     counting_.count(i, by, [&](std::uint32_t done, std::uint32_t all) {
@@ -113,7 +111,7 @@ class PointRun : public ReadyRun {
          .missing = missing,
          .notes =
              [&] {
-               return unit_spread_lines(data) +
+               return unit_spread_lines(data) + unit_value_lines(data, report_.columns().facts()) +
                       (report_.notes != nullptr ? report_.notes(swept()) : validity_notes(data));
              },
          .details = [&] { return details(); }});

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "program.hpp"
+#include "small_experiments.hpp"
 #include "text_lines.hpp"
 
 namespace {
@@ -82,6 +83,17 @@ TEST_F(Doubt, IsSaidOfEachRowOfAListAndExplainedOnce) {
   };
   EXPECT_EQ(with("; 8 of 10 units: "), 2 + 1) << run.out;
   EXPECT_EQ(with("as assumed; 8 of 10 units: of 16 drawn within"), 1) << run.out;
+}
+
+// Two devices of which one is in reach.
+TEST_F(Doubt, SaysWhatUnitsOfAnArenaHaveTogether) {
+  write("arena.toml", sim::test::scenario_of(sim::test::small_experiments[0], false));
+  const Outcome run = program({"run", "arena.toml", "-q", "--set", "receiver.unit=0:1:4"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto lines = sim::lines_of(run.out);
+  EXPECT_EQ(lines.at(0), "units drawn within what nobody printed of their parts:");
+  EXPECT_NE(sim::first_line_with(run.out, " 4  devices "), "") << run.out;
+  EXPECT_NE(sim::first_line_with(run.out, " 4  throughput S "), "") << run.out;
 }
 
 TEST_F(Doubt, IsNotSaidOfWhatIsKnown) {
