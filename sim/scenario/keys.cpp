@@ -108,7 +108,7 @@ std::vector<Key> receiver_keys() {
            "frequency of that ripple", "`f0` is the module's centre, the worst",
            names_of(channel::ripple_frequencies())),
       younger(whole("receiver.unit", "1", from(0, 1e6), at, &R::unit, "number of a drawn unit",
-                    "what nobody printed of module, LED and floor within its bounds, centre and "
+                    "what nobody printed of module, LEDs and floor within its bounds, centre and "
                     "threshold within theirs; 0: the parts as their files have them")),
       with_words(
           flag("receiver.population", at, &R::population, "another unit of the part in each trial",
