@@ -53,6 +53,9 @@ void add_part_folders(CLI::App& app, PartRoots& parts);
 /// What all commands on a scenario take.
 void add_scenario_options(CLI::App& app, ScenarioOptions& options);
 
+/// How captures are read; `what_for` says what the wire is for.
+void add_capture_options(CLI::App& app, CaptureOptions& options, const std::string& what_for);
+
 void add_protocol(CLI::App& app, std::string& protocol);
 void add_threads(CLI::App& app, int& threads);
 void add_amount(CLI::App& app, ScenarioOptions& options);

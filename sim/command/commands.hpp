@@ -73,14 +73,18 @@ struct EncodeRequest {
 /// The bytes of a message on the line, to stdout.
 ExitCode encode_command(const EncodeRequest& request);
 
-struct DecodeRequest {
+/// How captures are read.
+struct CaptureOptions {
+  std::string wire;                      // empty: by what is on the wires
+  std::string format;                    // empty: by its ending or content
+  std::optional<double> sample_rate_hz;  // nothing: as the file says
+  std::optional<int> sample_bytes;       // nothing: 1, of formats that do not say it
+  std::optional<dsp::Seconds> tick;      // unit of time, of formats that do not say it
+  std::size_t skip_rows = 0;             // of a table: lines passed over
+};
+
+struct DecodeRequest : CaptureOptions {
   std::vector<std::filesystem::path> captures;  // or folders of such
-  std::string wire;                             // empty: by what is on the wires
-  std::string format;                           // empty: by its ending or content
-  std::optional<double> sample_rate_hz;         // nothing: as the file says
-  std::optional<int> sample_bytes;              // nothing: 1, of formats that do not say it
-  std::optional<dsp::Seconds> tick;             // unit of time, of formats that do not say it
-  std::size_t skip_rows = 0;                    // of a table: lines passed over
   std::string uart = "atmega";
   std::optional<double> baud;        // nothing: found in the capture
   std::optional<double> carrier_hz;  // nothing: found in the capture; 0: none

@@ -1,68 +1,10 @@
 // Options of encode, decode, node and serve.
-#include "sim/capture/capture_file.hpp"
-#include "sim/capture/capture_units.hpp"
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/text/number_text.hpp"
 
 namespace sim {
-namespace {
-
-CLI::Validator a_sample_rate() {
-  return {[](const std::string& text) {
-            return parse_sample_rate(text) ? std::string()
-                                           : text + " is no rate from 1 to 1e12, such as 1MHz";
-          },
-          ""};
-}
-
-/// "us", "1us" or "10 ns".
-std::optional<dsp::Seconds> tick_of(const std::string& text) {
-  if (const auto unit = time_unit(text)) return unit;
-  const auto tick = parse_interval(text, {});
-  return tick && tick->value > 0 ? tick : std::nullopt;
-}
-
-CLI::Validator a_tick() {
-  return {[](const std::string& text) {
-            return tick_of(text) ? std::string() : text + " is no unit of time such as us or 10ns";
-          },
-          ""};
-}
-
-/// How the file is to be read, where it does not say so itself.
-void add_capture_options(CLI::App& decode, DecodeRequest& request) {
-  decode.add_option("--format", request.format, "of the capture, where its name does not say it")
-      ->type_name("NAME")
-      ->check(one_of(capture_format_names()));
-  decode
-      .add_option_function<std::string>(
-          "--sample-rate",
-          [&request](const std::string& text) {
-            request.sample_rate_hz = parse_sample_rate(text)->value;
-          },
-          "samples a second, such as 96000 or 1MHz, for a capture that does not say it")
-      ->type_name("RATE")
-      ->check(a_sample_rate());
-  decode
-      .add_option_function<std::string>(
-          "--time-unit", [&request](const std::string& text) { request.tick = tick_of(text); },
-          "unit of time, such as us, 1us or 10ns, for a capture that does not say it")
-      ->type_name("UNIT")
-      ->check(a_tick());
-  decode.add_option("--skip-rows", request.skip_rows, "lines of a table to pass over first")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000000).description(""));
-  decode
-      .add_option("--sample-bytes", request.sample_bytes,
-                  "bytes a sample of a .bin, eight channels each; 1 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 8).description(""));
-}
-
-}  // namespace
-
 void add_encode(CLI::App& app, EncodeRequest& request) {
   auto& encode = *app.add_subcommand(
       "encode", "Print a message as the line carries it: with its checksum and line end");
@@ -86,12 +28,7 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
             "captures of a receiver's output or of its light, or folders of such: .vcd, .sr, .ook, "
             ".csv, .wav, .sigmf-meta, .h5 of trace or .bin")
       ->required();
-  decode
-      .add_option("--wire,--channel", request.wire,
-                  "wire, channel or column to decode, by name or by number from 1 on; if not "
-                  "given, by what is on them")
-      ->type_name("NAME");
-  add_capture_options(decode, request);
+  add_capture_options(decode, request, "to decode");
   decode
       .add_option(
           "--uart", request.uart,
