@@ -37,7 +37,7 @@ std::vector<BenchFile> bench_files(const FitRequest& request) {
   const double distance_m = bench_distance_m(like, led);
   const std::filesystem::path& folder = *request.output;
   return {{folder / "plan.txt",
-           plan_text(plan_of(schedule), bench_remarks(like.name)),
+           plan_text(plan_of(schedule), bench_remarks(like.name, bench_first_level(like))),
            {is_written_plan, "a plan of cosys-sim"}},
           {folder / "sketch" / "sketch.ino",
            arduino_sketch(schedule, like.name),

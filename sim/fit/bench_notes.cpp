@@ -6,11 +6,14 @@
 
 #include "sim/fit/arduino_sketch.hpp"
 #include "sim/text/existing_file.hpp"
+#include "sim/text/list_text.hpp"
+#include "sim/text/number_text.hpp"
 
 namespace sim {
 namespace {
 
 constexpr std::string_view notes_heading = "A bench of cosys-sim fit --plan\n";
+constexpr std::string_view first_level_begins = "first level: ", first_level_ends = " mW/m2";
 
 std::string minutes_and_seconds(double seconds) {
   const long whole = std::lround(std::ceil(seconds));
@@ -19,14 +22,27 @@ std::string minutes_and_seconds(double seconds) {
 
 }  // namespace
 
-std::vector<std::string> bench_remarks(const std::string& module) {
+std::vector<std::string> bench_remarks(const std::string& module, double first_level_mw_per_m2) {
   return {"",
+          fmt::format("{}{:.3g}{}", first_level_begins, first_level_mw_per_m2, first_level_ends),
           "For a module like " + module + ", played by sketch/sketch.ino; README.txt says how.",
           "In what the sketch records, time 0 is that of the plan, by the same clock. A burst",
           "begins with its first pulse. Levels are those of the carrier's fundamental, as an LED",
           "TSAL6200 gives them by its sheet. They are estimated, not measured, to be right to 5 to",
           "10 %, and to 25 % below -48 dB, where what charges the wires counts.",
           ""};
+}
+
+std::optional<double> first_level_in(std::string_view plan_text) {
+  for (std::string_view line : split(plan_text, '\n')) {
+    if (!line.starts_with('#')) return std::nullopt;
+    line = trimmed(line.substr(1));
+    if (!line.starts_with(first_level_begins) || !line.ends_with(first_level_ends)) continue;
+    line.remove_prefix(first_level_begins.size());
+    line.remove_suffix(first_level_ends.size());
+    return parse_number(line);
+  }
+  return std::nullopt;
 }
 
 std::string bench_notes(const BenchSchedule& schedule, const std::string& module,

@@ -232,16 +232,16 @@ void refuse_carrier(const channel::ModuleData& like) {
                   "write a plan by hand, for a generator of your own");
 }
 
-void refuse_no_module(const channel::ModuleData& like) {
-  if (channel::is_matched(like))
-    throw bad_input(like.name, "no module that can be bought", "name one that is like yours");
-}
-
 int first_period(const channel::ModuleData& like) {
   return static_cast<int>(std::lround(bench_clock_hz / like.centre_hz));
 }
 
 }  // namespace
+
+void refuse_no_module(const channel::ModuleData& like) {
+  if (channel::is_matched(like))
+    throw bad_input(like.name, "no module that can be bought", "name one that is like yours");
+}
 
 BenchSchedule schedule_for(const channel::ModuleData& like, const channel::EmitterData& led,
                            double minutes) {
@@ -258,8 +258,12 @@ BenchSchedule schedule_for(const channel::ModuleData& like, const channel::Emitt
 }
 
 double bench_distance_m(const channel::ModuleData& like, const channel::EmitterData& led) {
-  const double wanted = like.emin_mw_per_m2 * std::pow(10, strongest_above_emin_db / 20);
-  return std::sqrt(BenchLevels(led, first_period(like)).irradiance_at_1_m() / wanted);
+  return std::sqrt(BenchLevels(led, first_period(like)).irradiance_at_1_m() /
+                   bench_first_level(like));
+}
+
+double bench_first_level(const channel::ModuleData& like) {
+  return like.emin_mw_per_m2 * std::pow(10, strongest_above_emin_db / 20);
 }
 
 }  // namespace sim

@@ -26,7 +26,13 @@ inline constexpr double strongest_above_emin_db = 54;
 BenchSchedule schedule_for(const channel::ModuleData& like, const channel::EmitterData& led,
                            double minutes);
 
+/// Throws Failure(bad_input) for a part that exists in theory only.
+void refuse_no_module(const channel::ModuleData& like);
+
 /// How far from the LED the module is to be, in metres.
 double bench_distance_m(const channel::ModuleData& like, const channel::EmitterData& led);
+
+/// What the strongest level, the plan's first, comes to there, in mW/m2.
+double bench_first_level(const channel::ModuleData& like);
 
 }  // namespace sim

@@ -183,8 +183,10 @@ Plan read_plan(const std::filesystem::path& path) {
   return plan_of_text(read_text_file(path, "plan", longest), path.generic_string());
 }
 
+bool is_written_plan_text(std::string_view text) { return text.starts_with(plan_heading); }
+
 bool is_written_plan(const std::filesystem::path& path) {
-  return beginning_of(path, plan_heading.size()) == plan_heading;
+  return is_written_plan_text(beginning_of(path, plan_heading.size()));
 }
 
 }  // namespace sim

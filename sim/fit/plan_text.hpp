@@ -48,6 +48,9 @@ Plan plan_of_text(std::string_view text, const std::string& file);
 /// The same of a file of at most 16 MiB.
 Plan read_plan(const std::filesystem::path& path);
 
+/// Whether a text begins as plan_text() does.
+bool is_written_plan_text(std::string_view text);
+
 /// Whether a file is a plan that plan_text() wrote.
 bool is_written_plan(const std::filesystem::path& path);
 
