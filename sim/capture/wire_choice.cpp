@@ -34,12 +34,6 @@ std::string last_word(const std::string& name) {
   return first == std::string::npos ? text : text.substr(first + 1);
 }
 
-/// "rx", "D1 RX", "top.uart.rxd", but not "proxy".
-bool is_called_rx(const std::string& name) {
-  const std::string word = last_word(name);
-  return word == "rx" || word == "rxd";
-}
-
 /// What is sent, where the same is received elsewhere.
 bool is_sent(const ChannelSurvey& channel) {
   const std::string word = last_word(channel.name);
@@ -166,6 +160,11 @@ std::string names_to_use(const std::vector<std::string>& names, const std::strin
 }
 
 }  // namespace
+
+bool is_called_rx(const std::string& name) {
+  const std::string word = last_word(name);
+  return word == "rx" || word == "rxd";
+}
 
 ChannelSurvey survey_of(std::string name, EdgeSource& line, const LineHints& hints) {
   ChannelSurvey survey{.name = std::move(name), .is_surveyed = true};

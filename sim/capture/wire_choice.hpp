@@ -31,6 +31,9 @@ struct ChannelSurvey {
   bool is_surveyed = false;           // else edges alone are known
 };
 
+/// "rx", "D1 RX", "top.uart.rxd", but not "proxy".
+bool is_called_rx(const std::string& name);
+
 /// Of a channel's line, up to its first 32768 edges.
 ChannelSurvey survey_of(std::string name, EdgeSource& line, const LineHints& hints);
 
