@@ -1,0 +1,138 @@
+// What is said of a measured module: in words, as JSON, and as a page with the recording beside the
+// fit.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "occurrences.hpp"
+#include "page_tables.hpp"
+#include "sim/fit/fit_report.hpp"
+
+namespace sim {
+namespace {
+
+MeasuredModule made_up_measurement() {
+  MeasuredModule measured;
+  measured.plan.steps = {
+      {0, 56e3, 30, 530, 5, 0}, {200, 56e3, 30, 530, 5, -8}, {400, 56e3, 6, 0, 1, -8}};
+  measured.like.name = "TSOP4856";
+  measured.capture = "c<1>.csv";
+  measured.wire = "rx";
+  measured.plan_words = "the plan plan.txt";
+  FittedModule& fit = measured.fit;
+  fit.numbers = {
+      {.key = "agc_attack_db_per_ms",
+       .value = 0.17234,
+       .low = 0.15811,
+       .high = 0.18749,
+       .is_told = true,
+       .more = ""},
+      {.key = "q", .value = 10.04, .low = 5.1, .high = 15.2, .is_told = true, .more = "x"},
+      {.key = "agc_range_db", .value = 120, .low = 50, .high = 120, .more = "a carrier"}};
+  fit.steps = {{0, 5, 4, 2, "pulses", "1"},
+               {1, 3, 4, -1, "pulses", "1"},
+               {2, 12, 12, 0, "time until it lets go", "ms"}};
+  fit.rms_deviation = 1.29;
+  fit.start_s = 0.1;
+  return measured;
+}
+
+TEST(FitWords, HaveALineForEachConstant) {
+  const std::string text = measured_text(made_up_measurement());
+  EXPECT_TRUE(
+      text.starts_with("constant              value     95 % interval   unit   TSOP4856\n"
+                       "agc_attack_db_per_ms  0.172     [0.158, 0.188]  dB/ms  0.3\n"
+                       "q                     10.0      [5.1, 15.2]            10\n"
+                       "agc_range_db          not told                  dB     120\n"))
+      << text;
+}
+
+TEST(FitWords, SayWhatTheNumbersDoNot) {
+  MeasuredModule measured = made_up_measurement();
+  EXPECT_TRUE(measured_text(measured).ends_with(
+      "Read rx of c<1>.csv, by the plan plan.txt: 3 steps of light.\n"
+      "The plan begins at 0.1 s of the recording, and their clocks agree.\n"
+      "Emin is that of TSOP4856, as the irradiance of the plan's first step is not known: measure "
+      "it, and say --irradiance.\n"
+      "q is told, but not well: what would tell it better is x.\n"
+      "agc_range_db is not told: what would tell it is a carrier.\n"
+      "The part follows the rule: 3 deviations of 1.29 standard deviations rms.\n"))
+      << measured_text(measured);
+  measured.first_level_by = "--irradiance";
+  measured.fit.first_level_mw_per_m2 = 30.5;
+  measured.fit.clock_error = -0.0021;
+  measured.fit.not_apart = {"a and b: c would"};
+  measured.fit.misfits = {{"short bursts", "reported 20 ms later"}};
+  const std::string text = measured_text(measured);
+  for (const char* line :
+       {"Emin is for 30.5 mW/m2 at the module in the plan's first step, as "
+        "--irradiance says, and is wrong by as much as that.\n",
+        "of the recording, whose clock runs 0.210 % too slow.\n",
+        "Not told apart: a and b: c would.\n",
+        "The part does not follow the rule: short bursts: reported 20 ms later.\n",
+        "In all: 3 deviations of"})
+    EXPECT_EQ(occurrences(text, line), 1U) << line << text;
+}
+
+TEST(FitWords, TellWhetherAnythingIsTold) {
+  MeasuredModule measured = made_up_measurement();
+  EXPECT_TRUE(tells_something(measured));
+  for (FittedNumber& number : measured.fit.numbers) number.is_told = false;
+  EXPECT_FALSE(tells_something(measured));
+}
+
+TEST(FitJson, HasTheNumbersAsTheyAre) {
+  MeasuredModule measured = made_up_measurement();
+  measured.fit.misfits = {{"short bursts", "later"}};
+  const auto json = nlohmann::json::parse(measured_json(measured));
+  EXPECT_EQ(json["numbers"][0],
+            nlohmann::json::parse(R"({"name":"agc_attack_db_per_ms","value":0.17234,"low":0.15811,
+                                      "high":0.18749,"unit":"dB/ms","is_told":true})"));
+  EXPECT_EQ(json["numbers"][2]["would_tell"], "a carrier");
+  EXPECT_EQ(json["steps"][1],
+            nlohmann::json::parse(R"({"step":1,"level_db":-8.0,"quantity":"pulses","unit":"1",
+                                      "recorded":3.0,"fitted":4.0,"deviation":-1.0})"));
+  EXPECT_EQ(json["misfits"][0]["what"], "short bursts");
+  EXPECT_FALSE(json.contains("first_level"));
+}
+
+TEST(FitPage, HasAChartAndResidualsForEachQuantity) {
+  const Page page = measured_page(made_up_measurement());
+  std::vector<std::string> headings;
+  for (const PageSection& section : page.sections) headings.push_back(section.heading);
+  EXPECT_EQ(headings,
+            (std::vector<std::string>{
+                "Constants", "Recorded and fitted: pulses", "Residuals: pulses",
+                "Recorded and fitted: time until it lets go", "Residuals: time until it lets go"}));
+  const Chart& pulses = *page.sections[1].picture->live;
+  EXPECT_EQ(pulses.x.label, "level [dB]") << "they differ";
+  ASSERT_EQ(pulses.curves.size(), 2U);
+  const ChartPoint& weak = pulses.curves[0].points[0];
+  EXPECT_EQ(weak.x, -8);
+  EXPECT_EQ(weak.y, 3);
+  EXPECT_DOUBLE_EQ(weak.low, 3 - 1.96) << "one standard deviation is 1";
+  EXPECT_DOUBLE_EQ(pulses.curves[0].points[1].high, 5 + 1.96 / 2);
+  EXPECT_EQ(pulses.curves[1].points[1].y, 4);
+  EXPECT_EQ(page.sections[2].picture->live->curves[0].points[1].y, 2);
+  EXPECT_EQ(page.sections[3].picture->live->x.label, "step") << "all are of one level";
+  EXPECT_EQ(page.sections[3].picture->live->curves[0].points[0].x, 2);
+}
+
+TEST(FitPage, HasTheConstantsAndMisfitsAsTables) {
+  MeasuredModule measured = made_up_measurement();
+  measured.fit.misfits = {{"short bursts", "later"}};
+  const std::string page = page_as_html(measured_page(measured));
+  const auto constants = table_under(page, "Constants");
+  ASSERT_EQ(constants.size(), 3U);
+  EXPECT_EQ(constants[0].at("constant"), "agc_attack_db_per_ms");
+  EXPECT_EQ(constants[0].at("95 % interval"), "[0.158, 0.188]");
+  EXPECT_EQ(constants[2].at("value"), "not told");
+  const auto misfits = table_under(page, "Where the part does not follow the rule");
+  ASSERT_EQ(misfits.size(), 1U);
+  EXPECT_EQ(misfits[0].at("by how much"), "later");
+  EXPECT_EQ(occurrences(page, "c<1>"), 0U);
+  EXPECT_GE(occurrences(page, "c&lt;1&gt;.csv: a module like TSOP4856"), 2U);
+}
+
+}  // namespace
+}  // namespace sim
