@@ -184,6 +184,7 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   }
   fill_in(requests, surroundings);
   requests.locate.given = given_options(*app.get_subcommand("locate"));
+  requests.fit.given = given_options(*app.get_subcommand("fit"));
   return static_cast<int>(carry_out(app, requests));
 }
 

@@ -232,15 +232,29 @@ struct LocateRequest {
 /// open.
 ExitCode locate_command(const LocateRequest& request);
 
-struct FitRequest {
-  bool plan = false;                            // write one
-  std::optional<std::filesystem::path> output;  // the folder that it is for
+struct FitRequest : CaptureOptions {
+  std::vector<std::filesystem::path> captures;  // none: a bench is written
+  bool plan = false;                            // --plan is given
+  std::filesystem::path plan_file;              // with it; may be empty
+  std::optional<std::filesystem::path> output;  // the bench's folder, or the part's file
+  std::optional<std::filesystem::path> page;
   double minutes = 5;
-  std::string module = "TSOP4856";  // like the one to be measured
-  PartRoots parts;                  // --parts, then the program's own
+  std::string module = "TSOP4856";             // like the one to be measured
+  std::optional<double> irradiance_mw_per_m2;  // of the plan's first step; nothing: as it says
+  std::string drive;                           // wire that drives the LED; empty: none is named
+  std::optional<double> carrier_hz;            // of the light where a wire has none
+  std::string polarity = "auto";               // or "idle-high", "idle-low"
+  PartRoots parts;                             // --parts, then the program's own
+  std::vector<std::string> given;              // names of all options that were: "--minutes"
+  bool quiet = false, json = false;
 };
-/// What it takes to measure a receiver module.
+/// What it takes to measure a receiver module, or its constants out of captures of its output;
+/// inconclusive where these tell none.
 ExitCode fit_command(const FitRequest& request);
+
+/// The two that it is: files of a bench, and constants.
+ExitCode bench_command(const FitRequest& request);
+ExitCode measure_command(const FitRequest& request);
 
 struct CompletionRequest {
   std::string shell;  // "bash" or "zsh"

@@ -1,91 +1,61 @@
-// `cosys-sim fit`: the constants of a receiver module, measured; for now, what to measure them by.
+// `cosys-sim fit`: the constants of a receiver module, measured, or what to measure them by.
 #include <fmt/format.h>
 
-#include <deque>
-#include <system_error>
-#include <vector>
+#include <algorithm>
+#include <span>
+#include <string_view>
 
 #include "sim/command/commands.hpp"
-#include "sim/components/parts.hpp"
-#include "sim/failure.hpp"
-#include "sim/fit/arduino_sketch.hpp"
-#include "sim/fit/bench_notes.hpp"
-#include "sim/fit/plan_schedule.hpp"
-#include "sim/fit/plan_text.hpp"
-#include "sim/fit/wiring_picture.hpp"
-#include "sim/picture/svg.hpp"
-#include "sim/text/new_file.hpp"
-#include "sim/text/standard_output.hpp"
 
 namespace sim {
 namespace {
 
-struct BenchFile {
-  std::filesystem::path place;
-  std::string text;
-  OwnFiles own;
-};
+constexpr std::string_view of_captures[] = {
+    "--irradiance",  "--page",      "--json",      "--quiet",       "--drive",
+    "--carrier",     "--polarity",  "--wire",      "--channel",     "--format",
+    "--sample-rate", "--time-unit", "--skip-rows", "--sample-bytes"};
+constexpr std::string_view of_benches[] = {"--minutes"};
 
-constexpr const char* bench_led = "TSAL6200";
-
-std::vector<BenchFile> bench_files(const FitRequest& request) {
-  const PartSources parts{.folders = request.parts, .carried = {}, .carrier = {}};
-  const channel::ModuleData like =
-      load_module(request.module, parts, "--module " + request.module).data;
-  const channel::EmitterData led = load_led(bench_led, parts, bench_led).data;
-  const BenchSchedule schedule = schedule_for(like, led, request.minutes);
-  const double distance_m = bench_distance_m(like, led);
-  const std::filesystem::path& folder = *request.output;
-  return {{folder / "plan.txt",
-           plan_text(plan_of(schedule), bench_remarks(like.name, bench_first_level(like))),
-           {is_written_plan, "a plan of cosys-sim"}},
-          {folder / "sketch" / "sketch.ino",
-           arduino_sketch(schedule, like.name),
-           {is_written_sketch, "a sketch of cosys-sim"}},
-          {folder / "wiring.svg",
-           wiring_as_svg(like.name, distance_m),
-           {is_drawing, "a picture of cosys-sim"}},
-          {folder / "README.txt",
-           bench_notes(schedule, like.name, distance_m),
-           {is_written_notes, "of a bench of cosys-sim"}}};
+/// Options that would not be heeded.
+void refuse_fitting(std::span<const std::string_view> names, const FitRequest& request,
+                    const std::string& with, const char* suggestion) {
+  for (const std::string_view name : names)
+    if (std::ranges::find(request.given, name) != request.given.end())
+      throw bad_input(fmt::format("{} {}", name, with),
+                      request.captures.empty() ? "it is for captures" : "it is for a bench",
+                      suggestion);
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Failure(ExitCode::environment,
-                  fmt::format("cannot create the folder {} ({}) choose another place",
-                              folder.string(), error.message()));
-}
-
-/// All of them or none.
-void write_bench(const std::vector<BenchFile>& all) {
-  for (const BenchFile& file : all) refuse_to_lose(file.place, file.own);
-  for (const BenchFile& file : all) make_folder(file.place.parent_path());
-  std::deque<NewFile> files;
-  for (const BenchFile& file : all) files.emplace_back(file.place).write(file.text);
-  take_places(files);
-}
-
-void refuse_what_is_not_there_yet(const FitRequest& request) {
-  if (!request.plan)
-    throw bad_input("fit without --plan",
-                    "it writes plans of what to measure, and reads no capture yet",
-                    "write cosys-sim fit --plan -o FOLDER");
+void refuse_no_capture(const FitRequest& request) {
+  const char* how = "write cosys-sim fit CAPTURE, or cosys-sim fit --plan -o FOLDER";
+  if (!request.plan) throw bad_input("fit", "it is given no capture, and no --plan", how);
+  if (!request.plan_file.empty())
+    throw bad_input("--plan " + request.plan_file.string(), "no capture of it is given", how);
+  refuse_fitting(of_captures, request, "without a capture", "leave it out, or name a capture");
   if (!request.output)
     throw bad_input("fit --plan", "it has no folder to write to",
                     "write cosys-sim fit --plan -o FOLDER");
 }
 
+void refuse_bench_of_capture(const FitRequest& request) {
+  refuse_fitting(of_benches, request, "with a capture", "leave it out");
+  if (request.plan && request.plan_file.empty())
+    throw bad_input("--plan with a capture", "it names no plan",
+                    "write --plan PLAN, or leave it out where plan.txt is beside the capture");
+  if (request.captures.size() > 1)
+    throw bad_input(request.captures[1].string(), "one capture is fitted at a time",
+                    "write cosys-sim fit for each of them");
+}
+
 }  // namespace
 
 ExitCode fit_command(const FitRequest& request) {
-  refuse_what_is_not_there_yet(request);
-  const std::vector<BenchFile> files = bench_files(request);
-  write_bench(files);
-  for (const BenchFile& file : files) print(file.place.string() + "\n");
-  return ExitCode::done;
+  if (request.captures.empty()) {
+    refuse_no_capture(request);
+    return bench_command(request);
+  }
+  refuse_bench_of_capture(request);
+  return measure_command(request);
 }
 
 }  // namespace sim

@@ -1,26 +1,83 @@
 // Options of fit.
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/command/read_usage.hpp"
 #include "sim/fit/plan_schedule.hpp"
 
 namespace sim {
+namespace {
+
+/// A file, or none where the option stands alone.
+CLI::Validator a_place_or_none() {
+  return CLI::Validator([](const std::string&) { return std::string(); }, "")
+      .name(std::string(place_check));
+}
+
+void add_light(CLI::App& fit, FitRequest& request) {
+  fit.add_option_function<std::string>(
+         "--plan",
+         [&request](const std::string& file) {
+           request.plan = true;
+           request.plan_file = file;
+         },
+         "of a capture: the light that the module was shown (.txt); if not given plan.txt beside "
+         "the capture, else what is on the LED's wire. Without a capture: write a plan, and what "
+         "it takes to carry it out")
+      ->expected(0, 1)
+      ->type_name("PLAN")
+      ->check(a_place_or_none());
+  fit.add_option("--drive", request.drive,
+                 "wire that drives the LED, by pulses or a level; if not given, the other one of "
+                 "two")
+      ->type_name("NAME")
+      ->check(a_name);
+  fit.add_option("--carrier", request.carrier_hz,
+                 "of the light in Hz, where that wire does not say it; that of --module if not "
+                 "given")
+      ->type_name("HZ")
+      ->check(between(1e3, 1e7));
+  fit.add_option("--irradiance", request.irradiance_mw_per_m2,
+                 "at the module in the plan's first step; if not given, as a plan of this program "
+                 "says, else Emin is that of --module")
+      ->type_name("MW/M2")
+      ->check(between(1e-6, 1e9));
+}
+
+}  // namespace
 
 void add_fit(CLI::App& app, FitRequest& request) {
   auto& fit = *app.add_subcommand(
       "fit",
-      "Measure your own receiver module: write a plan for it, with a sketch for an Arduino that "
-      "plays it and records the output, its wires, and what to set");
-  fit.add_flag("--plan", request.plan, "write the plan, and what it takes to carry it out");
-  add_place(fit, "-o,--output", request.output, "DIR",
-            "folder for plan.txt, sketch/sketch.ino, wiring.svg and README.txt");
+      "Measure your own receiver module: write a plan of light for it, with a sketch for an "
+      "Arduino that plays it and records the output; then find the module's constants in the "
+      "recording, and write them as a part that scenarios name");
+  add_place(fit, "CAPTURE", request.captures, "",
+            "recording of the module's output: .csv, .sr, .vcd, .wav or any that decode reads; "
+            "none to write a plan")
+      ->expected(0, 1000);
+  add_light(fit, request);
+  add_place(fit, "-o,--output", request.output, "OUT",
+            "part to write (.toml), best into a folder modules/; with --plan alone the folder for "
+            "plan.txt, sketch/sketch.ino, wiring.svg and README.txt");
+  add_place(fit, "--page", request.page, "PAGE.html",
+            "recording and fit as pictures and tables in one file");
   fit.add_option("--minutes", request.minutes, "of light at most, 1 to 30; 5 if not given")
       ->type_name("M")
       ->check(between(least_minutes, most_minutes));
   fit.add_option("--module", request.module, "a module like yours; TSOP4856 if not given")
       ->type_name("NAME")
       ->check(a_name);
+  add_capture_options(fit, request, "that is the module's output");
+  fit.add_option("--polarity", request.polarity,
+                 "idle-high (light is 0) or idle-low; if not given or auto, found in the capture")
+      ->type_name("NAME")
+      ->check(one_of({"auto", "idle-high", "idle-low"}));
   add_part_folders(fit, request.parts);
-  fit.footer("Example: cosys-sim fit --plan -o bench");
+  fit.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
+  fit.add_flag("--json", request.json, "one JSON object on stdout, not the table");
+  fit.footer(
+      "Exit code 4 if the recording tells no constant. Examples: cosys-sim fit --plan -o bench; "
+      "cosys-sim fit capture.csv -o modules/mine.toml --page mine.html");
 }
 
 }  // namespace sim

@@ -58,8 +58,7 @@ Record:  stty -F /dev/ttyACM0 {2} raw -echo && cat /dev/ttyACM0 > capture.csv
          Then press the Arduino's reset. The light L goes on, and out after {3}; then press Ctrl-C.
          The first line of capture.csv is time_s,rx: delete what stands before it.
 Or:      a logic analyser on D7 (light on) and D8 (output), at 1 MS/s or more, saved as .sr, .vcd or .csv.
-Next:    keep capture.csv beside plan.txt. This version does not read constants out of them yet; a later
-         one will, of these formats.
+Next:    keep capture.csv beside plan.txt, and write: cosys-sim fit capture.csv -o modules/mine.toml
 )",
       module, distance_m, sketch_baud,
       minutes_and_seconds(static_cast<double>(clocks_of(schedule)) / bench_clock_hz + 2));

@@ -75,6 +75,14 @@ void refuse_to_lose(const fs::path& place, const OwnFiles& own) {
                   "choose another name");
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Failure(ExitCode::environment, "cannot create the folder " + folder.string() + " (" +
+                                             error.message() + ") " + other_place);
+}
+
 void write_file(const fs::path& place, std::string_view bytes) {
   NewFile file(place);
   file.write(bytes);

@@ -23,6 +23,9 @@ void check_place(const std::filesystem::path& place, const OwnFiles& own);
 /// The first half of that, for a file whose folder is made later.
 void refuse_to_lose(const std::filesystem::path& place, const OwnFiles& own);
 
+/// A folder for files, with those around it, unless it is there. Throws Failure(environment).
+void make_folder(const std::filesystem::path& folder);
+
 /// The whole of a file.
 void write_file(const std::filesystem::path& place, std::string_view bytes);
 

@@ -1,7 +1,9 @@
-// `cosys-sim fit` as users see it.
+// `cosys-sim fit --plan` as users see it.
 #include <algorithm>
+#include <cmath>
 
 #include "program.hpp"
+#include "sim/fit/bench_notes.hpp"
 #include "sim/fit/plan_text.hpp"
 
 namespace {
@@ -21,6 +23,10 @@ TEST_F(FitCommand, WritesABench) {
   const std::string notes = content(path("bench/README.txt"));
   EXPECT_LE(std::ranges::count(notes, '\n'), 12);
   EXPECT_NE(notes.find("0.50 m"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("cosys-sim fit capture.csv -o modules/mine.toml\n"), std::string::npos);
+  const auto first = sim::first_level_in(content(path("bench/plan.txt")));
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(*first, 0.12 * std::pow(10, 54.0 / 20), 0.1) << "54 dB above Emin";
 }
 
 TEST_F(FitCommand, ReplacesItsOwnBenchByAnother) {
@@ -52,16 +58,25 @@ TEST_F(FitCommand, ReplacesNoFileOfOthers) {
   EXPECT_EQ(files(), (std::set<std::string>{"bench", "bench/sketch"}));
 }
 
-TEST_F(FitCommand, SaysWhatItCan) {
-  const std::string how = "write cosys-sim fit --plan -o FOLDER";
-  expect_refused(
-      {"fit"}, bad_input,
-      "fit without --plan (it writes plans of what to measure, and reads no capture yet) " + how);
-  expect_refused({"fit", "--plan"}, bad_input, "fit --plan (it has no folder to write to) " + how);
+TEST_F(FitCommand, SaysWhatItWants) {
+  const std::string how = "write cosys-sim fit CAPTURE, or cosys-sim fit --plan -o FOLDER";
+  expect_refused({"fit"}, bad_input, "fit (it is given no capture, and no --plan) " + how);
+  expect_refused({"fit", "--plan", "x.txt"}, bad_input,
+                 "--plan x.txt (no capture of it is given) " + how);
+  expect_refused({"fit", "--plan"}, bad_input,
+                 "fit --plan (it has no folder to write to) write cosys-sim fit --plan -o FOLDER");
   for (const std::string minutes : {"0.9", "31", "nan"})
     expect_refused({"fit", "--plan", "-o", "bench", "--minutes", minutes}, bad_input,
                    "--minutes: " + minutes +
                        " is no number from 1 to 30 (wrong usage) see cosys-sim fit --help");
+  for (const Words& option :
+       {Words{"--irradiance", "1"}, Words{"--drive", "D7"}, Words{"--json"}}) {
+    Words words{"fit", "--plan", "-o", "bench"};
+    words.insert(words.end(), option.begin(), option.end());
+    expect_refused(
+        words, bad_input,
+        option.front() + " without a capture (it is for captures) leave it out, or name a capture");
+  }
 }
 
 TEST_F(FitCommand, RefusesAModuleThatItDoesNotKnow) {

@@ -1,0 +1,188 @@
+// `cosys-sim fit CAPTURE` as users see it.
+#include <nlohmann/json.hpp>
+
+#include "played_plan.hpp"
+#include "program.hpp"
+#include "sim/components/parts.hpp"
+#include "sim/fit/bench_notes.hpp"
+#include "sim/fit/plan_schedule.hpp"
+
+namespace {
+
+const sim::PartSources parts_of_all{
+    .folders = {std::filesystem::path(COSYS_SOURCE_DIR) / "scenarios"},
+    .carried = {},
+    .carrier = {}};
+
+/// What a TSOP4856 of another attack made of a minute's plan.
+struct PlayedBench {
+  channel::ModuleData module;
+  sim::Plan plan;
+  std::string text, output, both;
+
+  PlayedBench() : module(sim::load_module("TSOP4856", parts_of_all, "").data) {
+    const double level = sim::bench_first_level(module);
+    const auto led = sim::load_led("TSAL6200", parts_of_all, "").data;
+    plan = sim::plan_of(sim::schedule_for(module, led, 1));
+    text = sim::plan_text(plan, sim::bench_remarks("TSOP4856", level));
+    module.agc_attack_db_per_ms = 0.15;
+    const sim::RecordedWire rx{"rx", true, sim::changes_of_output(plan, module, level)};
+    output = sim::capture_of({rx});
+    both = sim::capture_of({{"D7", false, sim::changes_of_mark(plan)}, rx});
+  }
+};
+
+class MeasureCommand : public CommandLine {
+ protected:
+  MeasureCommand() {
+    static const PlayedBench played;
+    bench_ = &played;
+    write("plan.txt", played.text);
+    write("capture.csv", played.output);
+  }
+
+  /// Not without a stop: what was measured is on the screen.
+  Outcome measured(Words words) const {
+    words.insert(words.begin(), "fit");
+    const Outcome o = program(words);
+    EXPECT_TRUE(o.code == 0 || o.code == 4) << o.err;
+    EXPECT_EQ(o.err, "");
+    return o;
+  }
+
+  const PlayedBench* bench_;
+};
+
+TEST_F(MeasureCommand, SaysTheConstantsAndWhatToDoNext) {
+  const Outcome o = measured({"capture.csv", "-o", "modules/mine.toml"});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_TRUE(o.out.starts_with("constant  ")) << o.out;
+  for (const char* word :
+       {"\ncentre_hz ", "TSOP4856", "Read rx of capture.csv, by the plan plan.txt",
+        "Emin is for 60.1 mW/m2 at the module in the plan's first step, as the "
+        "plan plan.txt says",
+        "Next: cosys-sim run scenarios/quickstart.toml --parts . --set "
+        "receiver.module=mine\n"})
+    EXPECT_NE(o.out.find(word), std::string::npos) << word << " in\n" << o.out;
+  EXPECT_EQ(files(),
+            (std::set<std::string>{"capture.csv", "modules", "modules/mine.toml", "plan.txt"}));
+}
+
+// What is written is read again, and a scenario runs with it.
+TEST_F(MeasureCommand, WritesAPartThatRuns) {
+  const auto told =
+      nlohmann::json::parse(measured({"capture.csv", "--json", "-o", "modules/mine.toml"}).out);
+  const channel::ModuleData part =
+      sim::load_module(
+          "mine", {.folders = {folder(), parts_of_all.folders[0]}, .carried = {}, .carrier = {}},
+          "")
+          .data;
+  std::size_t compared = 0;
+  for (const auto& number : told["numbers"]) {
+    if (!number["is_told"] || number["name"] != "agc_attack_db_per_ms") continue;
+    EXPECT_NEAR(part.agc_attack_db_per_ms, number["value"].get<double>(), 1e-5);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 1U);
+  write_scenario("s.toml", "\"receiver.range_m\" = 0.5");
+  const Outcome run = program({"run", "s.toml", "-q", "--set", "receiver.module=mine"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Outcome shown = program({"parts", "mine", "--parts", "."});
+  EXPECT_NE(shown.out.find("Measured by cosys-sim fit"), std::string::npos) << shown.out;
+}
+
+TEST_F(MeasureCommand, TakesTheIrradianceThatItIsTold) {
+  const auto of = [&](const Words& words) {
+    Words all{"capture.csv", "--json"};
+    all.insert(all.end(), words.begin(), words.end());
+    return nlohmann::json::parse(measured(all).out);
+  };
+  EXPECT_NEAR(of({})["first_level"]["mw_per_m2"].get<double>(), 60.1, 0.1);
+  EXPECT_EQ(of({"--irradiance", "30"})["first_level"]["mw_per_m2"], 30);
+  write("plan.txt", sim::plan_text(bench_->plan, {"of somebody who said no level"}));
+  EXPECT_FALSE(of({}).contains("first_level"));
+  EXPECT_NE(measured({"capture.csv"}).out.find("Emin is that of TSOP4856"), std::string::npos);
+  write("plan.txt", "# first level: 20 mW/m2\n" + bench_->text);
+  EXPECT_FALSE(of({}).contains("first_level")) << "no plan that this program wrote";
+}
+
+TEST_F(MeasureCommand, FindsThePlanOnTheWireOfTheLed) {
+  std::filesystem::remove(path("plan.txt"));
+  write("both.csv", bench_->both);
+  for (const Words& words : {Words{"both.csv"}, Words{"both.csv", "--drive", "D7"},
+                             Words{"both.csv", "--drive", "D7", "--wire", "rx"}}) {
+    Words all = words;
+    all.emplace_back("--json");
+    const auto told = nlohmann::json::parse(measured(all).out);
+    EXPECT_EQ(told["plan"], "the light on D7");
+    EXPECT_EQ(told["wire"], "rx");
+    EXPECT_FALSE(told.contains("first_level"));
+  }
+  expect_refused({"fit", "capture.csv"}, bad_input,
+                 "no plan of capture.csv (no plan.txt is beside it, and no wire in it that drives "
+                 "the LED) say --plan PLAN");
+  write("p.txt", bench_->text);
+  EXPECT_NE(measured({"capture.csv", "--plan", "p.txt"}).out.find("by the plan p.txt"),
+            std::string::npos);
+}
+
+TEST_F(MeasureCommand, DrawsAPage) {
+  const Outcome o = measured({"capture.csv", "--page", "mine.html"});
+  EXPECT_NE(o.out.find("Next: write the part with -o modules/mine.toml\n"), std::string::npos);
+  EXPECT_TRUE(content(path("mine.html")).starts_with("<!DOCTYPE html>"));
+}
+
+TEST_F(MeasureCommand, ReplacesItsOwnFilesAndNoOthers) {
+  std::filesystem::create_directory(path("modules"));
+  const Words words{"fit", "capture.csv", "-o", "modules/mine.toml", "--page", "mine.html"};
+  for (int i = 0; i < 2; ++i) EXPECT_NE(program(words).code, bad_input);
+  for (const auto& [file, why] : {std::pair{"modules/mine.toml", "a part of cosys-sim fit"},
+                                  {"mine.html", "a report of cosys-sim"}}) {
+    const std::string before = content(path(file));
+    write(file, "mine\n");
+    expect_refused(words, bad_input,
+                   std::string("cannot write ") + file + " (it exists and is not " + why +
+                       ") choose another name");
+    write(file, before);
+  }
+  expect_refused({"fit", "capture.csv", "-o", "mine.h5"}, bad_input,
+                 "--output mine.h5 (a part's file ends in .toml) name a file, such as "
+                 "modules/mine.toml");
+  expect_refused({"fit", "capture.csv", "-o", "a.toml", "--page", "./a.toml"}, bad_input,
+                 "--page ./a.toml (the part is to be written there) choose another name");
+  expect_refused({"fit", "capture.csv", "-o", "nowhere/mine.toml"}, environment,
+                 "cannot write nowhere/mine.toml (its folder does not exist) create the folder or "
+                 "choose another");
+}
+
+TEST_F(MeasureCommand, RefusesWhatIsNoMeasurement) {
+  expect_refused({"fit", "none.csv"}, bad_input, "none.csv (no such file) check the path");
+  expect_refused({"fit", "capture.csv", "--plan", "none.txt"}, bad_input,
+                 "none.txt (no such file) check the path");
+  expect_refused({"fit", "capture.csv", "capture.csv"}, bad_input,
+                 "capture.csv (one capture is fitted at a time) write cosys-sim fit for each of "
+                 "them");
+  expect_refused(
+      {"fit", "capture.csv", "--plan"}, bad_input,
+      "--plan with a capture (it names no plan) write --plan PLAN, or leave it out where "
+      "plan.txt is beside the capture");
+  expect_refused({"fit", "capture.csv", "--minutes", "2"}, bad_input,
+                 "--minutes with a capture (it is for a bench) leave it out");
+  expect_refused({"fit", "capture.csv", "--module", "ideal-coherent"}, bad_input,
+                 "ideal-coherent (no module that can be bought) name one that is like yours");
+  expect_refused({"fit", "capture.csv", "--wire", "D3"}, bad_input,
+                 "--wire D3 is not in capture.csv (the capture has no such wire) use rx");
+  expect_refused({"fit", "capture.csv", "--wire", "rx", "--drive", "rx"}, bad_input,
+                 "--drive rx (it is the module's output) name the wire that drives the LED");
+  write("light.csv",
+        sim::capture_of({{"out", false, sim::changes_of_carrier({{{10, 56e3, 100, 900, 9, 0}}})}}));
+  expect_refused({"fit", "light.csv"}, bad_input,
+                 "out of light.csv (it has a carrier of 56 kHz, which a module's output has not) "
+                 "say --wire, the module's output");
+  write("still.csv", "time_s,rx\n0,1\n1,1\n");
+  expect_refused({"fit", "still.csv"}, bad_input,
+                 "rx of still.csv (it never changes: the module reported nothing, or is not "
+                 "connected) look at wires and supply, or say --wire");
+}
+
+}  // namespace
