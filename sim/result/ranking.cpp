@@ -179,7 +179,8 @@ std::string without_end_blanks(std::string line) {
 /// Below the only row.
 std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
   return fmt::format(
-      "as assumed; {} for 8 of 10 units, as not all of {} is published (--doubt says more)\n",
+      "as assumed; {} for 8 of 10 units, as not all of {} is published (--doubt says more; measure "
+      "yours: cosys-sim fit)\n",
       span_words(axis, doubt.quantiles), doubt.part);
 }
 

@@ -54,7 +54,7 @@ TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
   EXPECT_EQ(
       said,
       "as assumed; 0.2 m to beyond 9 m for 8 of 10 units, as not all of TSOP4856 is published "
-      "(--doubt says more)");
+      "(--doubt says more; measure yours: cosys-sim fit)");
 }
 
 TEST_F(Doubt, IsInTheJsonOfAPlainRunAndOfASweepOfUnits) {
