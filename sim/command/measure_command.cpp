@@ -96,6 +96,8 @@ LightAndOutput measurement_of(const FitRequest& request, const channel::ModuleDa
   const fs::path& capture = request.captures.front();
   const std::optional<fs::path> place = plan_place(request);
   LightAndOutput measurement;
+  if (place && request.carrier_hz)
+    throw bad_input("--carrier with a plan", "the plan says its carriers", "leave it out");
   if (place)
     read_plan_file(*place, measurement);
   else

@@ -168,6 +168,8 @@ TEST_F(MeasureCommand, RefusesWhatIsNoMeasurement) {
       "plan.txt is beside the capture");
   expect_refused({"fit", "capture.csv", "--minutes", "2"}, bad_input,
                  "--minutes with a capture (it is for a bench) leave it out");
+  expect_refused({"fit", "capture.csv", "--carrier", "38e3"}, bad_input,
+                 "--carrier with a plan (the plan says its carriers) leave it out");
   expect_refused({"fit", "capture.csv", "--module", "ideal-coherent"}, bad_input,
                  "ideal-coherent (no module that can be bought) name one that is like yours");
   expect_refused({"fit", "capture.csv", "--wire", "D3"}, bad_input,

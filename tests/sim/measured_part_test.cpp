@@ -24,7 +24,7 @@ FittedNumber told_number(const std::string& key, double value, double low, doubl
 FittedModule fit_like(const Part<channel::ModuleData>& like) {
   FittedModule fit;
   fit.module = like.data;
-  fit.numbers = {told_number("centre_hz", 56123.4567, 56080.1234, 56166.7899),
+  fit.numbers = {told_number("centre_hz", 56123.4567, 56080.1678, 56166.7321),
                  told_number("emin_mw_per_m2", 0.4, 0.38, 0.42),
                  told_number("agc_attack_db_per_ms", 0.1723456789, 0.158, 0.187),
                  {.key = "agc_range_db", .value = 120, .low = 50, .high = 120, .more = "light"}};
