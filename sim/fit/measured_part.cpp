@@ -26,8 +26,8 @@ class PartFileSources {
  public:
   explicit PartFileSources(const Part<ModuleData>& part) {
     add(part.source);
-    for (auto sibling = part.siblings.rbegin(); sibling != part.siblings.rend(); ++sibling)
-      add(*sibling);
+    std::for_each(part.siblings.rbegin(), part.siblings.rend(),
+                  [this](const CarriedPart& sibling) { add(sibling); });
   }
 
   /// Nothing of what no file gives.
