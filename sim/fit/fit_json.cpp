@@ -51,7 +51,7 @@ std::string measured_json(const MeasuredModule& measured) {
             {"plan", measured.plan_words},  {"like", measured.like.name},
             {"numbers", numbers_json(fit)}, {"not_apart", fit.not_apart},
             {"misfits", misfits_json(fit)}, {"clock_error", fit.clock_error},
-            {"start_s", fit.start_s},       {"rms_deviation", fit.rms_deviation},
+            {"start_s", fit.start_s},       {"usual_deviation", fit.usual_deviation},
             {"steps", steps_json(measured)}};
   if (!measured.first_level_by.empty())
     json["first_level"] = {{"mw_per_m2", fit.first_level_mw_per_m2},

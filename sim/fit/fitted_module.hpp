@@ -13,11 +13,11 @@ namespace sim {
 
 /// A number of a part file, and how sure it is.
 struct FittedNumber {
-  std::string key;                    // of a part file: "agc_attack_db_per_ms"
-  double value = 0;                   // the most likely
-  double low = 0, high = 0;           // of 95 %; the bounds that were given where it is not told
-  bool is_told = false;               // by this recording; else `value` is of the module like it
-  std::string more;                   // which light would tell it (better); empty: it is told well
+  std::string key;           // of a part file: "agc_attack_db_per_ms"
+  double value = 0;          // the most likely
+  double low = 0, high = 0;  // of 95 %; the bounds that were given where it is not told
+  bool is_told = false;      // by this recording; else `value` is of the module like it
+  std::string more;          // which light would tell it (better); empty: it is told well
 };
 
 /// Steps of one kind: what the pin did and what the fitted rule says.
@@ -31,7 +31,7 @@ struct FittedStep {
 
 /// Where the part does not follow the rule.
 struct FitMisfit {
-  std::string what;        // "short bursts at the long gaps"
+  std::string what;         // "short bursts at the long gaps"
   std::string by_how_much;  // "reported 20 ms later than the rule says, in 4 of 6 steps"
 };
 
@@ -44,7 +44,7 @@ struct FittedModule {
   double first_level_mw_per_m2 = 0;    // irradiance of the plan's first step
   double clock_error = 0;              // of the recording's against the plan's, as a share
   double start_s = 0;                  // of the plan, in the recording's time
-  double rms_deviation = 0;            // of all that was fitted, in standard deviations
+  double usual_deviation = 0;          // of all that was fitted, in standard deviations
 };
 
 struct FitSettings {

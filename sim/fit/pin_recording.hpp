@@ -10,7 +10,7 @@ struct PinPulse {
 };
 
 struct PinRecording {
-  std::vector<PinPulse> pulses;  // in the order of time; they do not overlap
+  std::vector<PinPulse> pulses;   // in the order of time; they do not overlap
   double begin_s = 0, end_s = 0;  // the pin was watched from here to there
   double resolution_s = 0;        // between two samples; 0 where edges are exact
 };

@@ -32,7 +32,7 @@ MeasuredModule made_up_measurement() {
   fit.steps = {{0, 5, 4, 2, "pulses", "1"},
                {1, 3, 4, -1, "pulses", "1"},
                {2, 12, 12, 0, "time until it lets go", "ms"}};
-  fit.rms_deviation = 1.29;
+  fit.usual_deviation = 1.29;
   fit.start_s = 0.1;
   return measured;
 }
@@ -56,7 +56,7 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "it, and say --irradiance.\n"
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
-      "The part follows the rule: 3 deviations of 1.29 standard deviations rms.\n"))
+      "The part follows the rule: of 3 deviations most are within 1.29 standard deviations.\n"))
       << measured_text(measured);
   measured.first_level_by = "--irradiance";
   measured.fit.first_level_mw_per_m2 = 30.5;

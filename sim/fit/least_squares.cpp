@@ -1,0 +1,153 @@
+#include "sim/fit/least_squares.hpp"
+
+#include <algorithm>
+#include <armadillo>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace sim {
+namespace {
+
+/// Deviations beyond it count for less and less: Cauchy's loss.
+constexpr double usual = 2.5;
+
+double cost_of_deviations(const Numbers& deviations) {
+  double sum = 0;
+  for (const double d : deviations) sum += usual * usual * std::log1p(d * d / (usual * usual));
+  return sum;
+}
+
+double cost_of_priors(const LeastSquaresProblem& problem, const Numbers& x) {
+  double sum = 0;
+  for (std::size_t i = 0; i < problem.priors.size(); ++i)
+    sum += std::pow((x[i] - problem.priors[i].middle) / problem.priors[i].deviation, 2);
+  return sum;
+}
+
+std::vector<std::size_t> free_numbers(const LeastSquaresProblem& problem) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < problem.is_free.size(); ++i)
+    if (problem.is_free[i]) places.push_back(i);
+  return places;
+}
+
+/// The smaller of two slopes on both sides of a number, 0 where they point apart: what is beside a
+/// jump is not known as well as the jump is steep.
+double lesser(double one, double other) {
+  if (one * other <= 0) return 0;
+  return std::abs(one) < std::abs(other) ? one : other;
+}
+
+enum class Slope { mean, lesser };
+
+/// How deviations change with a number, on the side of a step.
+arma::vec slope_of(const LeastSquaresProblem& problem, const Numbers& x, const Numbers& here,
+                   std::size_t place, double step) {
+  Numbers beside = x;
+  beside[place] += step;
+  arma::vec slope = (arma::vec(problem.deviations(beside)) - arma::vec(here)) / step;
+  slope.transform([](double one) { return std::isfinite(one) ? one : 0; });
+  return slope;
+}
+
+arma::mat slopes(const LeastSquaresProblem& problem, const Numbers& x, const Numbers& here,
+                 const std::vector<std::size_t>& places, Slope kind) {
+  arma::mat all(here.size(), places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const ParameterPrior& prior = problem.priors[places[k]];
+    const arma::vec up = slope_of(problem, x, here, places[k], prior.step);
+    const arma::vec down =
+        prior.is_smooth ? up : slope_of(problem, x, here, places[k], -prior.step);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      all(i, k) = kind == Slope::mean ? (up(i) + down(i)) / 2 : lesser(up(i), down(i));
+  }
+  return all;
+}
+
+/// What a step of Gauss and Newton is made of.
+struct Normal {
+  arma::mat matrix;
+  arma::vec gradient;
+};
+
+Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
+                 const std::vector<std::size_t>& places, Slope kind) {
+  const Numbers here = problem.deviations(x);
+  const arma::mat slope = slopes(problem, x, here, places, kind);
+  const arma::vec deviations(here);
+  arma::vec weights(deviations.n_elem);
+  for (std::size_t i = 0; i < weights.n_elem; ++i)
+    weights(i) = 1 / (1 + deviations(i) * deviations(i) / (usual * usual));
+  Normal normal{slope.t() * arma::diagmat(weights) * slope, slope.t() * (weights % deviations)};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const ParameterPrior& prior = problem.priors[places[k]];
+    const double precision = 1 / (prior.deviation * prior.deviation);
+    normal.matrix(k, k) += precision;
+    normal.gradient(k) += precision * (x[places[k]] - prior.middle);
+  }
+  return normal;
+}
+
+Covariance covariance_of(const Normal& normal, const std::vector<std::size_t>& places,
+                         std::size_t all) {
+  Covariance covariance(all);
+  const arma::mat inverse = arma::inv_sympd(normal.matrix);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < places.size(); ++k)
+      covariance(places[i], places[k]) = inverse(i, k);
+  return covariance;
+}
+
+}  // namespace
+
+double cost_of(const LeastSquaresProblem& problem, const Numbers& x) {
+  const double cost = cost_of_deviations(problem.deviations(x)) + cost_of_priors(problem, x);
+  return std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
+}
+
+namespace {
+
+/// The numbers a damped step further, or none where there is no step.
+std::optional<Numbers> stepped(const Normal& normal, double damping, const Numbers& from,
+                               const std::vector<std::size_t>& places) {
+  arma::mat damped = normal.matrix;
+  damped.diag() *= 1 + damping;
+  arma::vec move;
+  if (!arma::solve(move, damped, normal.gradient, arma::solve_opts::likely_sympd)) return {};
+  Numbers x = from;
+  for (std::size_t k = 0; k < places.size(); ++k) x[places[k]] -= move(k);
+  return x;
+}
+
+}  // namespace
+
+LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers& start,
+                              int iterations) {
+  const std::vector<std::size_t> places = free_numbers(problem);
+  LeastSquaresFit fit{start, cost_of(problem, start)};
+  double damping = 0.01;
+  for (int i = 0; i < iterations; ++i) {
+    const Normal normal = normal_of(problem, fit.x, places, Slope::mean);
+    const double cost_before = fit.cost;
+    constexpr int most_tries = 6;
+    for (int tries = 0; tries < most_tries && fit.cost == cost_before; ++tries) {
+      const auto x = stepped(normal, damping, fit.x, places);
+      if (!x) return fit;
+      const double cost = cost_of(problem, *x);
+      const bool is_better = cost < fit.cost;
+      damping *= is_better ? 0.2 : 5;
+      if (is_better) fit = {*x, cost};
+    }
+    constexpr double no_matter = 0.02;
+    if (cost_before - fit.cost < no_matter) break;
+  }
+  return fit;
+}
+
+Covariance covariance_at(const LeastSquaresProblem& problem, const Numbers& x) {
+  const std::vector<std::size_t> places = free_numbers(problem);
+  return covariance_of(normal_of(problem, x, places, Slope::lesser), places, x.size());
+}
+
+}  // namespace sim

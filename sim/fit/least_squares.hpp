@@ -1,0 +1,45 @@
+#pragma once
+// The most likely numbers of a problem of deviations that bend and jump: Levenberg and Marquardt's
+// way, with differences over steps that are wide enough to see what a jump hides, and Cauchy's loss
+// for what no number explains.
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "sim/fit/rule_parameters.hpp"
+
+namespace sim {
+
+struct LeastSquaresProblem {
+  std::function<Numbers(const Numbers&)> deviations;
+  std::vector<ParameterPrior> priors;
+  std::vector<bool> is_free;
+};
+
+/// Of numbers, each with each.
+class Covariance {
+ public:
+  explicit Covariance(std::size_t numbers = 0) : numbers_(numbers), all_(numbers * numbers) {}
+  double& operator()(std::size_t i, std::size_t k) { return all_[i * numbers_ + k]; }
+  double operator()(std::size_t i, std::size_t k) const { return all_[i * numbers_ + k]; }
+
+ private:
+  std::size_t numbers_;
+  std::vector<double> all_;
+};
+
+struct LeastSquaresFit {
+  Numbers x;
+  double cost = 0;  // with the priors'
+};
+
+double cost_of(const LeastSquaresProblem& problem, const Numbers& x);
+
+LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers& start,
+                              int iterations);
+
+/// Of the free numbers; zeros in the rows of the others. A number that a jump holds from one side
+/// alone counts as not held.
+Covariance covariance_at(const LeastSquaresProblem& problem, const Numbers& x);
+
+}  // namespace sim

@@ -1,0 +1,162 @@
+#include "sim/fit/plan_likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace sim {
+namespace {
+
+/// Of a pulse's begin and of its length: a comparator sees a cycle's peak, or the next one's.
+constexpr double cycles_uncertain = 0.3;
+constexpr double uncertain_db = 0.25;  // of the signal: noise, and the rule in continuous time
+
+std::span<const BurstOutput> bursts_of(const std::vector<BurstOutput>& all,
+                                       const std::vector<std::size_t>& first, std::size_t step) {
+  return {all.data() + first[step], first[step + 1] - first[step]};
+}
+
+}  // namespace
+
+PlanLikelihood::PlanLikelihood(const Plan& plan, const std::vector<BurstOutput>& recorded,
+                               const std::vector<std::size_t>& steps, const ParameterPriors& priors,
+                               double level_error_db)
+    : priors_(priors.begin(), priors.end()) {
+  const std::vector<std::size_t> first = first_bursts(plan);
+  for (const std::size_t s : steps) {
+    plan_.steps.push_back(plan.steps[s]);
+    const auto bursts = bursts_of(recorded, first, s);
+    recorded_.insert(recorded_.end(), bursts.begin(), bursts.end());
+  }
+  first_ = first_bursts(plan_);
+  for (const PlanStep& step : plan_.steps) {
+    const auto same = [&](double db) { return std::abs(db - step.level_db) < 0.005; };
+    auto found = std::ranges::find_if(level_db_, same);
+    level_of_step_.push_back(static_cast<std::size_t>(found - level_db_.begin()));
+    if (found == level_db_.end()) {
+      level_db_.push_back(step.level_db);
+      priors_.push_back({"", 0, level_error_db, 0.1, true});
+    }
+  }
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
+    const auto bursts = bursts_of(recorded_, first_, s);
+    heard_.push_back(features_of(plan_.steps[s], bursts, bursts));
+  }
+}
+
+/// Which cycle's peak it is, is the same in all steps whose pulses are alike: they tell it once.
+double PlanLikelihood::alike(std::size_t step, FeatureKind kind) const {
+  constexpr double alike_cycles = 0.25;
+  const double carrier = plan_.steps[step].carrier_hz;
+  const auto value = [&](std::size_t s) {
+    const double on = static_cast<double>(plan_.steps[s].cycles_on);
+    return kind == FeatureKind::low ? heard_[s].low_s * carrier - on : heard_[s].start_s * carrier;
+  };
+  double number = 0;
+  for (std::size_t s = 0; s < heard_.size(); ++s)
+    if (std::abs(plan_.steps[s].carrier_hz - carrier) < 1e-3 * carrier &&
+        std::abs(value(s) - value(step)) < alike_cycles)
+      ++number;
+  return number;
+}
+
+Numbers PlanLikelihood::start() const {
+  Numbers x(priors_.size());
+  for (std::size_t i = 0; i < priors_.size(); ++i) x[i] = priors_[i].middle;
+  return x;
+}
+
+std::vector<double> PlanLikelihood::amplitudes(const Numbers& x) const {
+  std::vector<double> all;
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
+    const std::size_t level = level_of_step_[s];
+    all.push_back(std::pow(10, (level_db_[level] + x[n_rule_parameters + level]) / 20));
+  }
+  return all;
+}
+
+void PlanLikelihood::play(const Numbers& x, double more_hold_cycles, double more_db) const {
+  Numbers numbers = x;
+  numbers[place_of(RuleParameter::start)] = more_hold_cycles;
+  numbers[place_of(RuleParameter::clock)] = more_db;
+  if (numbers == played_) return;
+  played_ = std::move(numbers);
+  RuleConstants constants = constants_of(x);
+  constants.hold_s += more_hold_cycles / constants.centre_hz;
+  std::vector<double> light = amplitudes(x);
+  for (double& one : light) one *= std::pow(10, more_db / 20);
+  output_of_rule(plan_, constants, light, ruled_);
+}
+
+std::vector<double> PlanLikelihood::values(const Numbers& x, double more_hold_cycles,
+                                           double more_db, std::vector<Compared>* compared) const {
+  play(x, more_hold_cycles, more_db);
+  const double start_s = x[place_of(RuleParameter::start)] /
+                         value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
+  const double clock = x[place_of(RuleParameter::clock)] * 1e-6;
+  std::vector<double> differences;
+  differences.reserve(plan_.steps.size() * n_feature_kinds);
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
+    const PlanStep& step = plan_.steps[s];
+    const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
+    const StepFeatures was = features_of(step, recorded, ruled);
+    StepFeatures is = features_of(step, ruled, recorded);
+    is.start_s += start_s + clock * step.start_ms * 1e-3;
+    if (compared != nullptr) compared->push_back({was, is});
+    differences.push_back(is.reported - was.reported);
+    const bool both_low = was.with_low > 0 && is.with_low > 0;
+    differences.push_back(both_low ? (is.low_s - was.low_s) * step.carrier_hz : 0);
+    const bool both_start = was.with_start > 0 && is.with_start > 0;
+    differences.push_back(both_start ? (is.start_s - was.start_s) * step.carrier_hz : 0);
+  }
+  return differences;
+}
+
+void PlanLikelihood::take_wide_deviations() {
+  constexpr double low_cycles = 1, start_cycles = 2, share = 0.05, carrier_s = 1e-3;
+  sigma_.clear();
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
+    const PlanStep& step = plan_.steps[s];
+    const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
+    const double reported = heard_[s].reported;
+    sigma_.push_back(is_long_carrier(step) ? carrier_s / on_s + share * reported
+                                           : 1 + share * std::max(reported, 20.0));
+    sigma_.push_back(low_cycles);
+    sigma_.push_back(start_cycles);
+  }
+}
+
+void PlanLikelihood::take_deviations_at(const Numbers& x) {
+  const std::vector<double> here = values(x, 0, 0, nullptr);
+  const std::vector<double> longer = values(x, cycles_uncertain, 0, nullptr);
+  const std::vector<double> shorter = values(x, -cycles_uncertain, 0, nullptr);
+  const std::vector<double> stronger = values(x, 0, uncertain_db, nullptr);
+  const std::vector<double> weaker = values(x, 0, -uncertain_db, nullptr);
+  sigma_.clear();
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const PlanStep& step = plan_.steps[i / n_feature_kinds];
+    const auto kind = static_cast<FeatureKind>(i % n_feature_kinds);
+    const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
+    const double least = kind != FeatureKind::reported
+                             ? cycles_uncertain * std::sqrt(alike(i / n_feature_kinds, kind))
+                         : is_long_carrier(step) ? 0.2e-3 / on_s
+                                                 : 0.4;
+    sigma_.push_back(
+        std::hypot(least, (longer[i] - shorter[i]) / 2, (stronger[i] - weaker[i]) / 2));
+  }
+}
+
+Numbers PlanLikelihood::deviations(const Numbers& x) const {
+  const std::vector<double> differences = values(x, 0, 0, nullptr);
+  Numbers all(differences.size());
+  for (std::size_t i = 0; i < differences.size(); ++i) all[i] = differences[i] / sigma_[i];
+  return all;
+}
+
+std::vector<PlanLikelihood::Compared> PlanLikelihood::compared(const Numbers& x) const {
+  std::vector<Compared> all;
+  values(x, 0, 0, &all);
+  return all;
+}
+
+}  // namespace sim

@@ -1,0 +1,66 @@
+#pragma once
+// The constants of the rule as a fit sees them: numbers without bounds, each with a prior of where
+// parts lie of which nothing is known, and a step by which to look for what it changes.
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "channel/receiver_module.hpp"
+#include "sim/fit/output_rule.hpp"
+
+namespace sim {
+
+/// What a fit moves: constants first, in the order below, then others.
+using Numbers = std::vector<double>;
+
+enum class RuleParameter : std::size_t {
+  centre,
+  q,
+  threshold,
+  integrator,
+  comparator_hold,
+  atc_fraction,
+  atc_release,
+  attack,
+  duty,
+  long_burst,
+  free_cycles,
+  min_gap,
+  dark_hold,
+  margin,
+  range,
+  start,
+  clock,
+  count
+};
+
+inline constexpr std::size_t n_rule_parameters = static_cast<std::size_t>(RuleParameter::count);
+
+constexpr std::size_t place_of(RuleParameter p) { return static_cast<std::size_t>(p); }
+
+struct ParameterPrior {
+  std::string_view key;  // of a part file; "threshold" stands for Emin; empty: of the recording
+  double middle = 0, deviation = 1;
+  double step = 0.01;      // of differences
+  bool is_smooth = false;  // nothing jumps with it: one side is enough
+};
+
+using ParameterPriors = std::array<ParameterPrior, n_rule_parameters>;
+
+/// Of a part like this one, wide enough for any other; `carrier_hz` is the plan's.
+ParameterPriors parameter_priors(const channel::ModuleData& like, double carrier_hz);
+
+/// The part that has these constants, `like` it in all that the rule does not know. The light of
+/// the plan's first step has `first_level`.
+channel::ModuleData module_of(const Numbers& x, const channel::ModuleData& like,
+                              double first_level_mw_per_m2);
+
+/// What the numbers say. `x` has n_rule_parameters numbers at least.
+RuleConstants constants_of(const Numbers& x);
+
+/// The value of a part file, and back.
+double value_of(RuleParameter parameter, double x);
+double number_of(RuleParameter parameter, double value);
+
+}  // namespace sim
