@@ -1,0 +1,74 @@
+// What a fit says of recordings of hidden parts, beside what they are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "hidden_part.hpp"
+#include "hidden_recording.hpp"
+#include "sim/fit/fitted_module.hpp"
+
+namespace hidden {
+namespace {
+
+constexpr double carrier_hz = 56000;
+constexpr double first_level = 300;  // mW/m2
+
+/// Adds a step behind some dark.
+void add(sim::Plan& plan, double dark_ms, sim::PlanStep step) {
+  step.start_ms = plan.steps.empty() ? dark_ms : sim::end_ms(plan.steps.back()) + dark_ms;
+  plan.steps.push_back(step);
+}
+
+/// A minute that tells how fast the gain falls and what it tolerates.
+sim::Plan short_plan() {
+  sim::Plan plan;
+  for (const double db : {0.0, -14.0, -28.0, -42.0, -56.0})
+    add(plan, 2500, {0, carrier_hz, 50000, 0, 1, db});
+  for (const double db : {-48.0, -54.0, -57.0, -60.0, -63.0})
+    for (const double carrier : {1.0, 0.95, 1.05})
+      add(plan, 120, {0, carrier * carrier_hz, 30, 530, 15, db});
+  for (const std::uint64_t off : {800u, 550u, 380u, 260u, 180u})
+    add(plan, 2500, {0, carrier_hz, 150, off, 80, -38});
+  return plan;
+}
+
+const sim::FittedNumber& number(const sim::FittedModule& fitted, const std::string& key) {
+  return *std::ranges::find(fitted.numbers, key, &sim::FittedNumber::key);
+}
+
+/// Parts without hold and with some margin: what a plan of a minute tells.
+HiddenPart usual_part(std::uint32_t which, const sim::Plan& plan) {
+  HiddenPart part = draw_part({.seed = 11}, which, plan);
+  part.module.agc_hold_ms = 0;
+  part.module.agc_free_cycles = 0;
+  part.module.agc_margin_db = 3;
+  part.module.agc_attack_db_per_ms = std::max(part.module.agc_attack_db_per_ms, 0.15);
+  part.module.agc_max_duty = std::clamp(part.module.agc_max_duty, 0.2, 0.4);
+  return part;
+}
+
+TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
+  const sim::Plan plan = short_plan();
+  std::vector<HiddenPart> parts;
+  for (std::uint32_t which = 0; which < 4; ++which) parts.push_back(usual_part(which, plan));
+  const auto recordings = recordings_of(plan, parts, first_level);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const sim::FittedModule fitted =
+        fit_module(plan, recordings[i], channel::ModuleData{},
+                   {.first_level_mw_per_m2 = first_level, .level_error = 0.07});
+    const auto& attack = number(fitted, "agc_attack_db_per_ms");
+    EXPECT_TRUE(attack.is_told) << i;
+    EXPECT_LE(attack.low, parts[i].module.agc_attack_db_per_ms) << i;
+    EXPECT_GE(attack.high, parts[i].module.agc_attack_db_per_ms) << i;
+    const auto& emin = number(fitted, "emin_mw_per_m2");
+    EXPECT_TRUE(emin.is_told) << i;
+    EXPECT_NEAR(emin.value / parts[i].module.emin_mw_per_m2, 1, 0.25)
+        << i;  // levels are off by 10 %
+    EXPECT_NEAR(fitted.clock_error, parts[i].clock_error, 1e-5) << i;
+  }
+}
+
+}  // namespace
+}  // namespace hidden
