@@ -1,25 +1,38 @@
 #!/usr/bin/env bash
-# Proves that layering_test.sh can fail: in a tree made for it, each include below is allowed or caught.
+# Proves that layering_test.sh can fail: of two trees made for it, it allows each line of the one and names each of the
+# other. Those before a call of `judge` are looked at together, and those of one file stand one below the other.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+trees=$(mktemp -d)
+trap 'rm -rf "$trees"' EXIT
 wrong=0
 
-said_of() { # said_of FILE LINE: what the test says of a tree with that line in the file
-  rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{dsp,channel,protocol,sim} "$tree/$(dirname "$1")"
-  printf '// a comment\n%s\n' "$2" >"$tree/$1"
-  "$here/layering_test.sh" "$tree"
-}
+declare -A lines # of a file so far
 
 expect_line() { # expect_line allowed|caught FILE LINE
-  local found=allowed said
-  said=$(said_of "$2" "$3") || found=caught
-  [[ $found == "$1" ]] || { echo "$2: $3 should be $1, is $found"; wrong=1; }
-  [[ $found == allowed || $said == "$2:2: "* ]] || { echo "$2:2 is not named in: $said"; wrong=1; }
+  local file=$trees/$1/$2
+  [[ -d ${file%/*} ]] || mkdir -p "${file%/*}"
+  [[ -n ${lines[$file]:-} ]] || { echo '// a comment' >"$file" && lines[$file]=1; }
+  echo "$3" >>"$file"
+  lines[$file]=$((lines[$file] + 1))
+  [[ $1 == allowed ]] || echo "$2:${lines[$file]}:" >>"$trees/to_name"
 }
 
+begin() {
+  lines=()
+  mkdir -p "$trees"/{allowed,caught}/{dsp,channel,protocol,sim}
+}
+
+judge() {
+  local said
+  said=$("$here/layering_test.sh" "$trees/allowed") || { printf 'should be allowed:\n%s\n' "$said"; wrong=1; }
+  ! said=$("$here/layering_test.sh" "$trees/caught") || { echo 'nothing is caught'; wrong=1; }
+  diff <(sort "$trees/to_name") <(cut -d ' ' -f 1 <<<"$said" | sort) || { echo '< is not named, > should not be'; wrong=1; }
+  rm -rf "${trees:?}"/*
+  begin
+}
+
+begin
 expect() { expect_line "$1" "$2" "#include $3"; } # expect allowed|caught FILE INCLUDE
 
 expect allowed dsp/a.hpp '<vector>'
@@ -76,7 +89,10 @@ expect allowed sim/result/reading_process.cpp '"sim/result/hdf5_answers.hpp"'
 expect caught sim/result/reading_process.hpp '"sim/result/hdf5_answers.hpp"'
 expect caught sim/result/netcdf_reader.cpp '"sim/result/hdf5_handle.hpp"'
 expect caught sim/result/netcdf_reader.cpp '"sim/result/hdf5_answers.hpp"'
+judge
+
 expect_line allowed sim/result/hdf5_answers.cpp 'H5Fopen(path, 0, 0);'
 expect_line caught sim/result/netcdf.cpp 'H5Fopen(path, 0, 0);'
 expect_line caught sim/engine/resume.cpp '  H5Fis_hdf5(path);'
+judge
 exit "$wrong"
