@@ -6,7 +6,7 @@ import re
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from browser import enter, expect, press, send, send_with_control
+from browser import enter, expect, send, send_with_control
 
 AWKWARD = ['"one"', "two, three", "four\nfive"]  # what CSV must quote, each by itself
 
@@ -16,31 +16,36 @@ def cells(driver, table):
         "return [...arguments[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent))", table)
 
 
-def column(driver, table, index):
-    """Its numbers, whether they are more than a bound first, and None for each that is no number."""
+def numbers(texts):
+    """Of the cells of a column: whether they are more than a bound first, and None for each that is no number."""
     number = re.compile(r"(?:[<>]|between|below|above|beyond|short of)?\s*(-?\d[\d.]*(?:e[+-]?\d+)?)")
-    texts = [row[index] for row in cells(driver, table)[1:]]
     return [(not text.startswith("<"), float(found[1])) if (found := number.match(text)) else None for text in texts]
 
 
-def expect_sorted(driver, table, index):
+def press_head(driver, table, index):
+    """Gives what the column below is then."""
+    return driver.execute_script(
+        """const [table, index] = arguments;
+           table.querySelectorAll('th button')[index].click();
+           return [...table.rows].slice(1).map((row) => row.cells[index].textContent);""", table, index)
+
+
+def expect_sorted(driver, table, index, before):
     """By a press upward, by another downward; what is no number stays last."""
-    button = table.find_elements(By.CSS_SELECTOR, "th button")[index]
-    before = column(driver, table, index)
-    numbers = [one for one in before if one]
+    sortable = [one for one in before if one]
     for descending in (False, True):
-        press(driver, button)
-        values = column(driver, table, index)
-        expect(values == sorted(numbers, reverse=descending) + [None] * (len(before) - len(numbers)),
+        values = numbers(press_head(driver, table, index))
+        expect(values == sorted(sortable, reverse=descending) + [None] * (len(before) - len(sortable)),
                f"a table is not sorted by its column: {values}")
 
 
 def sort_columns(driver, table):
     """Ends with one in descending order."""
-    indices = [i for i, row in enumerate(zip(*cells(driver, table))) if any(column(driver, table, i))]
-    expect(indices, "a table has no column of numbers")
-    for index in indices:
-        expect_sorted(driver, table, index)
+    columns = [numbers(texts[1:]) for texts in zip(*cells(driver, table))]
+    expect(any(map(any, columns)), "a table has no column of numbers")
+    for index, column in enumerate(columns):
+        if any(column):
+            expect_sorted(driver, table, index, column)
 
 
 def sort_words(driver, table):
@@ -54,7 +59,7 @@ def sort_words(driver, table):
              copy.cells[0].textContent = text;
              return copy;
            }));""", table, words)
-    expect_sorted(driver, table, 0)
+    expect_sorted(driver, table, 0, numbers(words))
 
 
 def set_clipboard(driver, setting):
