@@ -34,7 +34,7 @@ struct LineOutput::Queue {
 
   std::string take_lines();
   void write_to(int descriptor);
-  /// Waits for the reader, but not a second time.
+  /// Waits for the reader as long as it reads, but not a second time.
   void close();
 };
 
@@ -68,7 +68,10 @@ void LineOutput::Queue::write_to(int descriptor) {
 void LineOutput::Queue::close() {
   std::unique_lock lock(mutex);
   if (closed) return;
-  changed.wait_for(lock, patience, [&] { return failed || bytes == 0; });
+  for (std::size_t left = 0; !failed && bytes != 0 && bytes != left;) {
+    left = bytes;
+    changed.wait_for(lock, patience, [&] { return failed || bytes != left; });
+  }
   closed = true;
   changed.notify_all();
 }

@@ -23,8 +23,8 @@ class LineOutput {
   void push(std::string line);
   /// Throws unwritable_output() if the descriptor takes no more for good.
   void check() const;
-  /// The end: gives the reader another second. Throws, as check() or Failure(environment), if not
-  /// all was taken.
+  /// The end: waits until the reader has all, or has taken nothing for a second. Throws, as check()
+  /// or Failure(environment), if not all was taken.
   void finish();
 
  private:

@@ -39,7 +39,7 @@ class Patience {
   Clock::time_point end_ = Clock::now() + std::chrono::seconds(60);
 };
 
-/// What comes, up to and with this.
+/// What comes, up to and with this. What is behind it is left, so bytes are read one by one.
 inline std::string read_until(int descriptor, const std::string& end) {
   const Patience patience;
   std::string text;
@@ -130,11 +130,15 @@ class LiveProcess {
 
  private:
   std::string line(const Patience& patience, const std::string& what) {
-    std::string text;
-    for (char c = 0; c != '\n'; text += c) {
+    while (ahead_.find('\n') == std::string::npos) {
       patience.await_input(out_, what);
-      if (::read(out_, &c, 1) != 1) break;
+      char some[4096];
+      const ssize_t n = ::read(out_, some, sizeof some);
+      if (n <= 0) break;
+      ahead_.append(some, static_cast<std::size_t>(n));
     }
+    const std::string text = ahead_.substr(0, ahead_.find('\n') + 1);  // all where there is none
+    ahead_.erase(0, text.size());
     read_ += text;
     return text;
   }
@@ -156,6 +160,7 @@ class LiveProcess {
   pid_t pid_ = -1;
   int in_ = -1, out_ = -1;
   std::string read_;
+  std::string ahead_;  // of lines that nobody wanted yet
 };
 
 inline const std::string stopping = "cosys-sim: stopping (signal) once more to stop at once\n";

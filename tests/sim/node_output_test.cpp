@@ -77,18 +77,34 @@ class SmallPipe {
     ::close(out());
   }
 
-  int in() const { return ends_[0]; }
   int out() const { return ends_[1]; }
+  /// What comes, up to and with this.
+  std::string read_until(const std::string& end) {
+    const Patience patience;
+    std::size_t at = std::string::npos, looked_at = 0;
+    while ((at = ahead_.find(end, looked_at)) == std::string::npos) {
+      looked_at = ahead_.size() - std::min(ahead_.size(), end.size());
+      patience.await_input(ends_[0], end);
+      char some[4096];
+      const ssize_t n = ::read(ends_[0], some, sizeof some);
+      if (n <= 0) throw std::runtime_error("the end, behind " + ahead_);
+      ahead_.append(some, static_cast<std::size_t>(n));
+    }
+    const std::string text = ahead_.substr(0, at + end.size());
+    ahead_.erase(0, text.size());
+    return text;
+  }
   void stop_reading() {
-    if (in() >= 0) ::close(std::exchange(ends_[0], -1));
+    if (ends_[0] >= 0) ::close(std::exchange(ends_[0], -1));
   }
 
  private:
   std::array<int, 2> ends_{};
+  std::string ahead_;
 };
 
 TEST(LineOutput, GivesAllInOrder) {
-  const SmallPipe pipe;
+  SmallPipe pipe;
   LineOutput output(pipe.out());
   std::string all;
   for (int i = 0; i < 3000; ++i) {
@@ -96,18 +112,33 @@ TEST(LineOutput, GivesAllInOrder) {
     output.push("line " + std::to_string(i) + "\n");
   }
   output.push("end\n");
-  EXPECT_EQ(read_until(pipe.in(), "end\n"), all + "end\n");
+  EXPECT_EQ(pipe.read_until("end\n"), all + "end\n");
   output.finish();
 }
 
 TEST(LineOutput, WaitsForAFileThatOthersHaveMadeNonBlocking) {
-  const SmallPipe pipe;
+  SmallPipe pipe;
   ::fcntl(pipe.out(), F_SETFL, O_NONBLOCK);
   LineOutput output(pipe.out());
   for (int i = 0; i < 100; ++i) output.push(std::string(99, 'x') + "\n");
   output.push("end\n");
-  EXPECT_EQ(read_until(pipe.in(), "end\n").size(), 10'004U);
+  EXPECT_EQ(pipe.read_until("end\n").size(), 10'004U);
   output.finish();
+}
+
+// In all it takes longer than one that stalls is given.
+TEST(LineOutput, WaitsForAReaderThatIsSlow) {
+  SmallPipe pipe;
+  LineOutput output(pipe.out());
+  for (int i = 0; i < 5; ++i) output.push(std::string(4095, 'x') + "\n");
+  std::thread reader([&] {
+    for (int i = 0; i < 5; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      pipe.read_until("\n");
+    }
+  });
+  EXPECT_NO_THROW(output.finish());
+  reader.join();
 }
 
 TEST(LineOutput, SaysThatItsReaderIsGone) {
@@ -132,10 +163,10 @@ class UnreadEvents : public testing::Test {
     for (; output.has_room(); ++n) events.timed_out(dsp::Seconds(0), long_name);
     return n;
   }
-  void read_plug() { EXPECT_EQ(read_until(pipe.in(), "\n"), plug); }
+  void read_plug() { EXPECT_EQ(pipe.read_until("\n"), plug); }
 
   const std::string plug = std::string(4095, '-') + "\n";
-  const SmallPipe pipe;
+  SmallPipe pipe;
   LineOutput output{pipe.out()};
   NodeEvents events{output};
 };
@@ -146,7 +177,7 @@ TEST_F(UnreadEvents, AreCountedInTheirPlaceIfLost) {
   for (int i = 0; i < 5; ++i) events.timed_out(dsp::Seconds(0), long_name);
   events.end(dsp::Seconds(7), "duration", {}, {});
   read_plug();
-  const std::string all = read_until(pipe.in(), "\"unknown_replies\":0}\n");
+  const std::string all = pipe.read_until("\"unknown_replies\":0}\n");
   EXPECT_EQ(static_cast<std::uint64_t>(std::ranges::count(all, '\n')), n + 2);
   EXPECT_NE(all.find(R"({"time_s":7.0,"event":"lost","events":5})"
                      "\n"
@@ -158,9 +189,9 @@ TEST_F(UnreadEvents, AreCountedInTheirPlaceIfLost) {
 TEST_F(UnreadEvents, GoOnWhenTheirReaderDoes) {
   const std::uint64_t n = fill();
   read_plug();
-  for (std::uint64_t i = 0; i < n; ++i) read_until(pipe.in(), "\n");
+  for (std::uint64_t i = 0; i < n; ++i) pipe.read_until("\n");
   events.port(dsp::Seconds(8), "connected");
-  EXPECT_EQ(read_until(pipe.in(), "\n"), "{\"time_s\":8.0,\"event\":\"connected\"}\n");
+  EXPECT_EQ(pipe.read_until("\n"), "{\"time_s\":8.0,\"event\":\"connected\"}\n");
 }
 
 }  // namespace
