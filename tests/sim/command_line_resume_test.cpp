@@ -8,15 +8,15 @@
 
 namespace {
 
-// Twenty kills at random instants, half of them kill -9, each time gone on with; with other numbers
+// Ten kills at random instants, half of them kill -9, each time gone on with; with other numbers
 // of threads. The file is written each second.
-TEST_F(CommandLine, MeasuredTwentyKillsChangeNothing) {
+TEST_F(CommandLine, MeasuredTenKillsChangeNothing) {
   write_scenario("s.toml", "receiver.range_m = \"1:0.5:6\"");
-  const Words run{"run", "s.toml", "-n", "4000", "-e", "0", "-q"};
+  const Words run{"run", "s.toml", "-n", "2000", "-e", "0", "-q"};
   const std::string whole = digest_of(program(run).out);
   std::filesystem::remove(path("s.h5"));
   std::mt19937 random(7);
-  for (int kill = 0; kill < 20; ++kill) {
+  for (int kill = 0; kill < 10; ++kill) {
     Words again = run;
     again.insert(again.end(), {"--resume", "-t", std::to_string(1 + kill % 3)});
     Running running = start_program(again);
@@ -65,14 +65,14 @@ TEST_F(CommandLine, ResumeRefusesWhatIsNotTheSameRun) {
   EXPECT_EQ(content(path("s.h5")), before);
 }
 
-// Each byte of a file in turn may be damaged: it is refused, or the damage is none of the counts.
+// Any byte of a file may be damaged: it is refused, or the damage is none of the counts.
 TEST_F(CommandLine, ResumeRefusesDamage) {  // more in damaged_files_test.cpp
   write_scenario("s.toml", "receiver.range_m = [1, 3]");
   const std::string digest = digest_of(program({"run", "s.toml", "-q"}).out);
   const std::string whole = content(path("s.h5"));
   int refused = 0;
   std::string words;
-  for (std::size_t at = 8; at < whole.size(); at += whole.size() / 20) {
+  for (std::size_t at = 8; at < whole.size(); at += whole.size() / 10) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
     write("s.h5", damaged);

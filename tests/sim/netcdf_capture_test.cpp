@@ -136,7 +136,7 @@ TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
   Random random(73);
   const std::string good = sim::trace_as_netcdf(random_trial(random, true, 2'000));
   int refused = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 20; ++round) {
     std::string bad = good;
     for (auto n = 1 + random() % 60; n > 0; --n)
       bad[random() % bad.size()] = static_cast<char>(random());

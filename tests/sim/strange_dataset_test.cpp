@@ -105,12 +105,14 @@ class StrangeDataset : public CommandLine,
     write_dataset(path("y.h5"), data, {"cosys-sim", "1", "c"});
     expect_answer([&] { return read_dataset(path("y.h5")); });
   }
-  /// With each of its variables, one at a time, changed.
+  /// With each of its variables, one at a time, changed; but for the weekly run with some of them,
+  /// and with others by the next change.
   template <class Change>
   void expect_answers(const std::string& what, const Change& change) {
     ++changes_;
+    const std::size_t one_of = test::is_set("COSYS_WEEKLY") ? 1 : test::is_sanitized ? 4 : 2;
     for (std::size_t i = 0; i < stored_.data.variables.size(); ++i) {
-      if ((i + changes_) % test::one_of(4) != 0) continue;
+      if ((i + changes_) % one_of != 0) continue;
       SCOPED_TRACE(stored_.data.variables[i].facts.name + " " + what);
       StoredDataset strange = stored_;
       change(strange.data.variables, strange.data.variables.begin() + static_cast<long>(i));
