@@ -12,7 +12,12 @@ class CheckCommand : public CommandLine {
  protected:
   void SetUp() override {
     write("weak.toml", scenario("[0, 40000]"));
-    make_baseline("b.h5", {});
+    static std::string of_weak;
+    if (of_weak.empty()) {
+      make_baseline("b.h5", {});
+      of_weak = content(path("b.h5"));
+    }
+    write("b.h5", of_weak);
   }
 
   static std::string scenario(const std::string& errors_ppm) {
@@ -221,7 +226,7 @@ TEST_F(CheckCommand, RefusesMoreFramesThanCanBeKept) {
 
 TEST_F(CheckCommand, TruncatedBaselinesAreRefused) {
   const std::string whole = content(path("b.h5"));
-  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 29) {
+  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 14) {
     std::ofstream(path("t.h5"), std::ios::binary) << whole.substr(0, size);
     EXPECT_EQ(check({}, "t.h5").code, 2) << size;
   }
