@@ -170,7 +170,7 @@ TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
 }
 
 TEST_F(ReportCommand, RefusesWhatIsNoResult) {
-  run("near", "receiver.range_m = [1, 11]");
+  run("near", "receiver.range_m = [1, 2]");
   const std::string whole = content(path("near.h5"));
   write("cut.h5", whole.substr(0, whole.size() / 2));
   write("text.h5", "receiver.range_m = 1\n");
@@ -197,14 +197,14 @@ TEST_F(ReportCommand, RefusesWhatIsNoResult) {
 }
 
 TEST_F(ReportCommand, RefusesAResultThatIsNamedTwice) {
-  run("near", "receiver.range_m = [1, 11]");
+  run("near", "receiver.range_m = [1, 2]");
   for (const std::string name : {"near.h5", "./near.h5"})
     expect_refused({"report", "near.h5", name}, 2,
                    name + " (it is named twice) name each result once");
 }
 
 TEST_F(ReportCommand, RefusesNewerFormats) {
-  run("near", "receiver.range_m = [1, 11]");
+  run("near", "receiver.range_m = [1, 2]");
   std::string file = content(path("near.h5"));
   const std::size_t at = file.find("1.3", file.find("format_version"));
   ASSERT_NE(at, std::string::npos);
