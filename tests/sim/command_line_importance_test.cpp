@@ -67,8 +67,8 @@ TEST_F(Importance, OfTheOptionIsThatOfTheKey) {
 
 TEST_F(Importance, MeasuredIsGoneOnWithAndAddedUp) {
   const std::string whole =
-      digest_of(program({"run", "s.toml", "-q", "-n", "400", "-e", "0", "-o", "whole.h5"}).out);
-  const Words run{"run", "s.toml", "-q", "-n", "400", "-e", "0", "-t", "1"};
+      digest_of(program({"run", "s.toml", "-q", "-n", "96", "-e", "0", "-o", "whole.h5"}).out);
+  const Words run{"run", "s.toml", "-q", "-n", "96", "-e", "0", "-t", "1"};
   Running running = start_program(run);
   running.line();
   running.finish(SIGTERM);
@@ -76,7 +76,7 @@ TEST_F(Importance, MeasuredIsGoneOnWithAndAddedUp) {
   again.emplace_back("--resume");
   EXPECT_EQ(digest_of(program(again).out), whole);
   for (const char* shard : {"1/2", "2/2", "1/3", "2/3", "3/3"})
-    ASSERT_EQ(program({"run", "s.toml", "-q", "-n", "400", "-e", "0", "--shard", shard}).code, 0);
+    ASSERT_EQ(program({"run", "s.toml", "-q", "-n", "96", "-e", "0", "--shard", shard}).code, 0);
   ASSERT_EQ(program({"merge", "s-1of2.h5", "s-2of2.h5", "-o", "sum.h5"}).code, 0);
   EXPECT_EQ(values("sum.h5", "n_groups"), values("whole.h5", "n_groups"));
   EXPECT_EQ(values("sum.h5", "n_frames_lost"), values("whole.h5", "n_frames_lost"));

@@ -104,7 +104,7 @@ TEST(Comparison, MeasuredOfBitErrorsThatComeInBursts) {
 TEST_F(CommandLine, DiffTellsEqualCompatibleAndDifferent) {
   write_scenario("s.toml", "receiver.range_m = [1, 2.2]");
   const auto run = [&](const std::string& name, const Words& more) {
-    Words words{"run", "s.toml", "-q", "-o", name, "-n", "200"};
+    Words words{"run", "s.toml", "-q", "-o", name, "-n", "64"};
     words.insert(words.end(), more.begin(), more.end());
     ASSERT_EQ(program(words).code, 0);
   };
