@@ -10,7 +10,7 @@ tell() { echo "$*"; lost=1; }
 
 IFS='|' read -ra parts <<<"$2"
 for part in "${parts[@]}"; do
-  grep -q "$part" <<<"$cases" || tell "threads: $part is in no name of a case any more"
+  [[ $cases == *"$part"* ]] || tell "threads: $part is in no name of a case any more"
 done
 
 for ((i = 3; i < $#; i += 2)); do
@@ -19,7 +19,7 @@ for ((i = 3; i < $#; i += 2)); do
   [[ $label != gate && $label != weekly ]] || case=Measured # these are of measurements alone
   IFS='|' read -ra suites <<<"${!next}"
   for suite in "${suites[@]}"; do
-    grep -q "^${suite}[.]$case" <<<"$cases" || tell "$label: $suite is no suite any more, or has no such case"
+    [[ $'\n'$cases == *$'\n'"$suite.$case"* ]] || tell "$label: $suite is no suite any more, or has no such case"
   done
 done
 exit "$lost"

@@ -6,8 +6,8 @@ root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-command_lines() { # command_lines NAME [cmake argument]...: of all objects of the program
-  local build=$folder/$1
+command_lines() { # command_lines NAME [cmake argument]...: of all objects of the program, in one build folder
+  local build=$folder/build
   cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release "${@:2}" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
   ninja -C "$build" -t commands cosys-sim | grep -F ' -c ' | sed "s|$build|BUILD|g" | grep -v 'cosys_sim_process_group' |
     sort >"$folder/$1.txt"
