@@ -130,10 +130,10 @@ TEST(LineOutput, WaitsForAFileThatOthersHaveMadeNonBlocking) {
 TEST(LineOutput, WaitsForAReaderThatIsSlow) {
   SmallPipe pipe;
   LineOutput output(pipe.out());
-  for (int i = 0; i < 5; ++i) output.push(std::string(4095, 'x') + "\n");
+  for (int i = 0; i < 12; ++i) output.push(std::string(4095, 'x') + "\n");
   std::thread reader([&] {
-    for (int i = 0; i < 5; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    for (int i = 0; i < 12; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(120));
       pipe.read_until("\n");
     }
   });
