@@ -92,10 +92,9 @@ std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
     sentences.push_back("Not told apart: " + line + ".");
   for (const FitMisfit& misfit : fit.misfits)
     sentences.push_back("The part does not follow the rule: " + misfit_words(misfit) + ".");
-  sentences.push_back(
-      fmt::format("{}: of {} deviations most are within {:.2f} standard deviations.",
-                  fit.misfits.empty() ? "The part follows the rule" : "In all", fit.steps.size(),
-                  fit.usual_deviation));
+  sentences.push_back(fmt::format("{}: {} deviations of {:.2f} standard deviations, as a rule.",
+                                  fit.misfits.empty() ? "The part follows the rule" : "In all",
+                                  fit.steps.size(), fit.usual_deviation));
   return sentences;
 }
 

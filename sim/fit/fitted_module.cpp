@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "sim/fit/rule_search.hpp"
 
@@ -31,15 +30,15 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {threshold, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {integrator, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {comparator_hold, 1.5, "a wire of the LED's drive beside the output"},
-    {atc_fraction, 2, "short bursts that are weaker than the ones 3 to 30 ms before them"},
+    {atc_fraction, 2.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {atc_release, 1.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
-    {attack, 2, "carriers of 1.2 s at eight levels"},
-    {duty, 2, "trains of long bursts that the output lets go of, at other duties"},
-    {long_burst, 2, "trains of bursts between those lengths, too dense to be held"},
+    {attack, 2.5, "carriers of 1.2 s at eight levels"},
+    {duty, 3, "trains of long bursts that the output lets go of, at other duties"},
+    {long_burst, 4, "trains of bursts between those lengths, too dense to be held"},
     {free_cycles, 2, "trains of bursts just longer than the limit, too dense to be held"},
-    {min_gap, 1.5, "trains of short bursts with gaps of 8 to 40 cycles"},
+    {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
     {dark_hold, 2, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
-    {margin, 2, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
+    {margin, 4, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 2, "a carrier that is stronger: of one at least the output must not let go"},
 }};
 
@@ -233,12 +232,13 @@ std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
   return misfits;
 }
 
-/// The standard deviation of most of them: some trains are chaotic, and far off by little.
+/// The root of the mean square; of some chaotic trains, which are far off by little, no more than a
+/// few standard deviations count.
 double usual_deviation_of(const std::vector<FittedStep>& steps) {
-  constexpr double middle_of_normal = 0.6745;
-  std::vector<double> sizes;
-  for (const FittedStep& step : steps) sizes.push_back(std::abs(step.deviation));
-  return sizes.empty() ? 0 : middle_of(std::move(sizes)) / middle_of_normal;
+  constexpr double most = 3;
+  double sum = 0;
+  for (const FittedStep& step : steps) sum += std::pow(std::min(std::abs(step.deviation), most), 2);
+  return steps.empty() ? 0 : std::sqrt(sum / static_cast<double>(steps.size()));
 }
 
 }  // namespace

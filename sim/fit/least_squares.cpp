@@ -10,11 +10,12 @@ namespace sim {
 namespace {
 
 /// Deviations beyond it count for less and less: Cauchy's loss.
-constexpr double usual = 2.5;
+constexpr double cauchy_scale = 2.5;
 
 double cost_of_deviations(const Numbers& deviations) {
   double sum = 0;
-  for (const double d : deviations) sum += usual * usual * std::log1p(d * d / (usual * usual));
+  for (const double d : deviations)
+    sum += cauchy_scale * cauchy_scale * std::log1p(d * d / (cauchy_scale * cauchy_scale));
   return sum;
 }
 
@@ -78,7 +79,7 @@ Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
   const arma::vec deviations(here);
   arma::vec weights(deviations.n_elem);
   for (std::size_t i = 0; i < weights.n_elem; ++i)
-    weights(i) = 1 / (1 + deviations(i) * deviations(i) / (usual * usual));
+    weights(i) = 1 / (1 + deviations(i) * deviations(i) / (cauchy_scale * cauchy_scale));
   Normal normal{slope.t() * arma::diagmat(weights) * slope, slope.t() * (weights % deviations)};
   for (std::size_t k = 0; k < places.size(); ++k) {
     const ParameterPrior& prior = problem.priors[places[k]];

@@ -56,7 +56,7 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "it, and say --irradiance.\n"
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
-      "The part follows the rule: of 3 deviations most are within 1.29 standard deviations.\n"))
+      "The part follows the rule: 3 deviations of 1.29 standard deviations, as a rule.\n"))
       << measured_text(measured);
   measured.first_level_by = "--irradiance";
   measured.fit.first_level_mw_per_m2 = 30.5;

@@ -1,0 +1,130 @@
+// How well a fit does on hidden parts: of each constant in how many of them it is told, how often
+// the interval has the truth, and how far off the value is; and how long a fit takes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hidden_part.hpp"
+#include "hidden_recording.hpp"
+#include "sim/fit/fitted_module.hpp"
+
+namespace hidden {
+namespace {
+
+constexpr const char* usage = R"(fit_coverage PLAN SEED N FIRST_LEVEL [BROKEN]
+
+Fits N hidden parts by their recordings of a plan, of which the first step has FIRST_LEVEL mW/m2.
+BROKEN: 1 to 5, a kind of parts that break the rule (hidden_parts says which).
+)";
+
+struct Request {
+  sim::Plan plan;
+  std::uint32_t parts = 0;
+  double first_level = 0;
+  PartDraw draw;
+};
+
+/// Of one constant, over all parts.
+struct Coverage {
+  int told = 0, inside = 0;
+  std::vector<double> errors;  // as a share, or of what may be 0 as it is
+};
+
+struct Outcome {
+  std::map<std::string, Coverage> constants;
+  std::vector<double> seconds;
+  int parts = 0, misfits = 0;
+};
+
+double truth_of(const HiddenPart& part, const std::string& key) {
+  for (const ModuleNumber& number : module_numbers())
+    if (key == number.key) return part.module.*number.member;
+  return std::nan("");
+}
+
+void add(const HiddenPart& part, const sim::FittedModule& fitted, Outcome& outcome) {
+  for (const sim::FittedNumber& number : fitted.numbers) {
+    const double truth = truth_of(part, number.key);
+    Coverage& coverage = outcome.constants[number.key];
+    if (!number.is_told) continue;
+    ++coverage.told;
+    if (truth >= number.low && truth <= number.high) ++coverage.inside;
+    coverage.errors.push_back(std::abs(truth > 0 ? number.value / truth - 1 : number.value));
+  }
+  ++outcome.parts;
+  if (!fitted.misfits.empty()) ++outcome.misfits;
+}
+
+void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
+  std::vector<HiddenPart> parts;
+  for (std::uint32_t k = first; k < std::min(request.parts, first + most_parts); ++k)
+    parts.push_back(draw_part(request.draw, k, request.plan));
+  const auto recordings = recordings_of(request.plan, parts, request.first_level);
+  channel::ModuleData like;
+  like.centre_hz = request.draw.nominal_hz;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::clock_t began = std::clock();
+    const sim::FittedModule fitted =
+        sim::fit_module(request.plan, recordings[i], like,
+                        {.first_level_mw_per_m2 = request.first_level, .level_error = 0.07});
+    outcome.seconds.push_back(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
+    add(parts[i], fitted, outcome);
+  }
+}
+
+double quantile_of(std::vector<double> numbers, double share) {
+  if (numbers.empty()) return std::nan("");
+  std::ranges::sort(numbers);
+  return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1))];
+}
+
+void print(const Outcome& outcome) {
+  fmt::print("{:24} {:>6} {:>8} {:>8} {:>8}\n", "constant", "told", "inside", "median", "90 %");
+  for (const auto& [key, coverage] : outcome.constants)
+    fmt::print("{:24} {:6} {:8} {:8.3f} {:8.3f}\n", key, coverage.told, coverage.inside,
+               quantile_of(coverage.errors, 0.5), quantile_of(coverage.errors, 0.9));
+  fmt::print(
+      "of {} parts {} do not follow the rule; CPU of a fit: median {:.1f} s, most {:.1f} s\n",
+      outcome.parts, outcome.misfits, quantile_of(outcome.seconds, 0.5),
+      quantile_of(outcome.seconds, 1));
+}
+
+Request request_of(const std::vector<std::string>& words) {
+  Request request{.plan = sim::read_plan(words.at(0)),
+                  .parts = static_cast<std::uint32_t>(std::stoul(words.at(2))),
+                  .first_level = std::stod(words.at(3)),
+                  .draw = {.seed = std::stoull(words.at(1))}};
+  request.draw.nominal_hz = nominal_of(request.plan);
+  if (words.size() > 4) request.draw.broken = static_cast<Broken>(std::stoi(words[4]));
+  return request;
+}
+
+}  // namespace
+}  // namespace hidden
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 4) {
+    std::fputs(hidden::usage, stderr);
+    return 2;
+  }
+  try {
+    const hidden::Request request = hidden::request_of(words);
+    hidden::Outcome outcome;
+    for (std::uint32_t first = 0; first < request.parts; first += hidden::most_parts)
+      hidden::fit(request, first, outcome);
+    hidden::print(outcome);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "fit_coverage: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
