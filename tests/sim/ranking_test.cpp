@@ -246,7 +246,7 @@ TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
   EXPECT_EQ(sim::ranking_lines(result, ranking),
             lines(result) +
                 "as assumed; 1 m to beyond 4 m for 8 of 10 units, as not all of A is published "
-                "(--doubt says more)\n");
+                "(--doubt says more; measure yours: cosys-sim fit)\n");
 }
 
 TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
