@@ -32,12 +32,12 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {comparator_hold, 1.5, "a wire of the LED's drive beside the output"},
     {atc_fraction, 2.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {atc_release, 1.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
-    {attack, 2.5, "carriers of 1.2 s at eight levels"},
+    {attack, 3.5, "carriers of 1.2 s at eight levels"},
     {duty, 3, "trains of long bursts that the output lets go of, at other duties"},
     {long_burst, 4, "trains of bursts between those lengths, too dense to be held"},
     {free_cycles, 2, "trains of bursts just longer than the limit, too dense to be held"},
     {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
-    {dark_hold, 2, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
+    {dark_hold, 4, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
     {margin, 4, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 2, "a carrier that is stronger: of one at least the output must not let go"},
 }};
@@ -69,9 +69,11 @@ FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
           .more = told ? "" : note.more};
 }
 
-/// Emin in mW/m2: the level of the comparator, and what resonator and hold make of it.
+/// Emin in mW/m2: the level of the comparator, and what resonator and hold make of it. The first
+/// step's light is known no better than the other levels.
 FittedNumber emin_number(const RuleFit& fit, const ConstantNote& note,
-                         const channel::ModuleData& like, double first_level, bool told) {
+                         const channel::ModuleData& like, const FitSettings& settings, bool told) {
+  const double first_level = settings.first_level_mw_per_m2;
   if (first_level == 0)
     return {.key = "emin_mw_per_m2",
             .value = like.emin_mw_per_m2,
@@ -96,7 +98,8 @@ FittedNumber emin_number(const RuleFit& fit, const ConstantNote& note,
     for (std::size_t k = 0; k < parameters.size(); ++k)
       variance +=
           slopes[i] * slopes[k] * fit.covariance(place_of(parameters[i]), place_of(parameters[k]));
-  const double reach = normal_95 * note.widening * std::sqrt(variance);
+  const double reach =
+      normal_95 * std::hypot(note.widening * std::sqrt(variance), settings.level_error);
   return {.key = "emin_mw_per_m2",
           .value = value,
           .low = value * std::exp(-reach),
@@ -259,7 +262,7 @@ FittedModule fit_module(const Plan& plan, const PinRecording& recording,
   for (const ConstantNote& note : constant_notes) {
     if (note.parameter == threshold)
       fitted.numbers.push_back(
-          emin_number(fit, note, like, first_level, first_level > 0 && is_told(fit, priors, note)));
+          emin_number(fit, note, like, settings, first_level > 0 && is_told(fit, priors, note)));
     else
       fitted.numbers.push_back(number_of_part(fit, priors, note));
   }

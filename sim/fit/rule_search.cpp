@@ -180,9 +180,27 @@ class RuleSearch {
     x_ = std::ranges::min(points, {}, &GridPoint::cost).x;
     for (int round = 0; round < 2; ++round) {
       all_.take_deviations_at(x_);
+      scan_jumps(whole);
       const LeastSquaresFit fit = least_squares(whole, x_, 6);
       x_ = fit.x;
       cost_ = fit.cost;
+    }
+  }
+
+  /// Numbers with which the output jumps: whole trains are held or not. A difference does not see
+  /// what lies behind a jump, so each is tried all along its way.
+  void scan_jumps(const LeastSquaresProblem& problem) {
+    const double length = x_[place_of(long_burst)], hold = x_[place_of(dark_hold)];
+    const std::vector<GridAxis> ways{{long_burst, steps_between(length - 0.5, length + 0.5, 51)},
+                                     {min_gap, steps_between(std::log(5), std::log(45), 23)},
+                                     {free_cycles, steps_between(0, 32, 17)},
+                                     {dark_hold, steps_between(hold - 5, hold + 5, 21)},
+                                     {margin, steps_between(0, 8, 17)},
+                                     {long_burst, steps_between(length - 0.5, length + 0.5, 51)},
+                                     {range, steps_between(40, 130, 31)}};
+    for (const GridAxis& way : ways) {
+      const GridPoint best = best_of_grid(problem, x_, {way}, 1).front();
+      if (best.cost < cost_of(problem, x_)) x_ = best.x;
     }
   }
 
