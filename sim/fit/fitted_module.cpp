@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/failure.hpp"
 #include "sim/fit/rule_search.hpp"
 
 namespace sim {
@@ -244,10 +245,21 @@ double usual_deviation_of(const std::vector<FittedStep>& steps) {
   return steps.empty() ? 0 : std::sqrt(sum / static_cast<double>(steps.size()));
 }
 
+void refuse_long_plan(const Plan& plan) {
+  constexpr double most_bursts = 1e6;
+  double bursts = 0;
+  for (const PlanStep& step : plan.steps) bursts += static_cast<double>(step.repeats);
+  if (bursts <= most_bursts) return;
+  throw bad_input(fmt::format("a plan of {:g} bursts", bursts),
+                  fmt::format("a fit takes {:g} at most", most_bursts),
+                  "leave out steps, or some of their repeats");
+}
+
 }  // namespace
 
 FittedModule fit_module(const Plan& plan, const PinRecording& recording,
                         const channel::ModuleData& like, const FitSettings& settings) {
+  refuse_long_plan(plan);
   const PlanAlignment alignment = align(plan, recording);
   const std::vector<BurstOutput> recorded = recorded_bursts(plan, recording, alignment);
   const double level_error_db = 20 * std::log10(1 + settings.level_error);

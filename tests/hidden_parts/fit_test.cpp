@@ -7,6 +7,7 @@
 
 #include "hidden_part.hpp"
 #include "hidden_recording.hpp"
+#include "sim/failure.hpp"
 #include "sim/fit/fitted_module.hpp"
 
 namespace hidden {
@@ -68,6 +69,19 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
         << i;  // levels are off by 10 %
     EXPECT_NEAR(fitted.clock_error, parts[i].clock_error, 1e-5) << i;
   }
+}
+
+TEST(FitOfHiddenParts, RefusesAPlanWithoutEnd) {
+  sim::Plan plan = short_plan();
+  plan.steps.back().repeats = 1'000'000'000'000;
+  EXPECT_THROW(fit_module(plan, {}, channel::ModuleData{}, {}), sim::Failure);
+}
+
+TEST(FitOfHiddenParts, RefusesARecordingOfSomethingElse) {
+  sim::PinRecording recording;
+  for (int i = 0; i < 300; ++i) recording.pulses.push_back({i * 0.013, i * 0.013 + 0.001});
+  EXPECT_THROW(fit_module(short_plan(), {}, channel::ModuleData{}, {}), sim::Failure);
+  EXPECT_THROW(fit_module(short_plan(), recording, channel::ModuleData{}, {}), sim::Failure);
 }
 
 }  // namespace
