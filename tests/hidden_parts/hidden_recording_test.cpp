@@ -62,7 +62,7 @@ void expect_within_a_sample(const std::vector<std::int64_t>& edges,
 // Noise included: it is drawn by the same seeds.
 TEST(HiddenRecording, OfATsop4856IsWhatTheChainMakes) {
   for (const double level : {0.11, 0.2, 5.0, 300.0}) {
-    for (const std::uint64_t on : {30, 60, 600}) {
+    for (const std::uint64_t on : {std::uint64_t{30}, std::uint64_t{60}, std::uint64_t{600}}) {
       const sim::Plan plan{{{.start_ms = 1.2345,
                              .carrier_hz = 55700,
                              .cycles_on = on,
