@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <ctime>
-#include <exception>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "hidden_part.hpp"
 #include "hidden_recording.hpp"
+#include "program.hpp"
+#include "sim/counting/sample_quantile.hpp"
 #include "sim/fit/fitted_module.hpp"
 
 namespace hidden {
@@ -22,6 +22,7 @@ namespace {
 constexpr const char* usage = R"(fit_coverage PLAN SEED N FIRST_LEVEL [BROKEN]
 
 Fits N hidden parts by their recordings of a plan, of which the first step has FIRST_LEVEL mW/m2.
+Prints a row a part and constant, separated by commas, then a table of all parts.
 BROKEN: 1 to 5, a kind of parts that break the rule (hidden_parts says which).
 )";
 
@@ -53,12 +54,16 @@ double truth_of(const HiddenPart& part, const std::string& key) {
 void add(const HiddenPart& part, const sim::FittedModule& fitted, Outcome& outcome) {
   for (const sim::FittedNumber& number : fitted.numbers) {
     const double truth = truth_of(part, number.key);
+    fmt::print("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:d}\n", outcome.parts, number.key, truth,
+               number.value, number.low, number.high, number.is_told);
     Coverage& coverage = outcome.constants[number.key];
     if (!number.is_told) continue;
     ++coverage.told;
     if (truth >= number.low && truth <= number.high) ++coverage.inside;
     coverage.errors.push_back(std::abs(truth > 0 ? number.value / truth - 1 : number.value));
   }
+  for (const sim::FitMisfit& misfit : fitted.misfits)
+    fmt::print("{},misfit,\"{}: {}\"\n", outcome.parts, misfit.what, misfit.by_how_much);
   ++outcome.parts;
   if (!fitted.misfits.empty()) ++outcome.misfits;
 }
@@ -80,21 +85,16 @@ void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
   }
 }
 
-double quantile_of(std::vector<double> numbers, double share) {
-  if (numbers.empty()) return std::nan("");
-  std::ranges::sort(numbers);
-  return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1))];
-}
-
 void print(const Outcome& outcome) {
-  fmt::print("{:24} {:>6} {:>8} {:>8} {:>8}\n", "constant", "told", "inside", "median", "90 %");
+  fmt::print("\n{:24} {:>6} {:>8} {:>8} {:>8}\n", "constant", "told", "inside", "median", "90 %");
   for (const auto& [key, coverage] : outcome.constants)
     fmt::print("{:24} {:6} {:8} {:8.3f} {:8.3f}\n", key, coverage.told, coverage.inside,
-               quantile_of(coverage.errors, 0.5), quantile_of(coverage.errors, 0.9));
+               sim::sample_quantile(coverage.errors, 0.5),
+               sim::sample_quantile(coverage.errors, 0.9));
   fmt::print(
       "of {} parts {} do not follow the rule; CPU of a fit: median {:.1f} s, most {:.1f} s\n",
-      outcome.parts, outcome.misfits, quantile_of(outcome.seconds, 0.5),
-      quantile_of(outcome.seconds, 1));
+      outcome.parts, outcome.misfits, sim::sample_quantile(outcome.seconds, 0.5),
+      sim::sample_quantile(outcome.seconds, 1));
 }
 
 Request request_of(const std::vector<std::string>& words) {
@@ -107,24 +107,19 @@ Request request_of(const std::vector<std::string>& words) {
   return request;
 }
 
+Outcome outcome_of(const Request& request) {
+  Outcome outcome;
+  fmt::print("part,constant,truth,value,low,high,is_told\n");
+  for (std::uint32_t first = 0; first < request.parts; first += most_parts)
+    fit(request, first, outcome);
+  return outcome;
+}
+
 }  // namespace
 }  // namespace hidden
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() < 4) {
-    std::fputs(hidden::usage, stderr);
-    return 2;
-  }
-  try {
-    const hidden::Request request = hidden::request_of(words);
-    hidden::Outcome outcome;
-    for (std::uint32_t first = 0; first < request.parts; first += hidden::most_parts)
-      hidden::fit(request, first, outcome);
-    hidden::print(outcome);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "fit_coverage: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return hidden::program_of(argc, argv, hidden::usage, [](const std::vector<std::string>& words) {
+    hidden::print(hidden::outcome_of(hidden::request_of(words)));
+  });
 }

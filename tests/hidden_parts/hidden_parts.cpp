@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -13,6 +11,7 @@
 
 #include "hidden_part.hpp"
 #include "hidden_recording.hpp"
+#include "program.hpp"
 
 namespace hidden {
 namespace {
@@ -121,16 +120,7 @@ void write_parts(const Request& request) {
 }  // namespace hidden
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() < 4) {
-    std::fputs(hidden::usage, stderr);
-    return 2;
-  }
-  try {
+  return hidden::program_of(argc, argv, hidden::usage, [](const std::vector<std::string>& words) {
     hidden::write_parts(hidden::request_of(words));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hidden_parts: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }
