@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "sim/counting/sample_quantile.hpp"
 #include "sim/failure.hpp"
 #include "sim/fit/rule_search.hpp"
 
@@ -29,14 +29,14 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {centre, 4, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {q, 3, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {threshold, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
-    {integrator, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
-    {comparator_hold, 1.5, "a wire of the LED's drive beside the output"},
+    {integrator, 2.5, "bursts of 30 cycles at levels 1 dB apart around Emin"},
+    {comparator_hold, 2.5, "a wire of the LED's drive beside the output"},
     {atc_fraction, 2.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {atc_release, 1.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
-    {attack, 3.5, "carriers of 1.2 s at eight levels"},
-    {duty, 3, "trains of long bursts that the output lets go of, at other duties"},
+    {attack, 4.5, "carriers of 1.2 s at eight levels"},
+    {duty, 3.5, "trains of long bursts that the output lets go of, at other duties"},
     {long_burst, 4, "trains of bursts between those lengths, too dense to be held"},
-    {free_cycles, 2, "trains of bursts just longer than the limit, too dense to be held"},
+    {free_cycles, 2.5, "trains of bursts just longer than the limit, too dense to be held"},
     {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
     {dark_hold, 4, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
     {margin, 4, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
@@ -49,23 +49,37 @@ double deviation_of(const RuleFit& fit, RuleParameter parameter) {
   return std::sqrt(fit.covariance(place_of(parameter), place_of(parameter)));
 }
 
+/// Where a number lies with 95 %.
+struct Interval {
+  double low, high;
+};
+
+Interval interval_of(const RuleFit& fit, const ConstantNote& note) {
+  const std::size_t place = place_of(note.parameter);
+  const double reach = normal_95 * note.widening * deviation_of(fit, note.parameter);
+  return {std::min(fit.x[place] - reach, fit.low[place]),
+          std::max(fit.x[place] + reach, fit.high[place])};
+}
+
 /// Told: where it may lie is a good deal less than where any part may.
 bool is_told(const RuleFit& fit, const ParameterPriors& priors, const ConstantNote& note) {
   constexpr double most_left = 0.6;
-  return note.widening * deviation_of(fit, note.parameter) <
-         most_left * priors[place_of(note.parameter)].deviation;
+  const ParameterPrior& prior = priors[place_of(note.parameter)];
+  const Interval interval = interval_of(fit, note);
+  const double length = interval.high - std::max(interval.low, prior.least);
+  return length < 2 * normal_95 * most_left * prior.deviation;
 }
 
 FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
                             const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
-  const double reach = normal_95 * note.widening * deviation_of(fit, note.parameter);
+  const Interval interval = interval_of(fit, note);
   const auto value = [&](double x) { return value_of(note.parameter, x); };
   const bool told = is_told(fit, priors, note);
   return {.key = std::string(priors[place].key),
           .value = value(fit.x[place]),
-          .low = value(fit.x[place] - reach),
-          .high = value(fit.x[place] + reach),
+          .low = value(interval.low),
+          .high = value(interval.high),
           .is_told = told,
           .more = told ? "" : note.more};
 }
@@ -137,12 +151,6 @@ std::vector<std::string> pairs_not_apart(const RuleFit& fit, const ParameterPrio
   return sentences;
 }
 
-std::vector<std::size_t> all_steps_of(const Plan& plan) {
-  std::vector<std::size_t> steps(plan.steps.size());
-  std::iota(steps.begin(), steps.end(), std::size_t{0});
-  return steps;
-}
-
 /// Kinds of steps that speak of one part of the rule.
 enum class StepKind { carrier, release, long_train, short_train, single };
 
@@ -206,13 +214,6 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
   return steps;
 }
 
-/// The middle of some numbers, at least one.
-double middle_of(std::vector<double> numbers) {
-  const auto middle = numbers.begin() + static_cast<long>(numbers.size() / 2);
-  std::ranges::nth_element(numbers, middle);
-  return *middle;
-}
-
 /// Steps of one quantity that no constants explain: more of them than chance and chaos have.
 std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
   constexpr double far = 4;
@@ -227,10 +228,11 @@ std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
       all.push_back(step.deviation);
       if (std::abs(step.deviation) > far) off.push_back(step.recorded - step.fitted);
     }
-    if (off.size() < 2 || 8 * off.size() < all.size()) continue;
+    constexpr std::size_t least = 3, share_of = 7;
+    if (off.size() < least || share_of * off.size() < all.size()) continue;
     misfits.push_back(
         {first.quantity,
-         fmt::format("{:+.3g} {} beside the rule in {} of {} steps", middle_of(off),
+         fmt::format("{:+.3g} {} beside the rule in {} of {} steps", sample_quantile(off, 0.5),
                      first.unit == "1" ? "bursts" : first.unit, off.size(), all.size())});
   }
   return misfits;

@@ -15,9 +15,9 @@ namespace sim {
 struct FittedNumber {
   std::string key;           // of a part file: "agc_attack_db_per_ms"
   double value = 0;          // the most likely
-  double low = 0, high = 0;  // of 95 %; the bounds that were given where it is not told
-  bool is_told = false;      // by this recording; else `value` is of the module like it
-  std::string more;          // which light would tell it (better); empty: it is told well
+  double low = 0, high = 0;  // of 95 %
+  bool is_told = false;      // by this recording; else the number of the module like it holds
+  std::string more;          // which light would tell it, where it is not told
 };
 
 /// Steps of one kind: what the pin did and what the fitted rule says.
@@ -31,15 +31,15 @@ struct FittedStep {
 
 /// Where the part does not follow the rule.
 struct FitMisfit {
-  std::string what;         // "short bursts at the long gaps"
-  std::string by_how_much;  // "reported 20 ms later than the rule says, in 4 of 6 steps"
+  std::string what;         // a FittedStep's quantity
+  std::string by_how_much;  // "+12.1 bursts beside the rule in 6 of 9 steps"
 };
 
 struct FittedModule {
   channel::ModuleData module;         // every number of `like` that is not told, the fitted others
   std::vector<FittedNumber> numbers;  // in the order of a part file
   std::vector<FittedStep> steps;
-  std::vector<std::string> not_apart;  // "agc_hold_ms and agc_max_duty: ..., a step of ... would"
+  std::vector<std::string> not_apart;  // sentences, without their full stop
   std::vector<FitMisfit> misfits;      // none: the part follows the rule
   double first_level_mw_per_m2 = 0;    // irradiance of the plan's first step
   double clock_error = 0;              // of the recording's against the plan's, as a share

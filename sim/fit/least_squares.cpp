@@ -58,8 +58,9 @@ arma::mat slopes(const LeastSquaresProblem& problem, const Numbers& x, const Num
   for (std::size_t k = 0; k < places.size(); ++k) {
     const ParameterPrior& prior = problem.priors[places[k]];
     const arma::vec up = slope_of(problem, x, here, places[k], prior.step);
-    const arma::vec down =
-        prior.is_smooth ? up : slope_of(problem, x, here, places[k], -prior.step);
+    const arma::vec down = prior.is_smooth || x[places[k]] - prior.step < prior.least
+                               ? up
+                               : slope_of(problem, x, here, places[k], -prior.step);
     for (std::size_t i = 0; i < here.size(); ++i)
       all(i, k) = kind == Slope::mean ? (up(i) + down(i)) / 2 : lesser(up(i), down(i));
   }

@@ -12,6 +12,9 @@ namespace {
 using std::numbers::pi;
 using Phasor = std::complex<double>;
 
+/// As std::abs, without its care for numbers that no light has.
+double magnitude(const Phasor& z) { return std::sqrt(std::norm(z)); }
+
 /// 10^(db / 20).
 double gain_of(double db) { return std::exp(db * (std::numbers::ln10 / 20)); }
 double decibels_of(double ratio) { return (20 / std::numbers::ln10) * std::log(ratio); }
@@ -43,6 +46,12 @@ class GainState {
     GainState later = *this;
     later.rest(s);
     return later.db_;
+  }
+
+  /// Rest from now until the gain has come back to `db`.
+  double rest_to(double db) const {
+    if (db_ <= db) return 0;
+    return std::max(c_.dark_hold_s - quiet_, 0.0) + (db_ - db) / c_.release_db_per_s;
   }
 
   /// Time of activity from now until the gain has fallen to `db`; infinite where it never does.
@@ -88,7 +97,7 @@ class Integrator {
     bool begins = false;
   };
 
-  /// Light in a spell; both since the last spell's end are dark until then. Times are absolute.
+  /// Light in a spell, and dark since the last one's end. Times are absolute.
   Pulse spell(const Spell& light) {
     dark_until(light.from);
     Pulse pulse;
@@ -150,15 +159,139 @@ StepResponse response_of(const PlanStep& step, double amplitude, const RuleConst
   return response;
 }
 
+/// One carrier cycle of a burst.
+struct BurstCycle {
+  double t, dt;          // when it begins, how long it is
+  double before, after;  // amplitude behind the resonator
+  double following;      // the level of the comparator that follows the peak
+};
+
+/// A burst until nothing changes any more, and what is left of it at its end. Most bursts of a step
+/// begin with the same ringing and peak, so they have the same shape.
+class BurstShape {
+ public:
+  /// The shape is the last one's where it begins alike.
+  void play(const StepResponse& response, double on_s, const RuleConstants& c, Phasor ringing,
+            double peak) {
+    constexpr double no_matter = 1e-10;
+    if (!cycles_.empty() && magnitude(ringing - ringing_before_) <= no_matter * end_ &&
+        std::abs(peak - peak_before_) <= no_matter * peak)
+      return;
+    ringing_before_ = ringing;
+    peak_before_ = peak;
+    cycles_.clear();
+    is_rising_ = true;
+    Phasor away = ringing - response.steady;
+    double before = magnitude(ringing);
+    double t = 0;
+    const double atc_step = std::exp(-response.cycle_s / c.atc_release_s);
+    const double steady = magnitude(response.steady);
+    for (int k = 0; t < on_s; ++k) {
+      if (k >= response.settling && c.atc_fraction * peak <= steady) break;
+      const double dt = std::min(response.cycle_s, on_s - t);
+      away *= dt < response.cycle_s ? std::exp(response.pole * dt) : response.step;
+      const double after = magnitude(response.steady + away);
+      peak = std::max(after, peak * atc_step);
+      cycles_.push_back({t, dt, before, after, c.atc_fraction * peak});
+      is_rising_ = is_rising_ && after >= before && after > cycles_.back().following;
+      before = after;
+      t += dt;
+    }
+    ringing_ = response.steady + away;
+    end_ = magnitude(ringing_);
+    end_db_ = decibels_of(end_ / c.threshold);
+    peak_ = t < on_s ? std::max(peak * std::exp(-(on_s - t) / c.atc_release_s), end_) : peak;
+  }
+
+  void forget() { cycles_.clear(); }
+
+  const std::vector<BurstCycle>& cycles() const { return cycles_; }
+  /// So that what has passed its level stays above it.
+  bool is_rising() const { return is_rising_; }
+  Phasor ringing() const { return ringing_; }
+  double end() const { return end_; }
+  double end_db() const { return end_db_; }  // over the comparator's level, gain at rest
+  double peak() const { return peak_; }
+
+ private:
+  std::vector<BurstCycle> cycles_;
+  bool is_rising_ = true;
+  Phasor ringing_before_ = 0, ringing_ = 0;
+  double peak_before_ = 0, peak_ = 0;
+  double end_ = 0, end_db_ = 0;  // amplitude
+};
+
+/// Which share of a cycle lies between a peak and where the wave passes a level below it: to 1e-5
+/// (M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 4.4.45).
+double share_above(double level, double peak) {
+  if (peak <= level) return 0;
+  const double x = level / peak;
+  const double arc =
+      std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
+  return arc / (2 * pi);
+}
+
+/// When something passes its level on the way up, and down again.
+struct Crossing {
+  double level;
+  bool above = false;
+  double from = 0, to = 0;
+  bool seen = false;
+
+  void step(const BurstCycle& cycle) {
+    const double now = std::max(level, cycle.following);
+    if (!above && cycle.after > now) {
+      const double rise = cycle.after - cycle.before;
+      const double share = cycle.before >= now || rise <= 0 ? 0 : (now - cycle.before) / rise;
+      // The first peak above the level comes half a cycle later, and is above it for a while.
+      if (!seen)
+        from = cycle.t + share * cycle.dt + (0.5 - 2 * share_above(now, now + rise / 2)) * cycle.dt;
+      above = seen = true;
+    } else if (above && cycle.after <= now) {
+      const double fall = cycle.before - cycle.after;
+      const double share = fall > 0 ? std::clamp((cycle.before - now) / fall, 0.0, 1.0) : 0;
+      to = cycle.t + share * cycle.dt;
+      above = false;
+    }
+  }
+};
+
+/// `begin` is the cycle of the crossing before this one, of another burst: a guess of this one's.
+Crossing crossing_of(const BurstShape& shape, double level, std::size_t& begin) {
+  Crossing crossing{level};
+  const std::vector<BurstCycle>& cycles = shape.cycles();
+  if (!shape.is_rising() || cycles.empty()) {
+    for (const BurstCycle& cycle : cycles) crossing.step(cycle);
+    return crossing;
+  }
+  begin = std::min(begin, cycles.size() - 1);
+  while (begin > 0 && cycles[begin - 1].after > level) --begin;
+  while (begin + 1 < cycles.size() && cycles[begin].after <= level) ++begin;
+  crossing.step(cycles[begin]);
+  return crossing;
+}
+
 /// Bursts one after the other.
 class OutputOfRule {
  public:
   explicit OutputOfRule(const RuleConstants& c)
       : c_(c), gain_(c), integrator_(c.integrator_s), margin_(gain_of(-c.margin_db)) {}
 
-  BurstOutput burst(const StepResponse& response, double start_s, double on_s) {
-    rest_until(start_s, response);
-    rise(response, on_s);
+  /// Bursts that follow are of this step.
+  void begin_step(const StepResponse& response, double on_s, double off_s) {
+    response_ = response;
+    on_s_ = on_s;
+    between_ = rest_of(off_s);
+    is_first_ = true;
+    shape_.forget();
+    // The last peak above the level is half a cycle before the crossing, and above it for a while.
+    const double falling = std::exp(-0.5 * response.cycle_s / response.decay_s);
+    longer_ = c_.hold_s - (0.5 - share_above(falling, 1)) * response.cycle_s;
+  }
+
+  BurstOutput burst(double start_s) {
+    rest_until(start_s);
+    rise();
     return reported(start_s);
   }
 
@@ -176,118 +309,85 @@ class OutputOfRule {
   }
 
  private:
-  void rest_until(double start_s, const StepResponse& response) {
-    const double dark = start_s - now_;
-    if (dark > 0) {
-      ringing_ =
-          dark > 40 * response.decay_s ? Phasor(0) : ringing_ * std::exp(response.pole * dark);
-      peak_ *= std::exp(-dark / c_.atc_release_s);
-    }
+  /// What is left behind dark.
+  struct Rest {
+    Phasor ringing;
+    double peak;
+  };
+  Rest rest_of(double dark_s) const {
+    if (dark_s <= 0) return {1, 1};
+    return {dark_s > 40 * response_.decay_s ? Phasor(0) : std::exp(response_.pole * dark_s),
+            std::exp(-dark_s / c_.atc_release_s)};
+  }
+
+  void rest_until(double start_s) {
+    const Rest rest = is_first_ ? rest_of(start_s - now_) : between_;
+    is_first_ = false;
+    ringing_ *= rest.ringing;
+    peak_ *= rest.peak;
     now_ = start_s;
   }
 
   /// The whole burst: which spells of it the comparator and the AGC see.
-  void rise(const StepResponse& response, double on_s) {
+  void rise() {
     const double quiet = std::max(now_ - active_until_, 0.0);
-    const double gain_db = gain_.db_after(quiet);
-    const double fixed = c_.threshold * gain_of(gain_db);
-    Crossing signal{fixed}, activity{fixed * margin_};
-    Phasor away = ringing_ - response.steady;
-    double before = std::abs(ringing_);
-    double t = 0;
-    const double atc_step = std::exp(-response.cycle_s / c_.atc_release_s);
-    const double steady = std::abs(response.steady);
-    for (int k = 0; t < on_s; ++k) {
-      if (k >= response.settling && c_.atc_fraction * peak_ <= steady) break;
-      const double dt = std::min(response.cycle_s, on_s - t);
-      away *= dt < response.cycle_s ? std::exp(response.pole * dt) : response.step;
-      const double after = std::abs(response.steady + away);
-      peak_ = std::max(after, peak_ * atc_step);
-      const double following = c_.atc_fraction * peak_;
-      signal.step(t, dt, before, after, following);
-      activity.step(t, dt, before, after, following);
-      before = after;
-      t += dt;
-    }
-    const double settled = t;
-    ringing_ = response.steady + away;
-    const double end = std::abs(ringing_);
-    if (settled < on_s)
-      peak_ = std::max(peak_ * std::exp(-(on_s - settled) / c_.atc_release_s), end);
-    finish(response, on_s, end, signal, activity);
-  }
-
-  /// Which share of a cycle lies between a peak and where the wave passes a level below it.
-  static double share_above(double level, double peak) {
-    return peak > level ? std::acos(level / peak) / (2 * pi) : 0;
-  }
-
-  /// When something passes its level on the way up, and down again.
-  struct Crossing {
-    double level;
-    bool above = false;
-    double from = 0, to = 0;
-    bool seen = false;
-
-    void step(double t, double dt, double before, double after, double following) {
-      const double now = std::max(level, following);
-      if (!above && after > now) {
-        const double rise = after - before;
-        const double share = before >= now || rise <= 0 ? 0 : (now - before) / rise;
-        // The first peak above the level comes half a cycle later, and is above it for a while.
-        if (!seen) from = t + share * dt + (0.5 - 2 * share_above(now, now + rise / 2)) * dt;
-        above = seen = true;
-      } else if (above && after <= now) {
-        const double fall = before - after;
-        to = t + (fall > 0 ? std::clamp((before - now) / fall, 0.0, 1.0) : 0) * dt;
-        above = false;
-      }
-    }
-  };
-
-  /// What follows of the crossings: activity and what it costs, light and what it gives.
-  void finish(const StepResponse& response, double on_s, double end, const Crossing& signal,
-              const Crossing& activity) {
-    const double cycle = response.cycle_s;
-    // The last peak above the level is half a cycle before the crossing, and above it for a while.
-    const double falling = std::exp(-0.5 * cycle / response.decay_s);
-    const double longer = c_.hold_s - (0.5 - share_above(falling, 1)) * cycle;
+    const double fixed = c_.threshold * gain_of(gain_.db_after(quiet));
+    shape_.play(response_, on_s_, c_, ringing_, peak_);
+    const Crossing signal = crossing_of(shape_, fixed, signal_begin_);
+    Crossing activity = crossing_of(shape_, fixed * margin_, activity_begin_);
+    ringing_ = shape_.ringing();
+    peak_ = shape_.peak();
+    if (!activity.seen) notice(activity);
     light_ = {};
-    const double following = c_.atc_fraction * peak_;
     if (activity.seen) {
-      const double from = now_ + activity.from;
-      gain_.rest(std::max(from - active_until_, 0.0));
-      const double lets_go_db = decibels_of(end / c_.threshold);
-      double to = activity.to;
-      double until_off = HUGE_VAL;  // of the signal, by the gain
-      if (activity.above) {
-        const double during = std::max(on_s - activity.from, 0.0);
-        const double reached = gain_.time_to(lets_go_db);
-        if (reached < during) until_off = activity.from + reached;
-        GainState later = gain_;
-        later.active(during, lets_go_db + c_.margin_db);
-        const double level = std::max(c_.threshold * gain_of(later.db()) * margin_, following);
-        to = on_s + (end > level ? response.decay_s * std::log(end / level) : 0);
-      }
-      const double until = std::max(now_ + to + longer, from);
-      gain_.active(until - from, lets_go_db + c_.margin_db);
-      active_until_ = until;
-      light(response, on_s, end, signal, until_off, longer);
+      const double until_off = charge(activity);
+      if (signal.seen) light_ = light(signal, until_off);
     }
-    now_ += on_s;
+    now_ += on_s_;
   }
 
-  void light(const StepResponse& response, double on_s, double end, const Crossing& signal,
-             double until_off, double longer) {
-    if (!signal.seen) return;
-    double to = signal.to;
-    if (signal.above && until_off < on_s) {
-      to = until_off;
-    } else if (signal.above) {
-      const double level = std::max(c_.threshold * gain_of(gain_.db()), c_.atc_fraction * peak_);
-      to = on_s + (end > level ? response.decay_s * std::log(end / level) : 0);
+  /// A burst that lasts until the gain has come back so far that it is activity.
+  void notice(Crossing& activity) const {
+    const double seen_db = shape_.end_db() + c_.margin_db;
+    const double from = active_until_ + gain_.rest_to(seen_db) - now_;
+    if (shape_.cycles().empty() || from < shape_.cycles().back().t || from > on_s_) return;
+    activity.seen = activity.above = true;
+    activity.from = from;
+  }
+
+  /// Activity, and by how much the gain falls for it. Returns when the gain has let go of the
+  /// signal, from the burst's begin; infinite where it does not.
+  double charge(const Crossing& activity) {
+    const double from = now_ + activity.from;
+    gain_.rest(std::max(from - active_until_, 0.0));
+    const double lets_go_db = shape_.end_db();
+    double to = activity.to;
+    double until_off = HUGE_VAL;
+    if (activity.above) {
+      const double during = std::max(on_s_ - activity.from, 0.0);
+      const double reached = gain_.time_to(lets_go_db);
+      if (reached < during) until_off = activity.from + reached;
+      GainState later = gain_;
+      later.active(during, lets_go_db + c_.margin_db);
+      to = falls_below(c_.threshold * gain_of(later.db()) * margin_);
     }
-    light_ = {now_ + signal.from, std::max(now_ + to + longer, now_ + signal.from)};
+    const double until = std::max(now_ + to + longer_, from);
+    gain_.active(until - from, lets_go_db + c_.margin_db);
+    active_until_ = until;
+    return until_off;
+  }
+
+  Spell light(const Crossing& signal, double until_off) const {
+    double to = signal.to;
+    if (signal.above)
+      to = until_off < on_s_ ? until_off : falls_below(c_.threshold * gain_of(gain_.db()));
+    return {now_ + signal.from, std::max(now_ + to + longer_, now_ + signal.from)};
+  }
+
+  /// When what is left of the burst falls below a level, or that of the comparator that follows.
+  double falls_below(double fixed) const {
+    const double level = std::max(fixed, c_.atc_fraction * peak_), end = shape_.end();
+    return on_s_ + (end > level ? response_.decay_s * std::log(end / level) : 0);
   }
 
   BurstOutput reported(double start_s) {
@@ -315,6 +415,13 @@ class OutputOfRule {
   GainState gain_;
   Integrator integrator_;
   double margin_;
+  StepResponse response_{};
+  double on_s_ = 0;
+  Rest between_{};  // bursts of the step
+  bool is_first_ = true;
+  double longer_ = 0;  // a spell lasts beyond the crossing, s
+  BurstShape shape_;
+  std::size_t signal_begin_ = 0, activity_begin_ = 0;
   Phasor ringing_ = 0;  // at the end of the last burst, or at `now_`
   double now_ = -1e9;
   double active_until_ = -1e9;
@@ -339,11 +446,12 @@ void output_of_rule(const Plan& plan, const RuleConstants& constants,
     const PlanStep& step = plan.steps[s];
     const StepResponse response = response_of(step, amplitudes[s], constants);
     const double on_s = static_cast<double>(step.cycles_on) * response.cycle_s;
-    const double period_s = on_s + static_cast<double>(step.cycles_off) * response.cycle_s;
+    const double off_s = static_cast<double>(step.cycles_off) * response.cycle_s;
+    const double period_s = on_s + off_s;
+    output.begin_step(response, on_s, off_s);
     auto before = output.state();
     for (std::uint64_t i = 0; i < step.repeats; ++i) {
-      bursts.push_back(
-          output.burst(response, step.start_ms * 1e-3 + static_cast<double>(i) * period_s, on_s));
+      bursts.push_back(output.burst(step.start_ms * 1e-3 + static_cast<double>(i) * period_s));
       const auto after = output.state();
       if (i > 0 && alike(before, after)) {  // so are all that follow
         const std::uint64_t left = step.repeats - 1 - i;

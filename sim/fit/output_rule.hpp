@@ -29,7 +29,7 @@ struct BurstOutput {
   double low_s = 0;     // how long the pin is low for it
   double start_s = 0;   // from the burst's begin to the falling edge, where there is one
   bool begins = false;  // with a falling edge; not where it goes on from the burst before
-  double share = 0;     // 1: reported, 0: not; between where a tenth of a cycle decides
+  double share = 0;     // 1: reported, 0: not; between where half a cycle decides
 };
 
 /// The bursts of all steps, in order. `bursts` is emptied first: its memory is used again.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
+#include <utility>
 
 namespace sim {
 namespace {
@@ -16,7 +18,20 @@ std::span<const BurstOutput> bursts_of(const std::vector<BurstOutput>& all,
   return {all.data() + first[step], first[step + 1] - first[step]};
 }
 
+/// Of a train: how many bursts the gain lets go of, or comes back for, once it has done so before.
+double chaotic_bursts(const PlanStep& step, const StepFeatures& features) {
+  if (!is_train(step)) return 0;
+  const double run = features.first_run, left = static_cast<double>(step.repeats) - std::abs(run);
+  return std::max(run > 0 ? features.reported - run : left - features.reported, 0.0);
+}
+
 }  // namespace
+
+std::vector<std::size_t> all_steps_of(const Plan& plan) {
+  std::vector<std::size_t> steps(plan.steps.size());
+  std::iota(steps.begin(), steps.end(), std::size_t{0});
+  return steps;
+}
 
 PlanLikelihood::PlanLikelihood(const Plan& plan, const std::vector<BurstOutput>& recorded,
                                const std::vector<std::size_t>& steps, const ParameterPriors& priors,
@@ -108,21 +123,28 @@ std::vector<double> PlanLikelihood::values(const Numbers& x, double more_hold_cy
     differences.push_back(both_low ? (is.low_s - was.low_s) * step.carrier_hz : 0);
     const bool both_start = was.with_start > 0 && is.with_start > 0;
     differences.push_back(both_start ? (is.start_s - was.start_s) * step.carrier_hz : 0);
+    differences.push_back(is.first_run - was.first_run);
   }
   return differences;
 }
 
 void PlanLikelihood::take_wide_deviations() {
   constexpr double low_cycles = 1, start_cycles = 2, share = 0.05, carrier_s = 1e-3;
+  constexpr double share_chaotic = 0.15;
   sigma_.clear();
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
     const PlanStep& step = plan_.steps[s];
     const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
-    const double reported = heard_[s].reported;
-    sigma_.push_back(is_long_carrier(step) ? carrier_s / on_s + share * reported
-                                           : 1 + share * std::max(reported, 20.0));
-    sigma_.push_back(low_cycles);
+    const double reported = heard_[s].reported, run = std::abs(heard_[s].first_run);
+    const double chaotic = chaotic_bursts(step, heard_[s]);
+    sigma_.push_back(is_long_carrier(step)
+                         ? carrier_s / on_s + share * reported
+                         : 1 + share * std::max(reported, 20.0) + share_chaotic * chaotic);
+    // The gain may let go of a long burst before its end.
+    const double may_be_cut = is_train(step) ? static_cast<double>(step.cycles_on) : 0;
+    sigma_.push_back(low_cycles + share * may_be_cut);
     sigma_.push_back(start_cycles);
+    sigma_.push_back(1 + share * run);
   }
 }
 
@@ -137,10 +159,14 @@ void PlanLikelihood::take_deviations_at(const Numbers& x) {
     const PlanStep& step = plan_.steps[i / n_feature_kinds];
     const auto kind = static_cast<FeatureKind>(i % n_feature_kinds);
     const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
-    const double least = kind != FeatureKind::reported
-                             ? cycles_uncertain * std::sqrt(alike(i / n_feature_kinds, kind))
-                         : is_long_carrier(step) ? 0.2e-3 / on_s
-                                                 : 0.4;
+    const bool is_time = kind == FeatureKind::low || kind == FeatureKind::start;
+    constexpr double carrier_s = 0.2e-3, bursts = 0.4, share_chaotic = 0.05;
+    const double chaotic = kind == FeatureKind::reported
+                               ? share_chaotic * chaotic_bursts(step, heard_[i / n_feature_kinds])
+                               : 0;
+    const double least = is_time ? cycles_uncertain * std::sqrt(alike(i / n_feature_kinds, kind))
+                         : is_long_carrier(step) ? carrier_s / on_s
+                                                 : bursts + chaotic;
     sigma_.push_back(
         std::hypot(least, (longer[i] - shorter[i]) / 2, (stronger[i] - weaker[i]) / 2));
   }

@@ -10,8 +10,11 @@
 
 namespace sim {
 
-enum class FeatureKind : std::size_t { reported, low, start, count };
+enum class FeatureKind : std::size_t { reported, low, start, first_run, count };
 inline constexpr std::size_t n_feature_kinds = static_cast<std::size_t>(FeatureKind::count);
+
+/// The places of all steps of a plan.
+std::vector<std::size_t> all_steps_of(const Plan& plan);
 
 class PlanLikelihood {
  public:

@@ -42,8 +42,7 @@ ParameterPriors parameter_priors(const channel::ModuleData& like, double carrier
   return {{
       {"centre_hz", std::log(carrier_hz), 0.03, 0.002},
       {"q", std::log(like.q), 0.3, 0.03},
-      {"emin_mw_per_m2", -50, 30,
-       0.2},  // the comparator's level, in dB over the first step's light
+      {"emin_mw_per_m2", -50, 30, 0.2},  // its level, in dB over the first step's light
       {"integrator_cycles", std::log(like.integrator_cycles), 0.35, 0.04},
       {"comparator_hold_cycles", like.comparator_hold_cycles, 0.25, 0.1},
       {"atc_fraction", like.atc_fraction, 0.12, 0.03},
@@ -51,10 +50,10 @@ ParameterPriors parameter_priors(const channel::ModuleData& like, double carrier
       {"agc_attack_db_per_ms", std::log(0.2), 1.2, 0.02},
       {"agc_max_duty", std::log(0.2), 0.7, 0.02},
       {"agc_long_burst_cycles", std::log(long_cycles), 0.4, 0.02},
-      {"agc_free_cycles", gain.agc_free_cycles, 12, 2},
+      {"agc_free_cycles", gain.agc_free_cycles, 12, 2, false, 0},
       {"agc_min_gap_cycles", std::log(std::max(gain.agc_min_gap_cycles, 4.0)), 0.7, 0.05},
-      {"agc_hold_ms", 0, 12, 0.6},
-      {"agc_margin_db", gain.agc_margin_db, 2.5, 0.3},
+      {"agc_hold_ms", 0, 12, 0.6, false, 0},
+      {"agc_margin_db", gain.agc_margin_db, 2.5, 0.3, false, 0},
       {"agc_range_db", gain.agc_range_db, 35, 1.5},
       {"", -9, 10, 0.1},  // carrier cycles from the alignment's start to the plan's
       {"", 0, 30, 1},     // parts in a million of the clock beside the alignment's
@@ -78,11 +77,6 @@ double value_of(RuleParameter parameter, double x) {
     default:
       return x;
   }
-}
-
-double number_of(RuleParameter parameter, double value) {
-  if (is_logarithm(parameter)) return std::log(value);
-  return parameter == RuleParameter::threshold ? 20 * std::log10(value) : value;
 }
 
 RuleConstants constants_of(const Numbers& x) {

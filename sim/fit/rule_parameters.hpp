@@ -2,6 +2,7 @@
 // The constants of the rule as a fit sees them: numbers without bounds, each with a prior of where
 // parts lie of which nothing is known, and a step by which to look for what it changes.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -40,10 +41,11 @@ inline constexpr std::size_t n_rule_parameters = static_cast<std::size_t>(RulePa
 constexpr std::size_t place_of(RuleParameter p) { return static_cast<std::size_t>(p); }
 
 struct ParameterPrior {
-  std::string_view key;  // of a part file; "threshold" stands for Emin; empty: of the recording
+  std::string_view key;  // of a part file; empty: of the recording
   double middle = 0, deviation = 1;
-  double step = 0.01;      // of differences
-  bool is_smooth = false;  // nothing jumps with it: one side is enough
+  double step = 0.01;        // of differences
+  bool is_smooth = false;    // nothing jumps with it: one side is enough
+  double least = -HUGE_VAL;  // below it nothing changes
 };
 
 using ParameterPriors = std::array<ParameterPrior, n_rule_parameters>;
@@ -59,8 +61,8 @@ channel::ModuleData module_of(const Numbers& x, const channel::ModuleData& like,
 /// What the numbers say. `x` has n_rule_parameters numbers at least.
 RuleConstants constants_of(const Numbers& x);
 
-/// The value of a part file, and back.
+/// The value of a part file; of the threshold it is the comparator's level, relative to the light
+/// of the plan's first step.
 double value_of(RuleParameter parameter, double x);
-double number_of(RuleParameter parameter, double value);
 
 }  // namespace sim

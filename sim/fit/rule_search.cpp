@@ -1,10 +1,13 @@
 #include "sim/fit/rule_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <utility>
 
+#include "sim/fit/global_search.hpp"
+#include "sim/fit/grid_search.hpp"
 #include "sim/fit/least_squares.hpp"
 
 namespace sim {
@@ -14,63 +17,35 @@ using enum RuleParameter;
 
 /// Short bursts that the gain has nothing to do with: seldom enough, and dark before them.
 bool is_short_at_rest(const Plan& plan, std::size_t s) {
-  constexpr double longest_cycles = 40, most_duty = 0.08, least_dark_ms = 40;
+  constexpr double longest_cycles = 40, least_dark_ms = 40;
   const PlanStep& step = plan.steps[s];
-  const double on = static_cast<double>(step.cycles_on);
-  const double period = on + static_cast<double>(step.cycles_off);
   const double dark_ms = s == 0 ? HUGE_VAL : step.start_ms - end_ms(plan.steps[s - 1]);
-  return on <= longest_cycles && dark_ms >= least_dark_ms &&
-         (step.repeats == 1 || on / period <= most_duty);
+  return static_cast<double>(step.cycles_on) <= longest_cycles && dark_ms >= least_dark_ms &&
+         !is_train(step);
 }
 
-template <class Wanted>
-std::vector<std::size_t> steps_that(const Plan& plan, Wanted wanted) {
-  std::vector<std::size_t> steps;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i)
-    if (wanted(plan, i)) steps.push_back(i);
+/// What threshold, tune, attack and range show in, and the gain's duty hardly.
+std::vector<std::size_t> bursts_and_carriers_of(const Plan& plan) {
+  std::vector<std::size_t> steps = all_steps_of(plan);
+  std::erase_if(steps, [&](std::size_t s) {
+    return !is_short_at_rest(plan, s) && !is_long_carrier(plan.steps[s]);
+  });
   return steps;
 }
 
-std::vector<bool> only(std::size_t all, std::initializer_list<RuleParameter> free) {
+/// What they tell.
+constexpr std::array first_numbers{
+    centre, q, threshold, integrator, comparator_hold, attack, duty, margin, range, start, clock};
+
+std::vector<bool> only_first_numbers(std::size_t all) {
   std::vector<bool> is_free(all, false);
-  for (const RuleParameter one : free) is_free[place_of(one)] = true;
+  for (const RuleParameter one : first_numbers) is_free[place_of(one)] = true;
   return is_free;
 }
 
 LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_free) {
   return {[&likelihood](const Numbers& x) { return likelihood.deviations(x); }, likelihood.priors(),
           std::move(is_free)};
-}
-
-/// A number and the values that a grid has of it.
-struct GridAxis {
-  RuleParameter number;
-  std::vector<double> values;
-};
-
-struct GridPoint {
-  double cost;
-  Numbers x;
-};
-
-/// The best points of a grid around `x`, the best first.
-std::vector<GridPoint> best_of_grid(const LeastSquaresProblem& problem, const Numbers& x,
-                                    const std::vector<GridAxis>& axes, std::size_t wanted) {
-  std::size_t all = 1;
-  for (const GridAxis& axis : axes) all *= axis.values.size();
-  std::vector<GridPoint> points;
-  for (std::size_t i = 0; i < all; ++i) {
-    Numbers at = x;
-    std::size_t rest = i;
-    for (const GridAxis& axis : axes) {
-      at[place_of(axis.number)] = axis.values[rest % axis.values.size()];
-      rest /= axis.values.size();
-    }
-    points.push_back({cost_of(problem, at), std::move(at)});
-  }
-  std::ranges::sort(points, {}, &GridPoint::cost);
-  points.resize(std::min(points.size(), wanted));
-  return points;
 }
 
 /// The first of those that lie more than a grid's step or two apart in the threshold or the attack.
@@ -86,23 +61,6 @@ std::vector<GridPoint> distinct(const std::vector<GridPoint>& points, std::size_
   return chosen;
 }
 
-std::vector<double> steps_between(double from, double to, int n) {
-  std::vector<double> values;
-  for (int i = 0; i < n; ++i) values.push_back(from + (to - from) * i / (n - 1));
-  return values;
-}
-
-std::vector<double> logarithms(std::initializer_list<double> values) {
-  std::vector<double> all;
-  for (const double value : values) all.push_back(std::log(value));
-  return all;
-}
-
-/// Constants of a stage into those of all steps: its levels are others.
-void take(Numbers& x, const Numbers& stage, std::initializer_list<RuleParameter> numbers) {
-  for (const RuleParameter number : numbers) x[place_of(number)] = stage[place_of(number)];
-}
-
 class RuleSearch {
  public:
   RuleSearch(const Plan& plan, const std::vector<BurstOutput>& recorded,
@@ -111,32 +69,27 @@ class RuleSearch {
         recorded_(recorded),
         priors_(priors),
         level_error_db_(level_error_db),
-        all_(plan, recorded, steps_that(plan, [](const Plan&, std::size_t) { return true; }),
-             priors, level_error_db),
+        all_(plan, recorded, all_steps_of(plan), priors, level_error_db),
         x_(all_.start()) {}
 
   RuleFit operator()() {
     bursts_and_carriers();
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
-    return {x_, covariance_at(whole, x_), cost_};
+    RuleFit fit{x_, covariance_at(whole, x_), x_, x_};
+    for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
+    return fit;
   }
 
  private:
-  /// What the gain's duty has little to do with: threshold, tune, attack and range.
   void bursts_and_carriers() {
-    const std::vector<std::size_t> steps = steps_that(plan_, [](const Plan& plan, std::size_t s) {
-      return is_short_at_rest(plan, s) || is_long_carrier(plan.steps[s]);
-    });
+    const std::vector<std::size_t> steps = bursts_and_carriers_of(plan_);
     if (steps.empty()) return;
     PlanLikelihood likelihood(plan_, recorded_, steps, priors_, level_error_db_);
-    Numbers x = likelihood.start();
-    const auto free =
-        only(likelihood.parameters(), {centre, q, threshold, integrator, comparator_hold, attack,
-                                       duty, margin, range, start, clock});
-    const LeastSquaresProblem problem = problem_of(likelihood, free);
+    const LeastSquaresProblem problem =
+        problem_of(likelihood, only_first_numbers(likelihood.parameters()));
     likelihood.take_wide_deviations();
-    auto points = best_of_grid(problem, x,
+    auto points = best_of_grid(problem, likelihood.start(),
                                {{threshold, steps_between(-80, -14, 23)},
                                 {attack, steps_between(std::log(0.03), std::log(1.6), 20)},
                                 {duty, logarithms({0.08, 0.18, 0.4})},
@@ -152,9 +105,7 @@ class RuleSearch {
       point.cost = cost_of(problem, point.x);
     }
     const Numbers best = std::ranges::min(points, {}, &GridPoint::cost).x;
-    take(x_, best,
-         {centre, q, threshold, integrator, comparator_hold, attack, duty, margin, range, start,
-          clock});
+    for (const RuleParameter one : first_numbers) x_[place_of(one)] = best[place_of(one)];
   }
 
   void all_steps() {
@@ -163,45 +114,132 @@ class RuleSearch {
     const LeastSquaresProblem few = problem_of(all_, constants);
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     all_.take_wide_deviations();
-    std::vector<double> duties = logarithms({0.08, 0.11, 0.15, 0.2, 0.27, 0.35, 0.45});
-    duties.push_back(x_[place_of(duty)]);
-    auto points = best_of_grid(few, x_,
-                               {{duty, duties},
-                                {dark_hold, {0, 5, 10, 16, 24}},
-                                {long_burst, logarithms({50, 75, 110})},
-                                {margin, {0.3, 3}}},
-                               4);
-    for (GridPoint& point : points) {
-      all_.take_deviations_at(point.x);
-      point.x = least_squares(few, point.x, 4).x;
-      all_.take_wide_deviations();
-      point.cost = cost_of(few, point.x);
-    }
-    x_ = std::ranges::min(points, {}, &GridPoint::cost).x;
+    x_ = global_search(few, x_, anywhere(), evaluations(3.5e7, 1500, 4000));
+    x_ = best_of_holds(few);
     for (int round = 0; round < 2; ++round) {
       all_.take_deviations_at(x_);
+      x_ = global_search(whole, x_, nearby(), evaluations(8e6, 400, 1000));
       scan_jumps(whole);
-      const LeastSquaresFit fit = least_squares(whole, x_, 6);
-      x_ = fit.x;
-      cost_ = fit.cost;
+      try_without_hold(whole);
+      x_ = least_squares(whole, x_, 6).x;
     }
   }
 
-  /// Numbers with which the output jumps: whole trains are held or not. A difference does not see
-  /// what lies behind a jump, so each is tried all along its way.
-  void scan_jumps(const LeastSquaresProblem& problem) {
+  /// Most parts have no hold. A short one is taken for more free cycles and another margin, which
+  /// have to move together.
+  void try_without_hold(const LeastSquaresProblem& problem) {
+    constexpr double short_ms = 3;
+    const double hold = x_[place_of(dark_hold)];
+    if (hold <= 0 || hold > short_ms) return;
+    Numbers without = x_;
+    hold_for_free_cycles({0}).move(without, 0);
+    const LeastSquaresFit fit = least_squares(problem, without, 4);
+    if (fit.cost < cost_of(problem, x_)) x_ = fit.x;
+  }
+
+  /// Dark without recovery, and free cycles: a long train tells only the sum of both.
+  GridAxis hold_for_free_cycles(std::vector<double> holds) const {
+    const double share = std::min(value_of(duty, x_[place_of(duty)]), 0.9);
+    const double cycles_per_ms = 1e-3 * value_of(centre, x_[place_of(centre)]);
+    return {dark_hold, std::move(holds), free_cycles, cycles_per_ms * share / (1 - share)};
+  }
+
+  /// What long trains tell of duty and hold is nearly the same for another pair of them, so other
+  /// holds are tried, each with its best duty.
+  Numbers best_of_holds(const LeastSquaresProblem& problem) {
+    constexpr std::size_t tried = 3;
+    const std::vector<double> duties = steps_between(std::log(0.07), std::log(0.6), 15);
+    std::vector<GridPoint> points;
+    for (const double hold : {0., 4., 8., 12., 16., 20., 24., 28.}) {
+      Numbers x = x_;
+      x[place_of(dark_hold)] = hold;
+      points.push_back(best_of_grid(problem, x, {{duty, duties}}, 1).front());
+    }
+    std::ranges::sort(points, {}, &GridPoint::cost);
+    points.resize(tried);
+    points.push_back({0, x_});
+    for (GridPoint& point : points) {
+      all_.take_deviations_at(point.x);
+      point.x = least_squares(problem, point.x, 4).x;
+      all_.take_wide_deviations();
+      point.cost = cost_of(problem, point.x);
+    }
+    return std::ranges::min(points, {}, &GridPoint::cost).x;
+  }
+
+  /// As many as play so many bursts: a fit is to take no more than 10 s.
+  int evaluations(double bursts, double least, double most) const {
+    const double a_plan = static_cast<double>(first_bursts(plan_).back());
+    return static_cast<int>(std::clamp(bursts / a_plan, least, most));
+  }
+
+  SearchedNumber near(RuleParameter number, double reach) const {
+    const double x = x_[place_of(number)];
+    return {place_of(number), x - reach, x + reach};
+  }
+
+  /// What bursts at rest and carriers do not tell may lie anywhere.
+  std::vector<SearchedNumber> anywhere() const {
+    return {{place_of(duty), std::log(0.06), std::log(0.6)},
+            {place_of(dark_hold), -1, 30},
+            {place_of(long_burst), std::log(30), std::log(160)},
+            {place_of(margin), -0.3, 8},
+            {place_of(free_cycles), -1, 36},
+            {place_of(min_gap), std::log(6), std::log(45)},
+            near(attack, 0.3),
+            near(threshold, 3)};
+  }
+
+  std::vector<SearchedNumber> nearby() const {
+    return {near(duty, 0.06),     near(dark_hold, 1), near(long_burst, 0.03), near(margin, 0.5),
+            near(free_cycles, 4), near(min_gap, 0.2), near(attack, 0.04),     near(threshold, 0.7)};
+  }
+
+  /// Numbers with which the output jumps: whole trains are held or not.
+  std::vector<GridAxis> ways_of_jumps() const {
     const double length = x_[place_of(long_burst)], hold = x_[place_of(dark_hold)];
-    const std::vector<GridAxis> ways{{long_burst, steps_between(length - 0.5, length + 0.5, 51)},
-                                     {min_gap, steps_between(std::log(5), std::log(45), 23)},
-                                     {free_cycles, steps_between(0, 32, 17)},
-                                     {dark_hold, steps_between(hold - 5, hold + 5, 21)},
-                                     {margin, steps_between(0, 8, 17)},
-                                     {long_burst, steps_between(length - 0.5, length + 0.5, 51)},
-                                     {range, steps_between(40, 130, 31)}};
-    for (const GridAxis& way : ways) {
+    std::vector<double> lengths = steps_between(std::log(25), std::log(200), 41);
+    std::ranges::copy(steps_between(length - 0.06, length + 0.06, 21), std::back_inserter(lengths));
+    std::vector<double> holds = steps_between(0, 30, 16);
+    std::ranges::copy(steps_between(hold - 2, hold + 2, 17), std::back_inserter(holds));
+    std::ranges::sort(lengths);
+    std::ranges::sort(holds);
+    const GridAxis hold_way = hold_for_free_cycles(holds);
+    return {hold_way,
+            {free_cycles, steps_between(0, 40, 41), dark_hold, 1 / hold_way.slope},
+            {long_burst, lengths},
+            {min_gap, steps_between(std::log(5), std::log(50), 31)},
+            {free_cycles, steps_between(0, 40, 27)},
+            {dark_hold, holds},
+            {margin, steps_between(0, 10, 31)},
+            {range, steps_between(30, 140, 37)}};
+  }
+
+  /// A difference does not see what lies behind a jump, so each is tried all along its way.
+  void scan_jumps(const LeastSquaresProblem& problem) {
+    for (const GridAxis& way : ways_of_jumps()) {
       const GridPoint best = best_of_grid(problem, x_, {way}, 1).front();
       if (best.cost < cost_of(problem, x_)) x_ = best.x;
     }
+  }
+
+  /// As far as the first values on both sides that are told from the best.
+  void widen(RuleFit& fit, const LeastSquaresProblem& problem, const GridAxis& way) const {
+    constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
+    const std::size_t place = place_of(way.number);
+    const double most = cost_of(problem, x_) + told_cost;
+    const auto is_told = [&](double value) {
+      Numbers at = x_;
+      way.move(at, value);
+      return cost_of(problem, at) > most;
+    };
+    const auto above = std::ranges::upper_bound(way.values, x_[place]);
+    const auto up = std::find_if(above, way.values.end(), is_told);
+    const double high = up == way.values.end() ? way.values.back() : *up;
+    fit.high[place] = std::max(fit.high[place], high);
+    const auto down = std::find_if(std::reverse_iterator(above), way.values.rend(), is_told);
+    const double low = down == way.values.rend() ? way.values.front() : *down;
+    fit.low[place] = std::min(fit.low[place], low);
   }
 
   const Plan& plan_;
@@ -210,7 +248,6 @@ class RuleSearch {
   double level_error_db_;
   PlanLikelihood all_;
   Numbers x_;
-  double cost_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 // From a recording to the most likely constants, in stages: short bursts at rest (threshold, tune),
-// long carriers (attack, range), then all steps, from the best of a grid of what the rule may be.
+// long carriers (attack, range), then all steps, from the best that a search of the rest finds.
 #include <vector>
 
 #include "sim/fit/least_squares.hpp"
@@ -11,7 +11,9 @@ namespace sim {
 struct RuleFit {
   Numbers x;
   Covariance covariance;
-  double cost = 0;
+  /// Where each number may lie, all others as they are, without being told from `x`: of numbers
+  /// with which the output jumps; of others `x` itself.
+  Numbers low, high;
 };
 
 RuleFit search_rule(const Plan& plan, const std::vector<BurstOutput>& recorded,

@@ -34,6 +34,30 @@ class PulseReader {
   std::size_t next_ = 0;
 };
 
+double first_run_of(std::span<const BurstOutput> bursts) {
+  double reported = 0, unreported = 0, all_were = 1, none_was = 1;
+  for (const BurstOutput& burst : bursts) {
+    all_were *= burst.share;
+    none_was *= 1 - burst.share;
+    if (all_were + none_was < 1e-3) break;
+    reported += all_were;
+    unreported += none_was;
+  }
+  return reported - unreported;
+}
+
+/// Bursts whose pulses are of no less than a share of them; of a carrier the share that is low.
+double reported_of(const PlanStep& step, std::span<const BurstOutput> bursts) {
+  constexpr double least_share = 0.6;
+  const double on = static_cast<double>(step.cycles_on) / step.carrier_hz;
+  double reported = 0;
+  for (const BurstOutput& burst : bursts)
+    reported += is_long_carrier(step)
+                    ? burst.low_s / on
+                    : burst.share * std::min(1.0, burst.low_s / (least_share * on));
+  return reported;
+}
+
 }  // namespace
 
 std::vector<std::size_t> first_bursts(const Plan& plan) {
@@ -45,6 +69,12 @@ std::vector<std::size_t> first_bursts(const Plan& plan) {
 bool is_long_carrier(const PlanStep& step) {
   constexpr double long_s = 20e-3;
   return step.repeats == 1 && static_cast<double>(step.cycles_on) / step.carrier_hz > long_s;
+}
+
+bool is_train(const PlanStep& step) {
+  constexpr double most_duty_at_rest = 0.08;
+  const auto on = static_cast<double>(step.cycles_on), off = static_cast<double>(step.cycles_off);
+  return step.repeats > 1 && on / (on + off) > most_duty_at_rest;
 }
 
 std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& recording,
@@ -79,20 +109,21 @@ std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& r
 StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts,
                          std::span<const BurstOutput> others) {
   StepFeatures features;
-  const double on = static_cast<double>(step.cycles_on) / step.carrier_hz;
+  features.reported = reported_of(step, bursts);
+  if (is_train(step)) features.first_run = first_run_of(bursts);
   const bool is_carrier = is_long_carrier(step);
+  const auto both = [&](std::size_t i) {
+    return i < bursts.size() && bursts[i].share >= 0.5 && others[i].share >= 0.5;
+  };
   double low = 0, start = 0;
   for (std::size_t i = 0; i < bursts.size(); ++i) {
-    const BurstOutput& burst = bursts[i];
-    const double whole = is_carrier ? on : 0.6 * on;
-    features.reported +=
-        is_carrier ? burst.low_s / whole : burst.share * std::min(1.0, burst.low_s / whole);
-    if (burst.share < 0.5 || others[i].share < 0.5) continue;
-    const bool is_last =
-        bursts.size() > 1 &&
-        (i + 1 == bursts.size() || bursts[i + 1].share < 0.5 || others[i + 1].share < 0.5);
-    if (!is_carrier && !is_last) low += burst.low_s, ++features.with_low;
-    if (burst.begins && others[i].begins) start += burst.start_s, ++features.with_start;
+    if (!both(i)) {
+      if (is_train(step) && features.with_low > 0) break;
+      continue;
+    }
+    const bool is_last = bursts.size() > 1 && !both(i + 1);
+    if (!is_carrier && !is_last) low += bursts[i].low_s, ++features.with_low;
+    if (bursts[i].begins && others[i].begins) start += bursts[i].start_s, ++features.with_start;
   }
   if (features.with_low > 0) features.low_s = low / features.with_low;
   if (features.with_start > 0) features.start_s = start / features.with_start;

@@ -12,9 +12,12 @@ namespace sim {
 
 /// Of a recording or of the rule.
 struct StepFeatures {
-  double reported = 0;               // bursts; of one long burst: the share of it
-  double low_s = 0;                  // mean of a reported burst, but for the last one
-  double start_s = 0;                // mean, of those that begin a pulse
+  double reported = 0;  // bursts; of one long burst: the share of it
+  double low_s = 0;     // mean of a reported burst, but for the last one
+  double start_s = 0;   // mean, of those that begin a pulse
+  /// Bursts until one is not reported as the first one is; below 0 where that one is not. What
+  /// comes behind hangs on ever smaller differences, this does not.
+  double first_run = 0;
   int with_low = 0, with_start = 0;  // bursts in these means
 };
 
@@ -28,7 +31,11 @@ bool is_long_carrier(const PlanStep& step);
 std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& recording,
                                          const PlanAlignment& alignment);
 
-/// Of one step. Means are over the bursts that both report.
+/// Bursts that come so often that the gain may let go of them.
+bool is_train(const PlanStep& step);
+
+/// Of one step. Means are over the bursts that both report, of a train over the first of them that
+/// follow each other.
 StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts,
                          std::span<const BurstOutput> others);
 
