@@ -26,7 +26,8 @@ double cost_at(unsigned /*dimensions*/, const double* at, double* /*gradient*/, 
 }  // namespace
 
 Numbers global_search(const LeastSquaresProblem& problem, const Numbers& start,
-                      const std::vector<SearchedNumber>& numbers, int evaluations) {
+                      const std::vector<SearchedNumber>& numbers, int evaluations,
+                      unsigned long seed) {
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(
       nlopt_create(NLOPT_GN_CRS2_LM, static_cast<unsigned>(numbers.size())), nlopt_destroy);
   std::vector<double> low, high, at;
@@ -40,7 +41,7 @@ Numbers global_search(const LeastSquaresProblem& problem, const Numbers& start,
   nlopt_set_upper_bounds(optimiser.get(), high.data());
   nlopt_set_min_objective(optimiser.get(), cost_at, &search);
   nlopt_set_maxeval(optimiser.get(), evaluations);
-  nlopt_srand(1);
+  nlopt_srand(seed);
   double cost = 0;
   nlopt_optimize(optimiser.get(), at.data(), &cost);
   search.cost(at.data());
