@@ -26,7 +26,7 @@ struct ConstantNote {
 };
 
 constexpr std::array<ConstantNote, 15> constant_notes{{
-    {centre, 4, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
+    {centre, 6, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {q, 3.5, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {threshold, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {integrator, 2.5, "bursts of 30 cycles at levels 1 dB apart around Emin"},
@@ -40,7 +40,7 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
     {dark_hold, 4, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
     {margin, 4, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
-    {range, 4, "a carrier that is stronger: of one at least the output must not let go"},
+    {range, 12, "a carrier that is stronger: of one at least the output must not let go"},
 }};
 
 constexpr double normal_95 = 1.96;

@@ -76,12 +76,30 @@ class RuleSearch {
     bursts_and_carriers();
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
+    const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
+    if (cost_of(whole, mirrored) < cost_of(whole, x_) + told_cost) {
+      const auto [low, high] = std::minmax(mirrored[place_of(centre)], x_[place_of(centre)]);
+      fit.low[place_of(centre)] = std::min(fit.low[place_of(centre)], low);
+      fit.high[place_of(centre)] = std::max(fit.high[place_of(centre)], high);
+    }
     return fit;
   }
 
  private:
+  static constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
+
+  /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
+  /// better side, and returns the best numbers of the other one.
+  Numbers try_mirrored_centre(const LeastSquaresProblem& problem) {
+    Numbers other = x_;
+    other[place_of(centre)] = 2 * priors_[place_of(centre)].middle - x_[place_of(centre)];
+    other = least_squares(problem, other, 5).x;
+    if (cost_of(problem, other) < cost_of(problem, x_)) std::swap(other, x_);
+    return other;
+  }
+
   void bursts_and_carriers() {
     const std::vector<std::size_t> steps = bursts_and_carriers_of(plan_);
     if (steps.empty()) return;
@@ -218,8 +236,7 @@ class RuleSearch {
             near(free_cycles, 4), near(min_gap, 0.2), near(attack, 0.04),     near(threshold, 0.7)};
   }
 
-  /// Numbers with which the output jumps: whole trains are held or not. And the centre: levels that
-  /// are wrong may let it seem on the other side of the carrier.
+  /// Numbers with which the output jumps: whole trains are held or not.
   std::vector<GridAxis> ways_of_jumps() const {
     const double length = x_[place_of(long_burst)], hold = x_[place_of(dark_hold)];
     std::vector<double> lengths = steps_between(std::log(25), std::log(200), 41);
@@ -228,11 +245,9 @@ class RuleSearch {
     std::ranges::copy(steps_between(hold - 2, hold + 2, 17), std::back_inserter(holds));
     std::ranges::sort(lengths);
     std::ranges::sort(holds);
-    const double nominal = priors_[place_of(centre)].middle;
     const GridAxis hold_way = hold_for_free_cycles(holds);
     return {hold_way,
             {free_cycles, steps_between(0, 40, 41), dark_hold, 1 / hold_way.slope},
-            {centre, steps_between(nominal - 0.05, nominal + 0.05, 41)},
             {long_burst, lengths},
             {min_gap, steps_between(std::log(5), std::log(50), 31)},
             {free_cycles, steps_between(0, 40, 27)},
@@ -251,7 +266,6 @@ class RuleSearch {
 
   /// As far as the first values on both sides that are told from the best.
   void widen(RuleFit& fit, const LeastSquaresProblem& problem, const GridAxis& way) const {
-    constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
     const std::size_t place = place_of(way.number);
     const double most = cost_of(problem, x_) + told_cost;
     const auto is_told = [&](double value) {
