@@ -50,11 +50,11 @@ double deviation_of(const RuleFit& fit, RuleParameter parameter) {
 }
 
 /// Where a number lies with 95 %.
-struct Interval {
+struct Reach {
   double low, high;
 };
 
-Interval interval_of(const RuleFit& fit, const ConstantNote& note) {
+Reach reach_of(const RuleFit& fit, const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
   const double reach = normal_95 * note.widening * deviation_of(fit, note.parameter);
   return {std::min(fit.x[place] - reach, fit.low[place]),
@@ -65,7 +65,7 @@ Interval interval_of(const RuleFit& fit, const ConstantNote& note) {
 bool is_told(const RuleFit& fit, const ParameterPriors& priors, const ConstantNote& note) {
   constexpr double most_left = 0.6;
   const ParameterPrior& prior = priors[place_of(note.parameter)];
-  const Interval interval = interval_of(fit, note);
+  const Reach interval = reach_of(fit, note);
   const double length = interval.high - std::max(interval.low, prior.least);
   return length < 2 * normal_95 * most_left * prior.deviation;
 }
@@ -73,7 +73,7 @@ bool is_told(const RuleFit& fit, const ParameterPriors& priors, const ConstantNo
 FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
                             const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
-  const Interval interval = interval_of(fit, note);
+  const Reach interval = reach_of(fit, note);
   const auto value = [&](double x) { return value_of(note.parameter, x); };
   const bool told = is_told(fit, priors, note);
   return {.key = std::string(priors[place].key),
