@@ -15,8 +15,7 @@ struct SearchedNumber {
 
 /// `start` with the searched numbers of the least cost that was met. Controlled random search
 /// (P. Kaelo and M. M. Ali, "Some variants of the controlled random search algorithm for global
-/// optimization", 2006; NLopt's CRS2_LM). The same each time,
-/// of one seed.
+/// optimization", 2006; NLopt's CRS2_LM). The same each time, of one seed.
 Numbers global_search(const LeastSquaresProblem& problem, const Numbers& start,
                       const std::vector<SearchedNumber>& numbers, int evaluations,
                       unsigned long seed);

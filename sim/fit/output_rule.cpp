@@ -3,88 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <numbers>
+#include <cstddef>
+
+#include "sim/fit/burst_shape.hpp"
+#include "sim/fit/gain_state.hpp"
 
 namespace sim {
 namespace {
-
-using std::numbers::pi;
-using Phasor = std::complex<double>;
-
-/// As std::abs, without its care for numbers that no light has.
-double magnitude(const Phasor& z) { return std::sqrt(std::norm(z)); }
-
-/// 10^(db / 20).
-double gain_of(double db) { return std::exp(db * (std::numbers::ln10 / 20)); }
-double decibels_of(double ratio) { return (20 / std::numbers::ln10) * std::log(ratio); }
 
 /// From when to when something is above its level; none: they are equal.
 struct Spell {
   double from = 0, to = 0;
   double length() const { return to - from; }
-};
-
-/// The slow AGC between two moments of activity.
-class GainState {
- public:
-  explicit GainState(const RuleConstants& c) : c_(c) {}
-
-  double db() const { return db_; }
-  double burst_s() const { return burst_; }
-
-  /// Without activity for so long, since the last one or the last call.
-  void rest(double s) {
-    const double before = std::max(quiet_ - c_.dark_hold_s, 0.0);
-    quiet_ += s;
-    const double recovered = std::max(quiet_ - c_.dark_hold_s, 0.0) - before;
-    db_ = std::max(db_ - c_.release_db_per_s * recovered, 0.0);
-  }
-
-  /// How far it would be down after so long a rest.
-  double db_after(double s) const {
-    GainState later = *this;
-    later.rest(s);
-    return later.db_;
-  }
-
-  /// Rest from now until the gain has come back to `db`.
-  double rest_to(double db) const {
-    if (db_ <= db) return 0;
-    return std::max(c_.dark_hold_s - quiet_, 0.0) + (db_ - db) / c_.release_db_per_s;
-  }
-
-  /// Time of activity from now until the gain has fallen to `db`; infinite where it never does.
-  double time_to(double db) const {
-    if (db <= db_) return 0;
-    if (db > c_.range_db || c_.attack_db_per_s <= 0) return HUGE_VAL;
-    const double burst = burst_now();
-    if (burst > c_.long_burst_s) return (db - db_) / c_.attack_db_per_s;
-    const double counted = (db - db_) / c_.attack_db_per_s + c_.free_s;
-    return std::max(counted, c_.long_burst_s) - burst;
-  }
-
-  /// Activity for so long; the gain falls no further than to `most_db`.
-  void active(double s, double most_db) {
-    if (s <= 0) return;
-    const double before = burst_now();
-    const double burst = before + s;
-    quiet_ = 0;
-    burst_ = burst;
-    if (burst <= c_.long_burst_s) return;
-    const double charged =
-        before > c_.long_burst_s ? s : burst - std::min(c_.free_s, c_.long_burst_s);
-    const double most = std::min(std::max(most_db, db_), c_.range_db);
-    db_ = std::min(db_ + c_.attack_db_per_s * charged, most);
-  }
-
- private:
-  double burst_now() const { return quiet_ > c_.min_gap_s ? 0 : burst_; }
-
-  const RuleConstants& c_;
-  double db_ = 0;
-  double burst_ = 0;  // activity since the last gap, s
-  double quiet_ = 1e9;
 };
 
 /// Counts up in light and down in dark; the output follows at the stops.
@@ -132,144 +62,6 @@ class Integrator {
   double level_ = 0, now_ = -1e9;
   bool low_ = false;
 };
-
-/// A step's light at the resonator.
-struct StepResponse {
-  double cycle_s;  // of the carrier
-  Phasor steady;   // amplitude that is reached
-  Phasor pole;     // 1/s: how what is left of the way to it falls
-  Phasor step;     // what is left of it a cycle later
-  double decay_s;  // time constant
-  int settling;    // cycles until it is reached to half a per cent
-};
-
-StepResponse response_of(const PlanStep& step, double amplitude, const RuleConstants& c) {
-  const double f = step.carrier_hz, f0 = c.centre_hz;
-  const double detuning = c.q * (f / f0 - f0 / f);
-  const double decay_s = c.q / (pi * f0);
-  const double free_hz = f0 * std::sqrt(std::max(1 - 1 / (4 * c.q * c.q), 0.0));
-  const double cycle_s = 1 / f;
-  StepResponse response{};
-  response.cycle_s = cycle_s;
-  response.steady = amplitude / Phasor(1, detuning);
-  response.pole = Phasor(-1 / decay_s, 2 * pi * (free_hz - f));
-  response.step = std::exp(response.pole * cycle_s);
-  response.decay_s = decay_s;
-  response.settling = static_cast<int>(std::ceil(5.3 * decay_s / cycle_s));
-  return response;
-}
-
-/// One carrier cycle of a burst.
-struct BurstCycle {
-  double t, dt;          // when it begins, how long it is
-  double before, after;  // amplitude behind the resonator
-  double following;      // the level of the comparator that follows the peak
-};
-
-/// A burst until nothing changes any more, and what is left of it at its end. Most bursts of a step
-/// begin with the same ringing and peak, so they have the same shape.
-class BurstShape {
- public:
-  /// The shape is the last one's where it begins alike.
-  void play(const StepResponse& response, double on_s, const RuleConstants& c, Phasor ringing,
-            double peak) {
-    constexpr double no_matter = 1e-10;
-    if (!cycles_.empty() && magnitude(ringing - ringing_before_) <= no_matter * end_ &&
-        std::abs(peak - peak_before_) <= no_matter * peak)
-      return;
-    ringing_before_ = ringing;
-    peak_before_ = peak;
-    cycles_.clear();
-    is_rising_ = true;
-    Phasor away = ringing - response.steady;
-    double before = magnitude(ringing);
-    double t = 0;
-    const double atc_step = std::exp(-response.cycle_s / c.atc_release_s);
-    const double steady = magnitude(response.steady);
-    for (int k = 0; t < on_s; ++k) {
-      if (k >= response.settling && c.atc_fraction * peak <= steady) break;
-      const double dt = std::min(response.cycle_s, on_s - t);
-      away *= dt < response.cycle_s ? std::exp(response.pole * dt) : response.step;
-      const double after = magnitude(response.steady + away);
-      peak = std::max(after, peak * atc_step);
-      cycles_.push_back({t, dt, before, after, c.atc_fraction * peak});
-      is_rising_ = is_rising_ && after >= before && after > cycles_.back().following;
-      before = after;
-      t += dt;
-    }
-    ringing_ = response.steady + away;
-    end_ = magnitude(ringing_);
-    end_db_ = decibels_of(end_ / c.threshold);
-    peak_ = t < on_s ? std::max(peak * std::exp(-(on_s - t) / c.atc_release_s), end_) : peak;
-  }
-
-  void forget() { cycles_.clear(); }
-
-  const std::vector<BurstCycle>& cycles() const { return cycles_; }
-  /// So that what has passed its level stays above it.
-  bool is_rising() const { return is_rising_; }
-  Phasor ringing() const { return ringing_; }
-  double end() const { return end_; }
-  double end_db() const { return end_db_; }  // over the comparator's level, gain at rest
-  double peak() const { return peak_; }
-
- private:
-  std::vector<BurstCycle> cycles_;
-  bool is_rising_ = true;
-  Phasor ringing_before_ = 0, ringing_ = 0;
-  double peak_before_ = 0, peak_ = 0;
-  double end_ = 0, end_db_ = 0;  // amplitude
-};
-
-/// Which share of a cycle lies between a peak and where the wave passes a level below it: to 1e-5
-/// (M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 4.4.45).
-double share_above(double level, double peak) {
-  if (peak <= level) return 0;
-  const double x = level / peak;
-  const double arc =
-      std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
-  return arc / (2 * pi);
-}
-
-/// When something passes its level on the way up, and down again.
-struct Crossing {
-  double level;
-  bool above = false;
-  double from = 0, to = 0;
-  bool seen = false;
-
-  void step(const BurstCycle& cycle) {
-    const double now = std::max(level, cycle.following);
-    if (!above && cycle.after > now) {
-      const double rise = cycle.after - cycle.before;
-      const double share = cycle.before >= now || rise <= 0 ? 0 : (now - cycle.before) / rise;
-      // The first peak above the level comes half a cycle later, and is above it for a while.
-      if (!seen)
-        from = cycle.t + share * cycle.dt + (0.5 - 2 * share_above(now, now + rise / 2)) * cycle.dt;
-      above = seen = true;
-    } else if (above && cycle.after <= now) {
-      const double fall = cycle.before - cycle.after;
-      const double share = fall > 0 ? std::clamp((cycle.before - now) / fall, 0.0, 1.0) : 0;
-      to = cycle.t + share * cycle.dt;
-      above = false;
-    }
-  }
-};
-
-/// `begin` is the cycle of the crossing before this one, of another burst: a guess of this one's.
-Crossing crossing_of(const BurstShape& shape, double level, std::size_t& begin) {
-  Crossing crossing{level};
-  const std::vector<BurstCycle>& cycles = shape.cycles();
-  if (!shape.is_rising() || cycles.empty()) {
-    for (const BurstCycle& cycle : cycles) crossing.step(cycle);
-    return crossing;
-  }
-  begin = std::min(begin, cycles.size() - 1);
-  while (begin > 0 && cycles[begin - 1].after > level) --begin;
-  while (begin + 1 < cycles.size() && cycles[begin].after <= level) ++begin;
-  crossing.step(cycles[begin]);
-  return crossing;
-}
 
 /// Bursts one after the other.
 class OutputOfRule {
@@ -333,8 +125,8 @@ class OutputOfRule {
     const double quiet = std::max(now_ - active_until_, 0.0);
     const double fixed = c_.threshold * gain_of(gain_.db_after(quiet));
     shape_.play(response_, on_s_, c_, ringing_, peak_);
-    const Crossing signal = crossing_of(shape_, fixed, signal_begin_);
-    Crossing activity = crossing_of(shape_, fixed * margin_, activity_begin_);
+    const LevelCrossing signal = crossing_of(shape_, fixed, signal_begin_);
+    LevelCrossing activity = crossing_of(shape_, fixed * margin_, activity_begin_);
     ringing_ = shape_.ringing();
     peak_ = shape_.peak();
     if (!activity.seen) notice(activity);
@@ -347,7 +139,7 @@ class OutputOfRule {
   }
 
   /// A burst that lasts until the gain has come back so far that it is activity.
-  void notice(Crossing& activity) const {
+  void notice(LevelCrossing& activity) const {
     const double seen_db = shape_.end_db() + c_.margin_db;
     const double from = active_until_ + gain_.rest_to(seen_db) - now_;
     if (shape_.cycles().empty() || from < shape_.cycles().back().t || from > on_s_) return;
@@ -357,7 +149,7 @@ class OutputOfRule {
 
   /// Activity, and by how much the gain falls for it. Returns when the gain has let go of the
   /// signal, from the burst's begin; infinite where it does not.
-  double charge(const Crossing& activity) {
+  double charge(const LevelCrossing& activity) {
     const double from = now_ + activity.from;
     gain_.rest(std::max(from - active_until_, 0.0));
     const double lets_go_db = shape_.end_db();
@@ -377,7 +169,7 @@ class OutputOfRule {
     return until_off;
   }
 
-  Spell light(const Crossing& signal, double until_off) const {
+  Spell light(const LevelCrossing& signal, double until_off) const {
     double to = signal.to;
     if (signal.above)
       to = until_off < on_s_ ? until_off : falls_below(c_.threshold * gain_of(gain_.db()));
