@@ -233,19 +233,23 @@ struct LocateRequest {
 ExitCode locate_command(const LocateRequest& request);
 
 struct FitRequest : CaptureOptions {
-  std::vector<std::filesystem::path> captures;  // none: a bench is written
-  bool plan = false;                            // --plan is given
-  std::filesystem::path plan_file;              // with it; may be empty
-  std::optional<std::filesystem::path> output;  // the bench's folder, or the part's file
+  std::vector<std::filesystem::path> captures;    // none: a bench is written
+  bool plan = false;                              // --plan is given
+  std::vector<std::filesystem::path> plan_files;  // with it: of all captures, or of each
+  std::optional<std::filesystem::path> output;    // the bench's folder, or the part's file
   std::optional<std::filesystem::path> page;
   double minutes = 5;
-  std::string module = "TSOP4856";             // like the one to be measured
-  std::optional<double> irradiance_mw_per_m2;  // of the plan's first step; nothing: as it says
-  std::string drive;                           // wire that drives the LED; empty: none is named
-  std::optional<double> carrier_hz;            // of the light where a wire has none
-  std::string polarity = "auto";               // or "idle-high", "idle-low"
-  PartRoots parts;                             // --parts, then the program's own
-  std::vector<std::string> given;              // names of all options that were: "--minutes"
+  std::string module = "TSOP4856";  // like the one to be measured
+  /// Of the plan's first step, of the first capture or of each; nothing: as it says.
+  std::vector<double> irradiances_mw_per_m2;
+  std::vector<double> ambients_w_per_m2;  // of a lamp, of each capture; none: no lamp
+  std::string drive;                      // wire that drives the LED; empty: none is named
+  std::optional<double> carrier_hz;       // of the light where a wire has none
+  std::string message;                    // that a device sent; empty: as is decoded
+  std::optional<double> baud;             // of messages
+  std::string polarity = "auto";          // or "idle-high", "idle-low"
+  PartRoots parts;                        // --parts, then the program's own
+  std::vector<std::string> given;         // names of all options that were: "--minutes"
   bool quiet = false, json = false;
 };
 /// What it takes to measure a receiver module, or its constants out of captures of its output;

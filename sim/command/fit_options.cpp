@@ -1,4 +1,5 @@
 // Options of fit.
+#include "protocol/cosys.hpp"
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
 #include "sim/command/read_usage.hpp"
@@ -13,17 +14,24 @@ CLI::Validator a_place_or_none() {
       .name(std::string(place_check));
 }
 
+CLI::Validator a_message() {
+  return CLI::Validator(
+      [](const std::string& text) { return protocol::problem_in_message(text).value_or(""); }, "");
+}
+
 void add_light(CLI::App& fit, FitRequest& request) {
   fit.add_option_function<std::string>(
          "--plan",
          [&request](const std::string& file) {
            request.plan = true;
-           request.plan_file = file;
+           if (!file.empty()) request.plan_files.emplace_back(file);
          },
-         "of a capture: the light that the module was shown (.txt); if not given plan.txt beside "
-         "the capture, else what is on the LED's wire. Without a capture: write a plan, and what "
-         "it takes to carry it out")
+         "of a capture: the light that the module was shown (.txt), once for all captures or once "
+         "for each; if not given plan.txt beside the capture, else what is on the LED's wire, "
+         "else COSYS messages, as far as the module reports them. "
+         "Without a capture: write a plan, and what it takes to carry it out")
       ->expected(0, 1)
+      ->trigger_on_parse()
       ->type_name("PLAN")
       ->check(a_place_or_none());
   fit.add_option("--drive", request.drive,
@@ -36,11 +44,30 @@ void add_light(CLI::App& fit, FitRequest& request) {
                  "given")
       ->type_name("HZ")
       ->check(between(1e3, 1e7));
-  fit.add_option("--irradiance", request.irradiance_mw_per_m2,
-                 "at the module in the plan's first step; if not given, as a plan of this program "
-                 "says, else Emin is that of --module")
+  fit.add_option(
+         "--message", request.message,
+         "that a device sent, without its checksum, where there is neither a plan nor a wire "
+         "of the LED; if not given, the one that is most often whole")
+      ->type_name("TEXT")
+      ->check(a_message());
+  fit.add_option("--baud", request.baud, "of those messages; 600 if not given")
+      ->type_name("BD")
+      ->check(between(1, 1e5));
+  fit.add_option("--irradiance", request.irradiances_mw_per_m2,
+                 "at the module in the plan's first step, of the first capture or, with commas, of "
+                 "each; if not given, as a plan of this program says, else Emin is that of "
+                 "--module. Of further captures it is found, if it is not given")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("MW/M2")
       ->check(between(1e-6, 1e9));
+  fit.add_option("--ambient", request.ambients_w_per_m2,
+                 "of a lamp on the module, with commas, of each capture; 0 for the first. One that "
+                 "has no irradiance of its own has the light of the first")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("W/M2")
+      ->check(between(0, 1e4));
 }
 
 }  // namespace
@@ -53,7 +80,8 @@ void add_fit(CLI::App& app, FitRequest& request) {
       "recording, and write them as a part that scenarios name");
   add_place(fit, "CAPTURE", request.captures, "",
             "recording of the module's output: .csv, .sr, .vcd, .wav or any that decode reads; "
-            "none to write a plan")
+            "none to write a plan. Several of one module are fitted together, such as one from "
+            "nearby and one under a lamp")
       ->expected(0, 1000);
   add_light(fit, request);
   add_place(fit, "-o,--output", request.output, "OUT",

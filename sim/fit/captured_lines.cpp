@@ -156,12 +156,10 @@ std::string drive_line(const std::vector<CapturedLine>& lines, const WantedLines
   const auto others =
       lines_that(lines, [&](const CapturedLine& l) { return l.name != module.name; });
   if (others.size() == 1) return others.front()->name;
-  throw bad_input("no plan of " + file,
-                  others.empty()
-                      ? "no plan.txt is beside it, and no wire in it that drives the LED"
-                      : "no plan.txt is beside it, and several wires may drive the LED: " +
-                            names_of_lines(others),
-                  others.empty() ? "say --plan PLAN" : "say --plan PLAN, or --drive");
+  throw bad_input(
+      "no plan of " + file,
+      "no plan.txt is beside it, and several wires may drive the LED: " + names_of_lines(others),
+      "say --plan PLAN, or --drive");
 }
 
 PinRecording pin_recording(const CapturedLine& module, std::optional<bool> inverted,

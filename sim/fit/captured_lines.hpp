@@ -47,8 +47,8 @@ struct WantedLines {
 const CapturedLine& module_line(const std::vector<CapturedLine>& lines, const WantedLines& wanted,
                                 const std::string& file);
 
-/// The name of the line that drives the LED: the one that was named, or the only other one. Throws
-/// likewise.
+/// The name of the line that drives the LED: the one that was named, or the only other one of at
+/// least two lines. Throws likewise.
 std::string drive_line(const std::vector<CapturedLine>& lines, const WantedLines& wanted,
                        const CapturedLine& module, const std::string& file);
 

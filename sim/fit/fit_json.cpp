@@ -23,11 +23,26 @@ Json numbers_json(const FittedModule& fit) {
   return all;
 }
 
-Json steps_json(const MeasuredModule& measured) {
+Json captures_json(const MeasuredModule& measured) {
   Json all = Json::array();
-  for (const FittedStep& step : measured.fit.steps)
-    all.push_back({{"step", step.step},
-                   {"level_db", measured.plan.steps[step.step].level_db},
+  for (std::size_t k = 0; k < measured.captures.size(); ++k) {
+    const MeasuredCapture& capture = measured.captures[k];
+    const FittedCapture& fitted = measured.fit.captures[k];
+    Json row{{"file", capture.file},       {"wire", capture.wire},
+             {"plan", capture.plan_words}, {"ambient_w_per_m2", capture.ambient_w_per_m2},
+             {"start_s", fitted.start_s},  {"clock_error", fitted.clock_error},
+             {"level_db", fitted.level_db}};
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+Json steps_json(const FittedModule& fit) {
+  Json all = Json::array();
+  for (const FittedStep& step : fit.steps)
+    all.push_back({{"capture", step.capture},
+                   {"step", step.step},
+                   {"level_db", step.level_db},
                    {"quantity", step.quantity},
                    {"unit", step.unit},
                    {"recorded", step.recorded},
@@ -47,14 +62,16 @@ Json misfits_json(const FittedModule& fit) {
 
 std::string measured_json(const MeasuredModule& measured) {
   const FittedModule& fit = measured.fit;
-  Json json{{"capture", measured.capture},  {"wire", measured.wire},
-            {"plan", measured.plan_words},  {"like", measured.like.name},
-            {"numbers", numbers_json(fit)}, {"not_apart", fit.not_apart},
-            {"misfits", misfits_json(fit)}, {"clock_error", fit.clock_error},
-            {"start_s", fit.start_s},       {"usual_deviation", fit.usual_deviation},
-            {"steps", steps_json(measured)}};
+  Json json{{"captures", captures_json(measured)},
+            {"like", measured.like.name},
+            {"numbers", numbers_json(fit)},
+            {"not_apart", fit.not_apart},
+            {"misfits", misfits_json(fit)},
+            {"strongest_over_emin_db", fit.strongest_over_emin_db},
+            {"usual_deviation", fit.usual_deviation},
+            {"steps", steps_json(fit)}};
   if (!measured.first_level_by.empty())
-    json["first_level"] = {{"mw_per_m2", fit.first_level_mw_per_m2},
+    json["first_level"] = {{"mw_per_m2", measured.first_level_mw_per_m2},
                            {"by", measured.first_level_by}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

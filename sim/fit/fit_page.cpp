@@ -15,13 +15,16 @@ namespace {
 constexpr double sigmas_of_95 = 1.96;
 
 /// Steps of one quantity, and what they are drawn over: their levels where these differ, else their
-/// places in the plan.
+/// places in the plans, one behind the other.
 struct QuantitySteps {
   std::vector<FittedStep> steps;
   bool by_level = false;
 
-  double x(const Plan& plan, const FittedStep& step) const {
-    return by_level ? plan.steps[step.step].level_db : static_cast<double>(step.step);
+  double x(const std::vector<MeasuredCapture>& captures, const FittedStep& step) const {
+    if (by_level) return step.level_db;
+    std::size_t place = step.step;
+    for (std::size_t k = 0; k < step.capture; ++k) place += captures[k].steps;
+    return static_cast<double>(place);
   }
 };
 
@@ -38,11 +41,11 @@ QuantitySteps steps_of(const MeasuredModule& measured, const std::string& quanti
   for (const FittedStep& step : measured.fit.steps) {
     if (step.quantity != quantity) continue;
     all.steps.push_back(step);
-    levels.insert(measured.plan.steps[step.step].level_db);
+    levels.insert(step.level_db);
   }
   all.by_level = levels.size() > 1;
   std::ranges::stable_sort(all.steps, {},
-                           [&](const FittedStep& step) { return all.x(measured.plan, step); });
+                           [&](const FittedStep& step) { return all.x(measured.captures, step); });
   return all;
 }
 
@@ -65,7 +68,7 @@ Chart fit_chart(const MeasuredModule& measured, const std::string& quantity) {
   ChartCurve recorded{.name = "recorded", .points = {}};
   ChartCurve fitted{.name = "fitted", .points = {}, .kind = CurveKind::theory};
   for (const FittedStep& step : all.steps) {
-    const double x = all.x(measured.plan, step);
+    const double x = all.x(measured.captures, step);
     recorded.points.push_back(recorded_point(x, step));
     fitted.points.push_back({x, step.fitted, step.fitted, step.fitted});
   }
@@ -83,7 +86,7 @@ Chart residual_chart(const MeasuredModule& measured, const std::string& quantity
   ChartCurve residuals{.name = "recorded less fitted", .points = {}};
   ChartCurve none{.name = "none", .points = {}, .kind = CurveKind::theory};
   for (const FittedStep& step : all.steps) {
-    const double x = all.x(measured.plan, step);
+    const double x = all.x(measured.captures, step);
     residuals.points.push_back(
         {x, step.deviation, step.deviation - sigmas_of_95, step.deviation + sigmas_of_95});
     none.points.push_back({x, 0, 0, 0});
@@ -113,7 +116,8 @@ PageSection misfits_section(const FittedModule& fit) {
 }  // namespace
 
 Page measured_page(const MeasuredModule& measured) {
-  Page page{.title = fmt::format("{}: a module like {}", measured.capture, measured.like.name),
+  Page page{.title = fmt::format("{}: a module like {}", files_in_words(measured.captures),
+                                 measured.like.name),
             .summary = {},
             .sections = {constants_section(measured)}};
   for (const std::string& sentence : fit_sentences(measured)) page.summary += sentence + "\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/columns/text_table.hpp"
 #include "sim/fit/measured_part.hpp"
@@ -45,20 +46,67 @@ std::string level_sentence(const MeasuredModule& measured) {
     return fmt::format(
         "Emin is for {:.4g} mW/m2 at the module in the plan's first step, as {} says, and is "
         "wrong by as much as that.",
-        measured.fit.first_level_mw_per_m2, measured.first_level_by);
+        measured.first_level_mw_per_m2, measured.first_level_by);
   return fmt::format(
       "Emin is that of {}, as the irradiance of the plan's first step is not known: measure it, "
       "and say --irradiance.",
       measured.like.name);
 }
 
-std::string clock_sentence(const FittedModule& fit) {
+std::string clock_sentence(const FittedCapture& fitted) {
   const std::string begins =
-      fmt::format("The plan begins at {:.4g} s of the recording", fit.start_s);
-  const std::string percent = fixed_text(100 * std::abs(fit.clock_error), 3);
+      fmt::format("The plan begins at {:.4g} s of the recording", fitted.start_s);
+  const std::string percent = fixed_text(100 * std::abs(fitted.clock_error), 3);
   if (std::stod(percent) == 0) return begins + ", and their clocks agree.";
   return fmt::format("{}, whose clock runs {} % too {}.", begins, percent,
-                     fit.clock_error > 0 ? "fast" : "slow");
+                     fitted.clock_error > 0 ? "fast" : "slow");
+}
+
+/// Of a capture behind the first one.
+std::string light_sentence(const MeasuredCapture& capture, const FittedCapture& fitted,
+                           const std::string& first) {
+  const std::string by = fmt::format("{} dB {}", fixed_text(std::abs(fitted.level_db), 2),
+                                     fitted.level_db < 0 ? "weaker" : "stronger");
+  if (capture.ambient_w_per_m2 > 0)
+    return fmt::format("Under the lamp of {:g} W/m2 its light seems {} than that of {}.",
+                       capture.ambient_w_per_m2, by, first);
+  return fmt::format("Its light is {} than that of {}{}.", by, first,
+                     capture.is_of_known_level ? "" : ", as the recording says");
+}
+
+std::vector<std::string> capture_sentences(const MeasuredModule& measured) {
+  std::vector<std::string> sentences;
+  const std::string first = escaped_name(measured.captures.front().file);
+  for (std::size_t k = 0; k < measured.captures.size(); ++k) {
+    const MeasuredCapture& capture = measured.captures[k];
+    sentences.push_back(fmt::format("Read {} of {}, by {}: {} steps of light.",
+                                    escaped_name(capture.wire), escaped_name(capture.file),
+                                    capture.plan_words, capture.steps));
+    if (capture.is_of_messages)
+      sentences.emplace_back(
+          "Of messages that the module did not report at all nothing is known, and messages tell "
+          "little: show it a plan of light (cosys-sim fit --plan).");
+    else
+      sentences.push_back(clock_sentence(measured.fit.captures[k]));
+    if (k > 0) sentences.push_back(light_sentence(capture, measured.fit.captures[k], first));
+  }
+  return sentences;
+}
+
+/// Light that is stronger than all that the module was shown, where it matters.
+std::optional<std::string> strongest_sentence(const MeasuredModule& measured) {
+  const auto range = std::ranges::find(measured.fit.numbers, "agc_range_db", &FittedNumber::key);
+  if (range == measured.fit.numbers.end() || range->is_told) return std::nullopt;
+  std::string text = fmt::format("The strongest light was {:.0f} dB above Emin",
+                                 measured.fit.strongest_over_emin_db);
+  if (measured.first_level_by.empty()) return text + ": of stronger light nothing is told.";
+  constexpr double led_mw_per_sr = 72;  // TSAL6200 at 100 mA, typical (Vishay 81010)
+  const double strongest =
+      measured.first_level_mw_per_m2 * std::pow(10, measured.fit.strongest_db / 20);
+  return fmt::format(
+      "{}, {:.3g} mW/m2: of stronger light, which an LED of {:g} mW/sr gives nearer than {:.2g} m, "
+      "nothing is told.",
+      text, strongest, led_mw_per_sr, std::sqrt(led_mw_per_sr / strongest));
 }
 
 std::string more_sentence(const FittedNumber& number) {
@@ -82,10 +130,9 @@ std::string lines_of_cells(const std::vector<std::vector<std::string>>& rows) {
 
 std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
   const FittedModule& fit = measured.fit;
-  std::vector<std::string> sentences{
-      fmt::format("Read {} of {}, by {}: {} steps of light.", escaped_name(measured.wire),
-                  escaped_name(measured.capture), measured.plan_words, measured.plan.steps.size()),
-      clock_sentence(fit), level_sentence(measured)};
+  std::vector<std::string> sentences = capture_sentences(measured);
+  sentences.push_back(level_sentence(measured));
+  if (const auto strongest = strongest_sentence(measured)) sentences.push_back(*strongest);
   for (const FittedNumber& number : fit.numbers)
     if (!number.more.empty()) sentences.push_back(more_sentence(number));
   for (const std::string& line : fit.not_apart)
@@ -109,6 +156,12 @@ std::vector<std::vector<std::string>> constants_rows(const MeasuredModule& measu
                     unit_text(unit_of_number(number.key)),
                     value_of_like(measured.like, number.key)});
   return rows;
+}
+
+std::string files_in_words(const std::vector<MeasuredCapture>& captures) {
+  std::vector<std::string> files;
+  for (const MeasuredCapture& capture : captures) files.push_back(capture.file);
+  return list_in_words(files);
 }
 
 bool tells_something(const MeasuredModule& measured) {

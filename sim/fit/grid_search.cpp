@@ -7,8 +7,8 @@
 namespace sim {
 
 void GridAxis::move(Numbers& x, double value) const {
-  if (slope != 0) x[place_of(other)] += slope * (value - x[place_of(number)]);
-  x[place_of(number)] = value;
+  if (slope != 0) x[other] += slope * (value - x[place]);
+  x[place] = value;
 }
 
 std::vector<GridPoint> best_of_grid(const LeastSquaresProblem& problem, const Numbers& x,

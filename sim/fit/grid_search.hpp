@@ -1,5 +1,6 @@
 #pragma once
 // Costs of numbers on a grid.
+#include <cstddef>
 #include <initializer_list>
 #include <vector>
 
@@ -10,9 +11,9 @@ namespace sim {
 /// A number and the values that a grid has of it; where there is a slope another number goes with
 /// it.
 struct GridAxis {
-  RuleParameter number;
+  std::size_t place;  // of the number
   std::vector<double> values;
-  RuleParameter other = RuleParameter::count;
+  std::size_t other = 0;
   double slope = 0;
 
   void move(Numbers& x, double value) const;

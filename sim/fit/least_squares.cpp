@@ -91,13 +91,20 @@ Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
   return normal;
 }
 
+/// Numbers are in units of many sizes: with these their matrix has a diagonal of 1.
+arma::vec scale_of(const arma::mat& matrix) { return 1 / arma::sqrt(matrix.diag()); }
+arma::mat scaled(const arma::mat& matrix, const arma::vec& scale) {
+  return arma::diagmat(scale) * matrix * arma::diagmat(scale);
+}
+
 Covariance covariance_of(const Normal& normal, const std::vector<std::size_t>& places,
                          std::size_t all) {
   Covariance covariance(all);
-  const arma::mat inverse = arma::inv_sympd(normal.matrix);
+  const arma::vec scale = scale_of(normal.matrix);
+  const arma::mat inverse = arma::inv_sympd(scaled(normal.matrix, scale));
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t k = 0; k < places.size(); ++k)
-      covariance(places[i], places[k]) = inverse(i, k);
+      covariance(places[i], places[k]) = scale(i) * inverse(i, k) * scale(k);
   return covariance;
 }
 
@@ -115,10 +122,13 @@ std::optional<Numbers> stepped(const Normal& normal, double damping, const Numbe
                                const std::vector<std::size_t>& places) {
   arma::mat damped = normal.matrix;
   damped.diag() *= 1 + damping;
+  const arma::vec scale = scale_of(damped);
   arma::vec move;
-  if (!arma::solve(move, damped, normal.gradient, arma::solve_opts::likely_sympd)) return {};
+  if (!arma::solve(move, scaled(damped, scale), scale % normal.gradient,
+                   arma::solve_opts::likely_sympd))
+    return {};
   Numbers x = from;
-  for (std::size_t k = 0; k < places.size(); ++k) x[places[k]] -= move(k);
+  for (std::size_t k = 0; k < places.size(); ++k) x[places[k]] -= scale(k) * move(k);
   return x;
 }
 

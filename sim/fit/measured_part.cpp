@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
@@ -165,12 +166,26 @@ class MeasuredPartLines {
     const auto source = sources_.of(key);
     if (!source) return "";
     const NumberBounds* given = bounds_in(like_.data.bounds, key);
-    const std::string bounds =
-        given == nullptr ? ""
-                         : bounds_text(fmt::format("{}", given->low),
-                                       fmt::format("{}", given->high), given->distribution);
-    return number_line(key, fmt::format("{}", like_.data.*number.member), bounds,
-                       fmt::format("as {}: {}", like_.data.name, *source));
+    const double value = like_.data.*number.member;
+    const std::string as_like = fmt::format("as {}: {}", like_.data.name, *source);
+    if (given == nullptr) return number_line(key, fmt::format("{}", value), "", as_like);
+    const auto [low, high] = not_excluded(*given, value);
+    const bool is_cut = low > given->low || high < given->high;
+    return number_line(
+        key, fmt::format("{}", value),
+        bounds_text(fmt::format("{}", low), fmt::format("{}", high), given->distribution),
+        as_like + (is_cut ? "; bounds cut by what " + capture_ + " shows" : ""));
+  }
+
+  /// Bounds as far as the recording leaves them: of a number that it does not tell.
+  std::pair<double, double> not_excluded(const NumberBounds& bounds, double value) const {
+    const auto number = std::ranges::find(fit_.numbers, bounds.number, &FittedNumber::key);
+    if (number == fit_.numbers.end()) return {bounds.low, bounds.high};
+    const auto rounded = [](double x) {
+      return std::stod(significant_text(x, 4, Rounding::nearest));
+    };
+    return {std::min(std::max(bounds.low, rounded(number->low)), value),
+            std::max(std::min(bounds.high, rounded(number->high)), value)};
   }
 
   std::string lines_of_curve(const PartCurve<ModuleData>& curve) const {

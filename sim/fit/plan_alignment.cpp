@@ -108,6 +108,18 @@ class Chain {
   const std::vector<Onset>& heard_;
 };
 
+/// A few bursts of any plan are in any recording.
+void refuse_chance(int matched, std::size_t planned, std::size_t heard) {
+  constexpr std::size_t least = 4, one_of = 8;
+  const std::size_t needed = std::max(least, std::min(planned, heard) / one_of);
+  if (static_cast<std::size_t>(matched) >= needed) return;
+  throw bad_input(
+      fmt::format("the recording does not follow the plan: {} of its {} bursts are found", matched,
+                  planned),
+      fmt::format("{} at least must be, within 3 % of its time", needed),
+      "look whether plan and capture belong together");
+}
+
 }  // namespace
 
 PlanAlignment align(const Plan& plan, const PinRecording& recording) {
@@ -120,13 +132,7 @@ PlanAlignment align(const Plan& plan, const PinRecording& recording) {
       const PlanAlignment one = chain.from(i, j);
       if (one.matched > best.matched) best = one;
     }
-  constexpr int least = 4;
-  if (best.matched < least)
-    throw bad_input(
-        fmt::format("the recording does not follow the plan: {} of its {} bursts are found",
-                    best.matched, planned.size()),
-        fmt::format("{} at least must be, within 3 % of its time", least),
-        "look whether plan and capture belong together");
+  refuse_chance(best.matched, planned.size(), heard.size());
   return best;
 }
 

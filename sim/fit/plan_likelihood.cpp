@@ -33,30 +33,39 @@ std::vector<std::size_t> all_steps_of(const Plan& plan) {
   return steps;
 }
 
-PlanLikelihood::PlanLikelihood(const Plan& plan, const std::vector<BurstOutput>& recorded,
-                               const std::vector<std::size_t>& steps, const ParameterPriors& priors,
-                               double level_error_db)
-    : priors_(priors.begin(), priors.end()) {
-  const std::vector<std::size_t> first = first_bursts(plan);
+PlanLikelihood::PlanLikelihood(const JoinedLight& light, const std::vector<std::size_t>& steps,
+                               const ParameterPriors& priors, double level_error_db)
+    : captures_(light.captures), priors_(priors.begin(), priors.end()) {
+  const std::vector<std::size_t> first = first_bursts(light.plan);
   for (const std::size_t s : steps) {
-    plan_.steps.push_back(plan.steps[s]);
-    const auto bursts = bursts_of(recorded, first, s);
+    plan_.steps.push_back(light.plan.steps[s]);
+    origin_.push_back(light.steps[s]);
+    const auto bursts = bursts_of(light.recorded, first, s);
     recorded_.insert(recorded_.end(), bursts.begin(), bursts.end());
   }
   first_ = first_bursts(plan_);
-  for (const PlanStep& step : plan_.steps) {
-    const auto same = [&](double db) { return std::abs(db - step.level_db) < 0.005; };
-    auto found = std::ranges::find_if(level_db_, same);
-    level_of_step_.push_back(static_cast<std::size_t>(found - level_db_.begin()));
-    if (found == level_db_.end()) {
-      level_db_.push_back(step.level_db);
-      priors_.push_back({"", 0, level_error_db, 0.1, true});
-    }
+  for (std::size_t k = 1; k < captures_.size(); ++k) {
+    priors_.push_back(priors[place_of(RuleParameter::start)]);
+    priors_.push_back(priors[place_of(RuleParameter::clock)]);
+    priors_.push_back(captures_[k].level);
   }
+  first_level_ = priors_.size();
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s) add_level(s, level_error_db);
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
     const auto bursts = bursts_of(recorded_, first_, s);
     heard_.push_back(features_of(plan_.steps[s], bursts, bursts));
   }
+}
+
+void PlanLikelihood::add_level(std::size_t step, double level_error_db) {
+  const PlanLevel level{captures_[origin_[step].capture].levels_of, plan_.steps[step].level_db};
+  const auto found = std::ranges::find_if(levels_, [&](const PlanLevel& other) {
+    return other.levels_of == level.levels_of && std::abs(other.db - level.db) < 0.005;
+  });
+  level_of_step_.push_back(static_cast<std::size_t>(found - levels_.begin()));
+  if (found != levels_.end()) return;
+  levels_.push_back(level);
+  priors_.push_back({"", 0, level_error_db, 0.1, true});
 }
 
 /// Which cycle's peak it is, is the same in all steps whose pulses are alike: they tell it once.
@@ -81,11 +90,17 @@ Numbers PlanLikelihood::start() const {
   return x;
 }
 
+double PlanLikelihood::level_db(const Numbers& x, std::size_t step) const {
+  const std::size_t capture = origin_[step].capture;
+  const double light_db = capture == 0 ? 0 : x[place_of(CaptureNumber::level, capture)];
+  return light_db + plan_.steps[step].level_db;
+}
+
 std::vector<double> PlanLikelihood::amplitudes(const Numbers& x) const {
   std::vector<double> all;
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
-    const std::size_t level = level_of_step_[s];
-    all.push_back(std::pow(10, (level_db_[level] + x[n_rule_parameters + level]) / 20));
+    const double error_db = x[first_level_ + level_of_step_[s]];
+    all.push_back(std::pow(10, (level_db(x, s) + error_db) / 20));
   }
   return all;
 }
@@ -94,6 +109,8 @@ void PlanLikelihood::play(const Numbers& x, double more_hold_cycles, double more
   Numbers numbers = x;
   numbers[place_of(RuleParameter::start)] = more_hold_cycles;
   numbers[place_of(RuleParameter::clock)] = more_db;
+  for (std::size_t k = 1; k < captures_.size(); ++k)
+    numbers[place_of(CaptureNumber::start, k)] = numbers[place_of(CaptureNumber::clock, k)] = 0;
   if (numbers == played_) return;
   played_ = std::move(numbers);
   RuleConstants constants = constants_of(x);
@@ -106,9 +123,7 @@ void PlanLikelihood::play(const Numbers& x, double more_hold_cycles, double more
 std::vector<double> PlanLikelihood::values(const Numbers& x, double more_hold_cycles,
                                            double more_db, std::vector<Compared>* compared) const {
   play(x, more_hold_cycles, more_db);
-  const double start_s = x[place_of(RuleParameter::start)] /
-                         value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
-  const double clock = x[place_of(RuleParameter::clock)] * 1e-6;
+  const double cycle_s = 1 / value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
   std::vector<double> differences;
   differences.reserve(plan_.steps.size() * n_feature_kinds);
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
@@ -116,7 +131,10 @@ std::vector<double> PlanLikelihood::values(const Numbers& x, double more_hold_cy
     const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
     const StepFeatures was = features_of(step, recorded, ruled);
     StepFeatures is = features_of(step, ruled, recorded);
-    is.start_s += start_s + clock * step.start_ms * 1e-3;
+    const std::size_t capture = origin_[s].capture;
+    is.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +
+                  x[place_of(CaptureNumber::clock, capture)] * 1e-6 *
+                      (step.start_ms - captures_[capture].begin_ms) * 1e-3;
     if (compared != nullptr) compared->push_back({was, is});
     differences.push_back(is.reported - was.reported);
     const bool both_low = was.with_low > 0 && is.with_low > 0;

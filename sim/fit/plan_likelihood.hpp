@@ -1,10 +1,13 @@
 #pragma once
 // How well constants explain a recording: deviations of each step's features, in standard
-// deviations. Numbers beyond the constants are the levels of the plan, in dB beside what it says.
+// deviations. Numbers beyond the constants of the rule are, of each capture behind the first one,
+// where it begins, its clock, and its light; and then the levels of the plans, in dB beside what
+// these say.
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "sim/fit/joined_light.hpp"
 #include "sim/fit/rule_parameters.hpp"
 #include "sim/fit/step_features.hpp"
 
@@ -19,12 +22,12 @@ std::vector<std::size_t> all_steps_of(const Plan& plan);
 class PlanLikelihood {
  public:
   /// The steps that are looked at; the others are not played either.
-  PlanLikelihood(const Plan& plan, const std::vector<BurstOutput>& recorded,
-                 const std::vector<std::size_t>& steps, const ParameterPriors& priors,
-                 double level_error_db);
+  PlanLikelihood(const JoinedLight& light, const std::vector<std::size_t>& steps,
+                 const ParameterPriors& priors, double level_error_db);
 
   std::size_t parameters() const { return priors_.size(); }
-  std::size_t levels() const { return level_db_.size(); }
+  /// Numbers before those of the levels.
+  std::size_t before_levels() const { return first_level_; }
   const std::vector<ParameterPrior>& priors() const { return priors_; }
   Numbers start() const;
 
@@ -42,12 +45,15 @@ class PlanLikelihood {
   void take_deviations_at(const Numbers& x);
 
   const Plan& plan() const { return plan_; }
-  const std::vector<std::size_t>& level_of_step() const { return level_of_step_; }
+  const JoinedStep& origin(std::size_t step) const { return origin_[step]; }
+  /// Over the first step of the first capture, as the plans and the light of captures have it.
+  double level_db(const Numbers& x, std::size_t step) const;
   double deviation_of(std::size_t step, FeatureKind kind) const {
     return sigma_[step * n_feature_kinds + static_cast<std::size_t>(kind)];
   }
 
  private:
+  void add_level(std::size_t step, double level_error_db);
   std::vector<double> amplitudes(const Numbers& x) const;
   /// Of how many steps on this one's carrier the feature is alike.
   double alike(std::size_t step, FeatureKind kind) const;
@@ -55,11 +61,20 @@ class PlanLikelihood {
   std::vector<double> values(const Numbers& x, double more_hold_cycles, double more_db,
                              std::vector<Compared>* compared) const;
 
+  /// A level that may be wrong: of one plan.
+  struct PlanLevel {
+    std::size_t levels_of;
+    double db;
+  };
+
   Plan plan_;
   std::vector<BurstOutput> recorded_;
   std::vector<std::size_t> first_;
-  std::vector<double> level_db_;            // distinct ones
+  std::vector<JoinedStep> origin_;
+  std::vector<JoinedCapture> captures_;
+  std::vector<PlanLevel> levels_;           // distinct ones
   std::vector<std::size_t> level_of_step_;  // its place in them
+  std::size_t first_level_;                 // their first number
   std::vector<StepFeatures> heard_;         // of the recording alone
   std::vector<ParameterPrior> priors_;
   std::vector<double> sigma_;

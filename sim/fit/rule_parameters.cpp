@@ -54,7 +54,7 @@ ParameterPriors parameter_priors(const channel::ModuleData& like, double carrier
       {"agc_min_gap_cycles", std::log(std::max(gain.agc_min_gap_cycles, 4.0)), 0.7, 0.05},
       {"agc_hold_ms", 0, 12, 0.6, false, 0},
       {"agc_margin_db", gain.agc_margin_db, 2.5, 0.3, false, 0},
-      {"agc_range_db", gain.agc_range_db, 35, 1.5},
+      {"agc_range_db", gain.agc_range_db, 100, 1.5},
       {"", -9, 10, 0.1},  // carrier cycles from the alignment's start to the plan's
       {"", 0, 30, 1},     // parts in a million of the clock beside the alignment's
   }};

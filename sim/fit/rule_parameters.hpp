@@ -40,6 +40,16 @@ inline constexpr std::size_t n_rule_parameters = static_cast<std::size_t>(RulePa
 
 constexpr std::size_t place_of(RuleParameter p) { return static_cast<std::size_t>(p); }
 
+/// Numbers of a capture: of the first one start and clock above, of each other one three behind
+/// those of the rule. Only the others have a level: dB over the first one's light.
+enum class CaptureNumber : std::size_t { start, clock, level, count };
+
+inline std::size_t place_of(CaptureNumber number, std::size_t capture) {
+  const auto place = static_cast<std::size_t>(number);
+  if (capture == 0) return place_of(RuleParameter::start) + place;
+  return n_rule_parameters + (capture - 1) * static_cast<std::size_t>(CaptureNumber::count) + place;
+}
+
 struct ParameterPrior {
   std::string_view key;  // of a part file; empty: of the recording
   double middle = 0, deviation = 1;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/fit/first_search.hpp"
 #include "sim/fit/global_search.hpp"
 #include "sim/fit/grid_search.hpp"
 #include "sim/fit/least_squares.hpp"
@@ -15,65 +16,17 @@ namespace {
 
 using enum RuleParameter;
 
-/// Short bursts that the gain has nothing to do with: seldom enough, and dark before them.
-bool is_short_at_rest(const Plan& plan, std::size_t s) {
-  constexpr double longest_cycles = 40, least_dark_ms = 40;
-  const PlanStep& step = plan.steps[s];
-  const double dark_ms = s == 0 ? HUGE_VAL : step.start_ms - end_ms(plan.steps[s - 1]);
-  return static_cast<double>(step.cycles_on) <= longest_cycles && dark_ms >= least_dark_ms &&
-         !is_train(step);
-}
-
-/// What threshold, tune, attack and range show in, and the gain's duty hardly.
-std::vector<std::size_t> bursts_and_carriers_of(const Plan& plan) {
-  std::vector<std::size_t> steps = all_steps_of(plan);
-  std::erase_if(steps, [&](std::size_t s) {
-    return !is_short_at_rest(plan, s) && !is_long_carrier(plan.steps[s]);
-  });
-  return steps;
-}
-
-/// What they tell.
-constexpr std::array first_numbers{
-    centre, q, threshold, integrator, comparator_hold, attack, duty, margin, range, start, clock};
-
-std::vector<bool> only_first_numbers(std::size_t all) {
-  std::vector<bool> is_free(all, false);
-  for (const RuleParameter one : first_numbers) is_free[place_of(one)] = true;
-  return is_free;
-}
-
-LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_free) {
-  return {[&likelihood](const Numbers& x) { return likelihood.deviations(x); }, likelihood.priors(),
-          std::move(is_free)};
-}
-
-/// The first of those that lie more than a grid's step or two apart in the threshold or the attack.
-std::vector<GridPoint> distinct(const std::vector<GridPoint>& points, std::size_t most) {
-  std::vector<GridPoint> chosen;
-  for (const GridPoint& point : points) {
-    const auto near = [&](const GridPoint& other) {
-      return std::abs(point.x[place_of(threshold)] - other.x[place_of(threshold)]) < 5 &&
-             std::abs(point.x[place_of(attack)] - other.x[place_of(attack)]) < 0.3;
-    };
-    if (chosen.size() < most && std::ranges::none_of(chosen, near)) chosen.push_back(point);
-  }
-  return chosen;
-}
-
 class RuleSearch {
  public:
-  RuleSearch(const Plan& plan, const std::vector<BurstOutput>& recorded,
-             const ParameterPriors& priors, double level_error_db)
-      : plan_(plan),
-        recorded_(recorded),
+  RuleSearch(const JoinedLight& light, const ParameterPriors& priors, double level_error_db)
+      : plan_(light.plan),
         priors_(priors),
-        level_error_db_(level_error_db),
-        all_(plan, recorded, all_steps_of(plan), priors, level_error_db),
-        x_(all_.start()) {}
+        all_(light, all_steps_of(light.plan), priors, level_error_db),
+        x_(all_.start()) {
+    std::ranges::copy(first_numbers(light, priors, level_error_db), x_.begin());
+  }
 
   RuleFit operator()() {
-    bursts_and_carriers();
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     const Numbers mirrored = try_mirrored_centre(whole);
@@ -100,35 +53,9 @@ class RuleSearch {
     return other;
   }
 
-  void bursts_and_carriers() {
-    const std::vector<std::size_t> steps = bursts_and_carriers_of(plan_);
-    if (steps.empty()) return;
-    PlanLikelihood likelihood(plan_, recorded_, steps, priors_, level_error_db_);
-    const LeastSquaresProblem problem =
-        problem_of(likelihood, only_first_numbers(likelihood.parameters()));
-    likelihood.take_wide_deviations();
-    auto points = best_of_grid(problem, likelihood.start(),
-                               {{threshold, steps_between(-80, -14, 23)},
-                                {attack, steps_between(std::log(0.03), std::log(1.6), 20)},
-                                {duty, logarithms({0.08, 0.18, 0.4})},
-                                {range, {45, 55, 70, 100}}},
-                               40);
-    points = distinct(points, 4);
-    for (GridPoint& point : points) {
-      likelihood.take_wide_deviations();
-      point.x = least_squares(problem, point.x, 4).x;
-      likelihood.take_deviations_at(point.x);
-      point.x = least_squares(problem, point.x, 8).x;
-      likelihood.take_wide_deviations();
-      point.cost = cost_of(problem, point.x);
-    }
-    const Numbers best = std::ranges::min(points, {}, &GridPoint::cost).x;
-    for (const RuleParameter one : first_numbers) x_[place_of(one)] = best[place_of(one)];
-  }
-
   void all_steps() {
     std::vector<bool> constants(all_.parameters(), false);
-    std::fill(constants.begin(), constants.begin() + n_rule_parameters, true);
+    std::fill_n(constants.begin(), all_.before_levels(), true);
     const LeastSquaresProblem few = problem_of(all_, constants);
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     const Numbers begin = x_;
@@ -182,7 +109,8 @@ class RuleSearch {
   GridAxis hold_for_free_cycles(std::vector<double> holds) const {
     const double share = std::min(value_of(duty, x_[place_of(duty)]), 0.9);
     const double cycles_per_ms = 1e-3 * value_of(centre, x_[place_of(centre)]);
-    return {dark_hold, std::move(holds), free_cycles, cycles_per_ms * share / (1 - share)};
+    return {place_of(dark_hold), std::move(holds), place_of(free_cycles),
+            cycles_per_ms * share / (1 - share)};
   }
 
   /// What long trains tell of duty and hold is nearly the same for another pair of them, so other
@@ -194,7 +122,7 @@ class RuleSearch {
     for (const double hold : {0., 4., 8., 12., 16., 20., 24., 28.}) {
       Numbers x = x_;
       x[place_of(dark_hold)] = hold;
-      points.push_back(best_of_grid(problem, x, {{duty, duties}}, 1).front());
+      points.push_back(best_of_grid(problem, x, {{place_of(duty), duties}}, 1).front());
     }
     std::ranges::sort(points, {}, &GridPoint::cost);
     points.resize(tried);
@@ -246,14 +174,15 @@ class RuleSearch {
     std::ranges::sort(lengths);
     std::ranges::sort(holds);
     const GridAxis hold_way = hold_for_free_cycles(holds);
-    return {hold_way,
-            {free_cycles, steps_between(0, 40, 41), dark_hold, 1 / hold_way.slope},
-            {long_burst, lengths},
-            {min_gap, steps_between(std::log(5), std::log(50), 31)},
-            {free_cycles, steps_between(0, 40, 27)},
-            {dark_hold, holds},
-            {margin, steps_between(0, 10, 31)},
-            {range, steps_between(30, 140, 37)}};
+    return {
+        hold_way,
+        {place_of(free_cycles), steps_between(0, 40, 41), place_of(dark_hold), 1 / hold_way.slope},
+        {place_of(long_burst), lengths},
+        {place_of(min_gap), steps_between(std::log(5), std::log(50), 31)},
+        {place_of(free_cycles), steps_between(0, 40, 27)},
+        {place_of(dark_hold), holds},
+        {place_of(margin), steps_between(0, 10, 31)},
+        {place_of(range), steps_between(30, 140, 37)}};
   }
 
   /// A difference does not see what lies behind a jump, so each is tried all along its way.
@@ -266,7 +195,7 @@ class RuleSearch {
 
   /// As far as the first values on both sides that are told from the best.
   void widen(RuleFit& fit, const LeastSquaresProblem& problem, const GridAxis& way) const {
-    const std::size_t place = place_of(way.number);
+    const std::size_t place = way.place;
     const double most = cost_of(problem, x_) + told_cost;
     const auto is_told = [&](double value) {
       Numbers at = x_;
@@ -283,18 +212,16 @@ class RuleSearch {
   }
 
   const Plan& plan_;
-  const std::vector<BurstOutput>& recorded_;
   const ParameterPriors& priors_;
-  double level_error_db_;
   PlanLikelihood all_;
   Numbers x_;
 };
 
 }  // namespace
 
-RuleFit search_rule(const Plan& plan, const std::vector<BurstOutput>& recorded,
-                    const ParameterPriors& priors, double level_error_db) {
-  return RuleSearch(plan, recorded, priors, level_error_db)();
+RuleFit search_rule(const JoinedLight& light, const ParameterPriors& priors,
+                    double level_error_db) {
+  return RuleSearch(light, priors, level_error_db)();
 }
 
 }  // namespace sim

@@ -16,7 +16,6 @@ struct RuleFit {
   Numbers low, high;
 };
 
-RuleFit search_rule(const Plan& plan, const std::vector<BurstOutput>& recorded,
-                    const ParameterPriors& priors, double level_error_db);
+RuleFit search_rule(const JoinedLight& light, const ParameterPriors& priors, double level_error_db);
 
 }  // namespace sim

@@ -58,6 +58,15 @@ double reported_of(const PlanStep& step, std::span<const BurstOutput> bursts) {
   return reported;
 }
 
+/// Seldom enough, and dark before them.
+bool is_short_at_rest(const Plan& plan, std::size_t s) {
+  constexpr double longest_cycles = 40, least_dark_ms = 40;
+  const PlanStep& step = plan.steps[s];
+  const double dark_ms = s == 0 ? HUGE_VAL : step.start_ms - end_ms(plan.steps[s - 1]);
+  return static_cast<double>(step.cycles_on) <= longest_cycles && dark_ms >= least_dark_ms &&
+         !is_train(step);
+}
+
 }  // namespace
 
 std::vector<std::size_t> first_bursts(const Plan& plan) {
@@ -75,6 +84,10 @@ bool is_train(const PlanStep& step) {
   constexpr double most_duty_at_rest = 0.08;
   const auto on = static_cast<double>(step.cycles_on), off = static_cast<double>(step.cycles_off);
   return step.repeats > 1 && on / (on + off) > most_duty_at_rest;
+}
+
+bool is_burst_or_carrier(const Plan& plan, std::size_t step) {
+  return is_short_at_rest(plan, step) || is_long_carrier(plan.steps[step]);
 }
 
 std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& recording,

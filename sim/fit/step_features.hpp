@@ -27,6 +27,9 @@ std::vector<std::size_t> first_bursts(const Plan& plan);
 /// A burst alone that lasts so long that the gain may let go of it.
 bool is_long_carrier(const PlanStep& step);
 
+/// Short bursts that the gain has nothing to do with, or a long carrier.
+bool is_burst_or_carrier(const Plan& plan, std::size_t step);
+
 /// The bursts as the recording has them; nothing of those that it does not cover.
 std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& recording,
                                          const PlanAlignment& alignment);

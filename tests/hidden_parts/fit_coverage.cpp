@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <ctime>
 #include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,17 +21,22 @@
 namespace hidden {
 namespace {
 
-constexpr const char* usage = R"(fit_coverage PLAN SEED N FIRST_LEVEL [BROKEN]
+constexpr const char* usage =
+    R"(fit_coverage PLAN SEED N FIRST_LEVEL [--nearer DB] [--ambient W_PER_M2] [--broken K]
 
 Fits N hidden parts by their recordings of a plan, of which the first step has FIRST_LEVEL mW/m2.
 Prints a row a part and constant, separated by commas, then a table of all parts.
-BROKEN: 1 to 5, a kind of parts that break the rule (hidden_parts says which).
+  --nearer   a second recording of each part, in light that is so much stronger, by about as much
+             as the fit is told
+  --ambient  another one, of the first light under a lamp
+  --broken   1 to 5, a kind of parts that break the rule (hidden_parts says which)
 )";
 
 struct Request {
   sim::Plan plan;
   std::uint32_t parts = 0;
   double first_level = 0;
+  std::optional<double> nearer_db{}, ambient_w_per_m2{};
   PartDraw draw;
 };
 
@@ -68,18 +75,33 @@ void add(const HiddenPart& part, const sim::FittedModule& fitted, Outcome& outco
   if (!fitted.misfits.empty()) ++outcome.misfits;
 }
 
+/// What is recorded of each part: lists as long as that of the parts.
+std::vector<std::vector<sim::LightCapture>> captures_of(const Request& request,
+                                                        std::vector<HiddenPart> parts) {
+  std::vector<std::vector<sim::LightCapture>> captures(parts.size());
+  const auto record = [&](double level, std::optional<double> said) {
+    const auto recordings = recordings_of(request.plan, parts, level);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      captures[i].push_back({request.plan, recordings[i], said, parts.front().ambient_w_per_m2});
+  };
+  record(request.first_level, request.first_level);
+  if (request.nearer_db)
+    record(request.first_level * std::pow(10, *request.nearer_db / 20), std::nullopt);
+  for (HiddenPart& part : parts) part.ambient_w_per_m2 = request.ambient_w_per_m2.value_or(0);
+  if (request.ambient_w_per_m2) record(request.first_level, std::nullopt);
+  return captures;
+}
+
 void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
   std::vector<HiddenPart> parts;
   for (std::uint32_t k = first; k < std::min(request.parts, first + most_parts); ++k)
     parts.push_back(draw_part(request.draw, k, request.plan));
-  const auto recordings = recordings_of(request.plan, parts, request.first_level);
+  const auto captures = captures_of(request, parts);
   channel::ModuleData like;
   like.centre_hz = request.draw.nominal_hz;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::clock_t began = std::clock();
-    const sim::FittedModule fitted =
-        sim::fit_module(request.plan, recordings[i], like,
-                        {.first_level_mw_per_m2 = request.first_level, .level_error = 0.07});
+    const sim::FittedModule fitted = sim::fit_module(captures[i], like, {});
     outcome.seconds.push_back(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
     add(parts[i], fitted, outcome);
   }
@@ -103,7 +125,17 @@ Request request_of(const std::vector<std::string>& words) {
                   .first_level = std::stod(words.at(3)),
                   .draw = {.seed = std::stoull(words.at(1))}};
   request.draw.nominal_hz = nominal_of(request.plan);
-  if (words.size() > 4) request.draw.broken = static_cast<Broken>(std::stoi(words[4]));
+  for (std::size_t i = 4; i < words.size(); i += 2) {
+    const double number = std::stod(words.at(i + 1));
+    if (words[i] == "--nearer")
+      request.nearer_db = number;
+    else if (words[i] == "--ambient")
+      request.ambient_w_per_m2 = number;
+    else if (words[i] == "--broken")
+      request.draw.broken = static_cast<Broken>(std::lround(number));
+    else
+      throw std::invalid_argument(words[i]);
+  }
   return request;
 }
 

@@ -57,8 +57,7 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
   const auto recordings = recordings_of(plan, parts, first_level);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const sim::FittedModule fitted =
-        fit_module(plan, recordings[i], channel::ModuleData{},
-                   {.first_level_mw_per_m2 = first_level, .level_error = 0.07});
+        sim::fit_module({{plan, recordings[i], first_level}}, channel::ModuleData{}, {});
     const auto& attack = number(fitted, "agc_attack_db_per_ms");
     EXPECT_TRUE(attack.is_told) << i;
     EXPECT_LE(attack.low, parts[i].module.agc_attack_db_per_ms) << i;
@@ -67,21 +66,59 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
     EXPECT_TRUE(emin.is_told) << i;
     EXPECT_NEAR(emin.value / parts[i].module.emin_mw_per_m2, 1, 0.25)
         << i;  // levels are off by 10 %
-    EXPECT_NEAR(fitted.clock_error, parts[i].clock_error, 1e-5) << i;
+    EXPECT_NEAR(fitted.captures[0].clock_error, parts[i].clock_error, 1e-5) << i;
   }
+}
+
+sim::PinRecording recording_in(const HiddenPart& part, const sim::Plan& plan, double level) {
+  return recordings_of(plan, {&part, 1}, level).front();
+}
+
+// A gain that falls no further lets a carrier through that is stronger than its range: the plan
+// alone does not reach it, the same one in stronger light does. Emin grows under a lamp.
+TEST(FitOfHiddenParts, SeveralCapturesTellRangeAndAmbientLight) {
+  const sim::Plan plan = short_plan();
+  HiddenPart part = usual_part(1, plan);
+  part.module.agc_range_db = 75;
+  part.module.emin_mw_per_m2 = 0.2;
+  constexpr double nearer = 15.85, lamp_w_per_m2 = 5;  // 24 dB
+  std::vector<sim::LightCapture> captures{
+      {plan, recording_in(part, plan, first_level), first_level}};
+  const auto alone = sim::fit_module(captures, channel::ModuleData{}, {});
+  EXPECT_FALSE(number(alone, "agc_range_db").is_told);
+  EXPECT_LE(number(alone, "agc_range_db").low, 75);
+  EXPECT_FALSE(number(alone, "ambient_k").is_told);
+
+  captures.push_back({plan, recording_in(part, plan, nearer * first_level), std::nullopt});
+  part.ambient_w_per_m2 = lamp_w_per_m2;
+  captures.push_back({plan, recording_in(part, plan, first_level), std::nullopt, lamp_w_per_m2});
+  const auto all = sim::fit_module(captures, channel::ModuleData{}, {});
+  for (const auto& [key, truth] : {std::pair{"agc_range_db", 75.0},
+                                   {"ambient_k", part.module.ambient_k},
+                                   {"agc_attack_db_per_ms", part.module.agc_attack_db_per_ms}}) {
+    const sim::FittedNumber& fitted = number(all, key);
+    EXPECT_TRUE(fitted.is_told) << key;
+    EXPECT_LE(fitted.low, truth) << key;
+    EXPECT_GE(fitted.high, truth) << key;
+  }
+  EXPECT_LT(number(all, "agc_range_db").high, 90);
+  EXPECT_NEAR(all.captures[1].level_db, 24, 1.2) << "not said, found";
+  EXPECT_LT(all.captures[2].level_db, -3) << "seems weaker";
+  EXPECT_NEAR(all.strongest_db, 24, 1.2) << "not of the lamp's";
 }
 
 TEST(FitOfHiddenParts, RefusesAPlanWithoutEnd) {
   sim::Plan plan = short_plan();
   plan.steps.back().repeats = 1'000'000'000'000;
-  EXPECT_THROW(fit_module(plan, {}, channel::ModuleData{}, {}), sim::Failure);
+  EXPECT_THROW(sim::fit_module({{plan, {}, {}}}, channel::ModuleData{}, {}), sim::Failure);
 }
 
 TEST(FitOfHiddenParts, RefusesARecordingOfSomethingElse) {
   sim::PinRecording recording;
   for (int i = 0; i < 300; ++i) recording.pulses.push_back({i * 0.013, i * 0.013 + 0.001});
-  EXPECT_THROW(fit_module(short_plan(), {}, channel::ModuleData{}, {}), sim::Failure);
-  EXPECT_THROW(fit_module(short_plan(), recording, channel::ModuleData{}, {}), sim::Failure);
+  EXPECT_THROW(sim::fit_module({{short_plan(), {}, {}}}, channel::ModuleData{}, {}), sim::Failure);
+  EXPECT_THROW(sim::fit_module({{short_plan(), recording, {}}}, channel::ModuleData{}, {}),
+               sim::Failure);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct HiddenPart {
   double start_s = 0.5;    // of the plan, in the recording's time
   double tail_s = 0.5;     // recorded behind the plan's end
   std::array<std::uint32_t, 4> noise_seed{1, 2, 3, 4};
+  double ambient_w_per_m2 = 0;  // of a lamp on it
   Broken broken = Broken::nothing;
 };
 

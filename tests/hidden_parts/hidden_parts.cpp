@@ -18,11 +18,12 @@ namespace {
 
 constexpr const char* usage =
     R"(hidden_parts PLAN SEED N FOLDER [--first-level MW_PER_M2] [--like F0_HZ SHARE]
-             [--broken K]
+             [--ambient W_PER_M2] [--broken K]
 
 Writes FOLDER/k.csv, what a logic analyser of 1 MS/s records, and FOLDER/k.truth, for k = 0 to N-1.
   --first-level  irradiance of the plan's first step (300)
   --like         centres are F0_HZ (1 +- SHARE) (the usual one nearest to the plan's carrier, 0.03)
+  --ambient      of a lamp on all parts (0)
   --broken       the slow AGC breaks the rule; all else is as without.
                  1: attack doubles once the gain has fallen by 20 dB
                  2: release is 3 times as fast in its first 10 ms as after them
@@ -36,6 +37,7 @@ struct Request {
   std::uint32_t parts = 0;
   std::filesystem::path folder;
   double first_level_mw_per_m2 = 300;
+  double ambient_w_per_m2 = 0;
   PartDraw draw;
 };
 
@@ -49,6 +51,10 @@ std::size_t take_option(const std::vector<std::string>& words, std::size_t at, R
   const auto number = [&](std::size_t i) { return std::stod(words.at(at + i)); };
   if (words[at] == "--first-level") {
     request.first_level_mw_per_m2 = number(1);
+    return 2;
+  }
+  if (words[at] == "--ambient") {
+    request.ambient_w_per_m2 = number(1);
     return 2;
   }
   if (words[at] == "--like") {
@@ -94,6 +100,7 @@ std::string truth_of(const HiddenPart& part, double first_level_mw_per_m2) {
   if (part.broken != Broken::nothing)
     text += fmt::format("broken {}\n", static_cast<int>(part.broken));
   text += fmt::format("clock_error {}\nstart_s {}\n", part.clock_error, part.start_s);
+  text += fmt::format("ambient_w_per_m2 {}\n", part.ambient_w_per_m2);
   text += fmt::format("said_first_level_mw_per_m2 {}\n", first_level_mw_per_m2);
   text += fmt::format("first_level_mw_per_m2 {}\n", first_level_mw_per_m2 * level_factor(part, 0));
   for (const auto& [key, factor] : part.level_factor)
@@ -107,6 +114,7 @@ void write_parts(const Request& request) {
     std::vector<HiddenPart> parts;
     for (std::uint32_t k = first; k < std::min(request.parts, first + most_parts); ++k)
       parts.push_back(draw_part(request.draw, k, request.plan));
+    for (HiddenPart& part : parts) part.ambient_w_per_m2 = request.ambient_w_per_m2;
     const auto recordings = recordings_of(request.plan, parts, request.first_level_mw_per_m2);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string name = std::to_string(first + i);

@@ -30,10 +30,11 @@ const HiddenPart& part_of(std::span<const HiddenPart> parts, int lane) {
 }
 
 /// Standard deviation of a sample's noise while there is so much light, mW/m2.
-float noise_of(const channel::ModuleData& module, double mw_per_m2, double rate) {
-  const dsp::WattsPerSquareMetre none(0), mean(mw_per_m2 * 1e-3 * duty);
+float noise_of(const HiddenPart& part, double mw_per_m2, double rate) {
+  const channel::ModuleData& module = part.module;
+  const dsp::WattsPerSquareMetre ambient(part.ambient_w_per_m2), mean(mw_per_m2 * 1e-3 * duty);
   const double density = channel::noise_density(
-      module, channel::photocurrent(module, channel::noisy_light(module, none, mean)));
+      module, channel::photocurrent(module, channel::noisy_light(module, ambient, mean)));
   return static_cast<float>(
       std::max(least_noise_mw_per_m2,
                channel::sample_deviation_mw_per_m2(module, density, dsp::Hertz(rate))));
@@ -77,7 +78,7 @@ class StepLight {
       const double level = said * level_factor(part, step.level_db);
       carrier_->load(i, bursts_, phase);
       dsp::set_lane(level_, i, static_cast<float>(level));
-      dsp::set_lane(noise_, i, noise_of(part.module, level, rate));
+      dsp::set_lane(noise_, i, noise_of(part, level, rate));
     }
   }
 
@@ -119,7 +120,7 @@ class PlanLight {
             double rate, std::int64_t before) {
     for (int i = 0; i < dsp::lanes<Lanes8>; ++i) {
       const HiddenPart& part = part_of(parts, i);
-      dsp::set_lane(dark_noise_, i, noise_of(part.module, 0, rate));
+      dsp::set_lane(dark_noise_, i, noise_of(part, 0, rate));
       noise_.seed(i, part.noise_seed);
     }
     for (const sim::PlanStep& step : plan.steps)
@@ -174,10 +175,11 @@ int tick_of(const sim::Plan& plan, double rate) {
 channel::ModuleDesignOf<Lanes8> designs_of(std::span<const HiddenPart> parts, double rate,
                                            int tick) {
   channel::ModuleDesignOf<Lanes8> all;
-  for (int i = 0; i < dsp::lanes<Lanes8>; ++i)
-    set_lane(all, i,
-             channel::design_module(part_of(parts, i).module, dsp::WattsPerSquareMetre(0),
-                                    dsp::Hertz(rate)));
+  for (int i = 0; i < dsp::lanes<Lanes8>; ++i) {
+    const HiddenPart& part = part_of(parts, i);
+    const dsp::WattsPerSquareMetre ambient(part.ambient_w_per_m2);
+    set_lane(all, i, channel::design_module(part.module, ambient, dsp::Hertz(rate)));
+  }
   all.agc.samples_per_tick = tick;
   return all;
 }

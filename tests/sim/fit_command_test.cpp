@@ -21,7 +21,7 @@ TEST_F(FitCommand, WritesABench) {
   EXPECT_EQ(files(), bench);
   EXPECT_GT(sim::read_plan(path("bench/plan.txt")).steps.size(), 100U);
   const std::string notes = content(path("bench/README.txt"));
-  EXPECT_LE(std::ranges::count(notes, '\n'), 12);
+  EXPECT_LE(std::ranges::count(notes, '\n'), 14);
   EXPECT_NE(notes.find("0.50 m"), std::string::npos) << notes;
   EXPECT_NE(notes.find("cosys-sim fit capture.csv -o modules/mine.toml\n"), std::string::npos);
   const auto first = sim::first_level_in(content(path("bench/plan.txt")));

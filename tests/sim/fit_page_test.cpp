@@ -13,12 +13,9 @@ namespace {
 
 MeasuredModule made_up_measurement() {
   MeasuredModule measured;
-  measured.plan.steps = {
-      {0, 56e3, 30, 530, 5, 0}, {200, 56e3, 30, 530, 5, -8}, {400, 56e3, 6, 0, 1, -8}};
   measured.like.name = "TSOP4856";
-  measured.capture = "c<1>.csv";
-  measured.wire = "rx";
-  measured.plan_words = "the plan plan.txt";
+  measured.captures = {
+      {.file = "c<1>.csv", .wire = "rx", .plan_words = "the plan plan.txt", .steps = 3}};
   FittedModule& fit = measured.fit;
   fit.numbers = {
       {.key = "agc_attack_db_per_ms",
@@ -29,11 +26,12 @@ MeasuredModule made_up_measurement() {
        .more = ""},
       {.key = "q", .value = 10.04, .low = 5.1, .high = 15.2, .is_told = true, .more = "x"},
       {.key = "agc_range_db", .value = 120, .low = 50, .high = 120, .more = "a carrier"}};
-  fit.steps = {{0, 5, 4, 2, "pulses", "1"},
-               {1, 3, 4, -1, "pulses", "1"},
-               {2, 12, 12, 0, "time until it lets go", "ms"}};
+  fit.steps = {{0, 0, 0, 5, 4, 2, "pulses", "1"},
+               {0, 1, -8, 3, 4, -1, "pulses", "1"},
+               {0, 2, -8, 12, 12, 0, "time until it lets go", "ms"}};
   fit.usual_deviation = 1.29;
-  fit.start_s = 0.1;
+  fit.captures = {{.start_s = 0.1}};
+  fit.strongest_over_emin_db = 54.2;
   return measured;
 }
 
@@ -54,13 +52,14 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "The plan begins at 0.1 s of the recording, and their clocks agree.\n"
       "Emin is that of TSOP4856, as the irradiance of the plan's first step is not known: measure "
       "it, and say --irradiance.\n"
+      "The strongest light was 54 dB above Emin: of stronger light nothing is told.\n"
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
       "The part follows the rule: 3 deviations of 1.29 standard deviations, as a rule.\n"))
       << measured_text(measured);
   measured.first_level_by = "--irradiance";
-  measured.fit.first_level_mw_per_m2 = 30.5;
-  measured.fit.clock_error = -0.0021;
+  measured.first_level_mw_per_m2 = 30.5;
+  measured.fit.captures[0].clock_error = -0.0021;
   measured.fit.not_apart = {"a and b: c would"};
   measured.fit.misfits = {{"short bursts", "reported 20 ms later"}};
   const std::string text = measured_text(measured);
@@ -72,6 +71,35 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
         "The part does not follow the rule: short bursts: reported 20 ms later.\n",
         "In all: 3 deviations of"})
     EXPECT_EQ(occurrences(text, line), 1U) << line << text;
+}
+
+TEST(FitWords, SayOfFurtherCapturesHowStrongTheirLightIs) {
+  MeasuredModule measured = made_up_measurement();
+  measured.captures.push_back(measured.captures[0]);
+  measured.captures.push_back(measured.captures[0]);
+  measured.captures[1].file = "near.csv";
+  measured.captures[1].is_of_known_level = false;
+  measured.captures[2].file = "lamp.csv";
+  measured.captures[2].ambient_w_per_m2 = 10;
+  measured.fit.captures = {
+      {.start_s = 0.1}, {.start_s = 0.2, .level_db = 24.123}, {.start_s = 0.3, .level_db = -12.4}};
+  measured.first_level_mw_per_m2 = 60;
+  measured.first_level_by = "--irradiance";
+  measured.fit.strongest_db = 24.123;
+  const std::string text = measured_text(measured);
+  for (const char* line :
+       {"Read rx of near.csv, by the plan plan.txt: 3 steps of light.\n"
+        "The plan begins at 0.2 s of the recording, and their clocks agree.\n"
+        "Its light is 24.12 dB stronger than that of c<1>.csv, as the recording says.\n",
+        "Under the lamp of 10 W/m2 its light seems 12.40 dB weaker than that of c<1>.csv.\n",
+        "The strongest light was 54 dB above Emin, 964 mW/m2: of stronger light, which an LED of "
+        "72 mW/sr gives nearer than 0.27 m, nothing is told.\n"})
+    EXPECT_EQ(occurrences(text, line), 1U) << line << text;
+  measured.fit.numbers.back().is_told = true;
+  EXPECT_EQ(occurrences(measured_text(measured), "stronger light"), 0U) << "the range is told";
+  const auto json = nlohmann::json::parse(measured_json(measured));
+  EXPECT_EQ(json["captures"].size(), 3U);
+  EXPECT_EQ(json["captures"][2]["ambient_w_per_m2"], 10);
 }
 
 TEST(FitWords, TellWhetherAnythingIsTold) {

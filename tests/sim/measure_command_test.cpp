@@ -2,9 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include "played_plan.hpp"
 #include "program.hpp"
+#include "protocol/cosys.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/fit/bench_notes.hpp"
 #include "sim/fit/plan_schedule.hpp"
@@ -124,16 +126,88 @@ TEST_F(MeasureCommand, FindsThePlanOnTheWireOfTheLed) {
     Words all = words;
     all.emplace_back("--json");
     const auto told = nlohmann::json::parse(measured(all).out);
-    EXPECT_EQ(told["plan"], "the light on D7");
-    EXPECT_EQ(told["wire"], "rx");
+    EXPECT_EQ(told["captures"][0]["plan"], "the light on D7");
+    EXPECT_EQ(told["captures"][0]["wire"], "rx");
     EXPECT_FALSE(told.contains("first_level"));
   }
   expect_refused({"fit", "capture.csv"}, bad_input,
-                 "no plan of capture.csv (no plan.txt is beside it, and no wire in it that drives "
-                 "the LED) say --plan PLAN");
+                 "no plan of capture.csv (no plan.txt is beside it, no wire in it drives the LED, "
+                 "and no message of 600 Bd is whole in it) say --plan PLAN; of messages --message "
+                 "and --baud");
   write("p.txt", bench_.text);
   EXPECT_NE(measured({"capture.csv", "--plan", "p.txt"}).out.find("by the plan p.txt"),
             std::string::npos);
+}
+
+/// What the module made of messages, in light of so much of Emin.
+std::string recorded_messages(const channel::ModuleData& module, double over_emin) {
+  sim::Plan plan;
+  const auto bits = protocol::line_bits(protocol::cosys_encode("IND 011111 OK"));
+  for (int k = 0; k < 8; ++k)
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      if (bits[i]) continue;
+      const double start_ms = 20 + 600.0 * k + static_cast<double>(i) / 0.6;
+      if (i > 0 && !bits[i - 1])
+        plan.steps.back().cycles_on = static_cast<std::uint64_t>(
+            std::lround(59 * (start_ms + 1 / 0.6 - plan.steps.back().start_ms)));
+      else
+        plan.steps.push_back({start_ms, 59e3, 98, 0, 1, 0});
+    }
+  return sim::capture_of(
+      {{"rx", true, sim::changes_of_output(plan, module, over_emin * module.emin_mw_per_m2)}});
+}
+
+// It has neither a plan nor the LED's wire, and still tells a little.
+TEST_F(MeasureCommand, TakesARecordingOfMessages) {
+  std::filesystem::remove(path("plan.txt"));
+  bench_.module.agc_attack_db_per_ms = 0.3;
+  write("far.csv", recorded_messages(bench_.module, 180));
+  const Outcome o = measured({"far.csv", "--message", "IND 011111 OK"});
+  for (const char* words : {"Read rx of far.csv, by the message IND 011111 OK at 600 Bd, 8 times, ",
+                            "messages tell little: show it a plan of light"})
+    EXPECT_NE(o.out.find(words), std::string::npos) << words << o.out;
+  EXPECT_EQ(program({"fit", "far.csv", "--message", "two\nlines"}).code, bad_input);
+}
+
+TEST_F(MeasureCommand, TakesSeveralCaptures) {
+  std::filesystem::create_directory(path("near"));
+  write("near/capture.csv", bench_.output);
+  write("near/plan.txt", bench_.text);
+  const Words both{"capture.csv", "near/capture.csv", "--json"};
+  const auto of = [&](const Words& more) {
+    Words words = both;
+    words.insert(words.end(), more.begin(), more.end());
+    return nlohmann::json::parse(measured(words).out)["captures"];
+  };
+  const auto found = of({});
+  EXPECT_EQ(found[1]["file"], "near/capture.csv");
+  EXPECT_EQ(found[1]["plan"], "the plan near/plan.txt");
+  EXPECT_NEAR(found[1]["level_db"].get<double>(), 0, 0.5);
+  EXPECT_EQ(of({"--plan", "plan.txt", "--ambient", "0,10"})[1]["ambient_w_per_m2"], 10);
+  EXPECT_EQ(of({"--plan", "plan.txt", "--plan", "near/plan.txt"})[1]["plan"], found[1]["plan"]);
+  EXPECT_NE(measured({"capture.csv", "near/capture.csv", "--irradiance", "60,61"})
+                .out.find("dB stronger than that of capture.csv.\n"),
+            std::string::npos);
+}
+
+TEST_F(MeasureCommand, RefusesListsThatAreNotOneForEachCapture) {
+  const auto refused = [&](Words more, const std::string& why) {
+    more.insert(more.begin(), {"fit", "capture.csv", "capture.csv", "capture.csv"});
+    expect_refused(more, bad_input, why);
+  };
+  refused({"--ambient", "0,1"},
+          "--ambient: 2 numbers for 3 captures (each capture has one of its own) name 3");
+  refused(
+      {"--ambient", "1,1,1"},
+      "--ambient (the first capture is under a lamp, too) name one without a lamp first, with 0");
+  refused({"--irradiance", "1,2"},
+          "--irradiance: 2 numbers for 3 captures (each capture has one of its own, or all one) "
+          "name 3, or one");
+  refused({"--plan", "plan.txt", "--plan", "plan.txt"},
+          "--plan: 2 plans for 3 captures (each capture has one of its own, or all one) name 3, or "
+          "one");
+  expect_refused({"fit", "capture.csv", "-"}, bad_input,
+                 "- (one of several captures cannot be standard input) save it to a file");
 }
 
 TEST_F(MeasureCommand, DrawsAPage) {
@@ -169,9 +243,6 @@ TEST_F(MeasureCommand, RefusesWhatIsNoMeasurement) {
   expect_refused({"fit", "none.csv"}, bad_input, "none.csv (no such file) check the path");
   expect_refused({"fit", "capture.csv", "--plan", "none.txt"}, bad_input,
                  "none.txt (no such file) check the path");
-  expect_refused({"fit", "capture.csv", "capture.csv"}, bad_input,
-                 "capture.csv (one capture is fitted at a time) write cosys-sim fit for each of "
-                 "them");
   expect_refused(
       {"fit", "capture.csv", "--plan"}, bad_input,
       "--plan with a capture (it names no plan) write --plan PLAN, or leave it out where "
@@ -179,7 +250,7 @@ TEST_F(MeasureCommand, RefusesWhatIsNoMeasurement) {
   expect_refused({"fit", "capture.csv", "--minutes", "2"}, bad_input,
                  "--minutes with a capture (it is for a bench) leave it out");
   expect_refused({"fit", "capture.csv", "--carrier", "38e3"}, bad_input,
-                 "--carrier with a plan (the plan says its carriers) leave it out");
+                 "--carrier with a plan (the plan says what the light was) leave it out");
   expect_refused({"fit", "capture.csv", "--module", "ideal-coherent"}, bad_input,
                  "ideal-coherent (no module that can be bought) name one that is like yours");
   expect_refused({"fit", "capture.csv", "--wire", "D3"}, bad_input,

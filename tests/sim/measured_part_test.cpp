@@ -88,6 +88,24 @@ TEST(MeasuredPart, IntervalsHoldWhatTheyHeld) {
   EXPECT_EQ(bounds_of(part, "centre_hz")->distribution, channel::Distribution::uniform);
 }
 
+// What is not told may still be shut out: a doubt that the recording has settled is not drawn.
+TEST(MeasuredPart, BoundsOfWhatIsNotToldAreCutByWhatTheRecordingShutsOut) {
+  const auto like = load_module("TSOP4856", catalogue, "");
+  FittedModule fit = fit_like(like);
+  const channel::NumberBounds& given = *bounds_of(like.data, "agc_range_db");
+  const auto bounds_for = [&](double low, double high) {
+    fit.numbers.back().low = low;
+    fit.numbers.back().high = high;
+    const std::string text = measured_part_text(fit, like, "mine", "c.csv");
+    EXPECT_EQ(text.find("bounds cut by what c.csv shows") != std::string::npos, low > given.low);
+    return *bounds_of(read_again(text), "agc_range_db");
+  };
+  EXPECT_EQ(bounds_for(72, 200).low, 72);
+  EXPECT_EQ(bounds_for(72, 200).high, given.high) << "of what any part may have";
+  EXPECT_EQ(bounds_for(20, 140).low, given.low);
+  EXPECT_EQ(bounds_for(130, 140).low, like.data.agc_range_db) << "not beyond the value itself";
+}
+
 TEST(MeasuredPart, OneOfTwoThatExcludeEachOtherHasThePlaceOfTheOther) {
   const auto like = load_module("TSOP57256", catalogue, "");
   const bool in_ms = like.data.agc_long_burst_ms > 0;

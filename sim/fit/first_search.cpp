@@ -1,0 +1,127 @@
+#include "sim/fit/first_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "sim/fit/grid_search.hpp"
+
+namespace sim {
+namespace {
+
+using enum RuleParameter;
+
+/// What threshold, tune, attack and range show in, and the gain's duty hardly; of one capture.
+std::vector<std::size_t> bursts_and_carriers_of(const JoinedLight& light, std::size_t capture) {
+  std::vector<std::size_t> steps = all_steps_of(light.plan);
+  std::erase_if(steps, [&](std::size_t s) {
+    return light.steps[s].capture != capture || !is_burst_or_carrier(light.plan, s);
+  });
+  return steps;
+}
+
+/// What they tell.
+constexpr std::array numbers_of_first_steps{
+    centre, q, threshold, integrator, comparator_hold, attack, duty, margin, range, start, clock};
+
+/// The first of those that lie more than a grid's step or two apart in the threshold or the attack.
+std::vector<GridPoint> distinct(const std::vector<GridPoint>& points, std::size_t most) {
+  std::vector<GridPoint> chosen;
+  for (const GridPoint& point : points) {
+    const auto near = [&](const GridPoint& other) {
+      return std::abs(point.x[place_of(threshold)] - other.x[place_of(threshold)]) < 5 &&
+             std::abs(point.x[place_of(attack)] - other.x[place_of(attack)]) < 0.3;
+    };
+    if (chosen.size() < most && std::ranges::none_of(chosen, near)) chosen.push_back(point);
+  }
+  return chosen;
+}
+
+class FirstSearch {
+ public:
+  FirstSearch(const JoinedLight& light, const ParameterPriors& priors, double level_error_db)
+      : light_(light), priors_(priors), level_error_db_(level_error_db) {}
+
+  Numbers operator()() {
+    PlanLikelihood first = likelihood_of(0);
+    x_ = first.start();
+    x_.resize(first.before_levels());
+    if (!first.plan().steps.empty()) find_constants(first);
+    for (std::size_t k = 1; k < light_.captures.size(); ++k) find_light_of(k);
+    return x_;
+  }
+
+ private:
+  PlanLikelihood likelihood_of(std::size_t capture) const {
+    return {light_, bursts_and_carriers_of(light_, capture), priors_, level_error_db_};
+  }
+
+  /// The first capture tells the constants.
+  void find_constants(PlanLikelihood& likelihood) {
+    std::vector<bool> is_free(likelihood.parameters(), false);
+    for (const RuleParameter one : numbers_of_first_steps) is_free[place_of(one)] = true;
+    const LeastSquaresProblem problem = problem_of(likelihood, is_free);
+    likelihood.take_wide_deviations();
+    auto points =
+        best_of_grid(problem, likelihood.start(),
+                     {{place_of(threshold), steps_between(-80, -14, 23)},
+                      {place_of(attack), steps_between(std::log(0.03), std::log(1.6), 20)},
+                      {place_of(duty), logarithms({0.08, 0.18, 0.4})},
+                      {place_of(range), {45, 55, 70, 100}}},
+                     40);
+    points = distinct(points, 4);
+    for (GridPoint& point : points) {
+      likelihood.take_wide_deviations();
+      point.x = least_squares(problem, point.x, 4).x;
+      likelihood.take_deviations_at(point.x);
+      point.x = least_squares(problem, point.x, 8).x;
+      likelihood.take_wide_deviations();
+      point.cost = cost_of(problem, point.x);
+    }
+    const Numbers best = std::ranges::min(points, {}, &GridPoint::cost).x;
+    for (const RuleParameter one : numbers_of_first_steps) x_[place_of(one)] = best[place_of(one)];
+  }
+
+  /// Each other one how strong its light is against the first one's.
+  void find_light_of(std::size_t capture) {
+    PlanLikelihood likelihood = likelihood_of(capture);
+    if (likelihood.plan().steps.empty()) return;
+    const std::size_t level = place_of(CaptureNumber::level, capture);
+    const ParameterPrior& prior = likelihood.priors()[level];
+    const double reach = 3 * prior.deviation;
+    std::vector<bool> is_free(likelihood.parameters(), false);
+    for (const CaptureNumber one :
+         {CaptureNumber::start, CaptureNumber::clock, CaptureNumber::level})
+      is_free[place_of(one, capture)] = true;
+    const LeastSquaresProblem problem = problem_of(likelihood, is_free);
+    likelihood.take_wide_deviations();
+    Numbers x = likelihood.start();
+    std::ranges::copy(x_, x.begin());
+    x = best_of_grid(problem, x,
+                     {{level, steps_between(prior.middle - reach, prior.middle + reach, 61)}}, 1)
+            .front()
+            .x;
+    x = least_squares(problem, x, 6).x;
+    std::copy_n(x.begin(), x_.size(), x_.begin());
+  }
+
+  const JoinedLight& light_;
+  const ParameterPriors& priors_;
+  double level_error_db_;
+  Numbers x_;
+};
+
+}  // namespace
+
+LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_free) {
+  return {[&likelihood](const Numbers& x) { return likelihood.deviations(x); }, likelihood.priors(),
+          std::move(is_free)};
+}
+
+Numbers first_numbers(const JoinedLight& light, const ParameterPriors& priors,
+                      double level_error_db) {
+  return FirstSearch(light, priors, level_error_db)();
+}
+
+}  // namespace sim

@@ -1,0 +1,21 @@
+#pragma once
+// What a recording has of a plan's steps beside what the fitted rule has, and where these differ by
+// more than chance.
+#include <vector>
+
+#include "sim/fit/fitted_module.hpp"
+#include "sim/fit/plan_likelihood.hpp"
+
+namespace sim {
+
+/// The number of bursts, or of a carrier the time, and the length of the pulses.
+std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Numbers& x);
+
+/// Steps of one quantity that no constants explain: more of them than chance and chaos have.
+std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps);
+
+/// The root of the mean square; of some chaotic trains, which are far off by little, no more than a
+/// few standard deviations count.
+double usual_deviation_of(const std::vector<FittedStep>& steps);
+
+}  // namespace sim
