@@ -30,6 +30,7 @@ struct Arena {
   dsp::Seconds delay{};        // constant part, light to pin
   // Receiver.
   dsp::Hertz receiver_baud{};
+  bool has_monostable = false;  // that makes whole bits of short pulses before the UART
   const protocol::UartReceiver* uart = nullptr;
   std::uint64_t validity_flags = 0;  // of sim/link/validity, for any sender where it is in reach
   // Randomness.

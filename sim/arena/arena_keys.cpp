@@ -19,7 +19,7 @@ std::vector<Key> arena_keys() {
 
 constinit const ExperimentKind arena_kind{
     .name = "arena",
-    .tables = {"path.", "arena.", "devices.", "stop.target_flr"},
+    .tables = {"path.", "device.pulse_us", "arena.", "devices.", "stop.target_flr"},
     .amount = "arena.runs",
     .keys = arena_keys};
 

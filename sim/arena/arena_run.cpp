@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/cosys.hpp"
+#include "protocol/short_pulses.hpp"
 #include "sim/arena/airtime.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/trial/trial.hpp"
@@ -72,7 +73,11 @@ struct HeardLine {
 
 HeardLine listen(const Arena& arena, std::uint32_t run, const dsp::LogicTrace& pin) {
   const double phase = address(arena, run, Purpose::uart_phase).uniform(0);
-  HeardLine heard{arena.uart->receive(pin, arena.receiver_baud, phase), {}};
+  const protocol::UartReceiver& uart = *arena.uart;
+  const dsp::Hertz baud = arena.receiver_baud;
+  HeardLine heard{arena.has_monostable ? uart.receive(protocol::whole_bits(pin, baud), baud, phase)
+                                       : uart.receive(pin, baud, phase),
+                  {}};
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : heard.bytes)
     if (auto frame = decoder.push(byte); frame && frame->outcome == protocol::CosysOutcome::ok)

@@ -82,6 +82,7 @@ Sender make_sender(const Scenario& s, const std::string& name, const PlacedDevic
   sender.carrier = off_by(s.device.carrier_hz, d.carrier_error_ppm, d.carrier_spread_ppm);
   sender.duty = s.device.carrier_duty;
   sender.baud = off_by(s.device.baud, d.clock_error_ppm, d.clock_spread_ppm);
+  sender.pulse = Seconds(s.device.pulse_us * 1e-6);
   sender.source = find_message_source(d.source);
   sender.messages = messages_of(name, d, number);
   sender.status_hold = Seconds(d.status_hold_s);

@@ -26,7 +26,8 @@ struct Sender {
   dsp::Hertz carrier;  // its true frequency
   double duty;
   // Messages.
-  dsp::Hertz baud;  // its true rate
+  dsp::Hertz baud;        // its true rate
+  dsp::Seconds pulse{0};  // of light, for each zero bit; 0: the whole bit
   MessageSource source;
   std::vector<std::string> messages;
   dsp::Seconds status_hold;

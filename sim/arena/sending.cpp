@@ -4,6 +4,7 @@
 
 #include "dsp/random_stream.hpp"
 #include "protocol/cosys.hpp"
+#include "protocol/short_pulses.hpp"
 #include "protocol/uart.hpp"
 #include "sim/threads/random_spells.hpp"
 
@@ -92,7 +93,9 @@ double mean_load(const Sender& sender) {
 /// Half the data bits of a message are taken as light.
 double mean_light(const Sender& sender) {
   constexpr double lit_slots = (1 + protocol::data_bits / 2.0) / protocol::bits_per_byte;
-  return sender.duty * lit_slots * mean_load(sender);
+  const double lit =
+      sender.pulse > Seconds(0) ? sender.pulse / dsp::period(sender.baud) : 1;  // of a slot
+  return sender.duty * lit_slots * lit * mean_load(sender);
 }
 
 SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds end) {
@@ -109,7 +112,7 @@ SentFrames send(const Sender& sender, const dsp::RandomAddress& draws, Seconds e
     if (frame.end > Seconds(0)) {
       if (!frame.silent)
         for (const std::uint8_t byte : bytes)
-          at = protocol::send_byte(sent.drive, byte, at, sender.baud);
+          at = protocol::send_byte_in_pulses(sent.drive, byte, at, sender.baud, sender.pulse);
       sent.frames.push_back(frame);
     }
     at = frame.end + pause.next();

@@ -47,6 +47,12 @@ double deviation_of(const RuleFit& fit, RuleParameter parameter) {
   return std::sqrt(fit.covariance(place_of(parameter), place_of(parameter)));
 }
 
+/// What the scale of decibels adds to that: attack and range are as long as it is.
+double scale_deviation(const RuleFit& fit, RuleParameter parameter) {
+  if (parameter == attack) return fit.scale_error;
+  return parameter == range ? fit.scale_error * fit.x[place_of(range)] : 0;
+}
+
 /// Where a number lies with 95 %.
 struct Reach {
   double low, high;
@@ -54,7 +60,9 @@ struct Reach {
 
 Reach reach_of(const RuleFit& fit, const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
-  const double reach = normal_95 * note.widening * deviation_of(fit, note.parameter);
+  const double reach = normal_95 * std::hypot(note.widening * deviation_of(fit, note.parameter),
+                                              scale_deviation(fit, note.parameter));
+  if (note.parameter == range) return {fit.low[place] - reach, fit.high[place] + reach};
   return {std::min(fit.x[place] - reach, fit.low[place]),
           std::max(fit.x[place] + reach, fit.high[place])};
 }

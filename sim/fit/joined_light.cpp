@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "sim/failure.hpp"
@@ -40,14 +41,25 @@ ParameterPrior level_prior(const LightCapture& capture, const LightCapture& firs
   return prior;
 }
 
+/// Of a plan that tells nothing new the steps up to the first train behind a long carrier. Steps
+/// cannot be left out between others: what the gain has lost in them is not back yet.
+std::size_t first_steps(const Plan& plan) {
+  bool had_carrier = false;
+  for (std::size_t s = 0; s < plan.steps.size(); ++s) {
+    if (had_carrier && !is_burst_or_carrier(plan, s)) return s;
+    had_carrier = had_carrier || is_long_carrier(plan.steps[s]);
+  }
+  return plan.steps.size();
+}
+
 /// Steps of a capture, each with its bursts, at the end of all.
 void append(const LightCapture& capture, const std::vector<BurstOutput>& recorded, bool is_repeated,
             JoinedLight& all) {
   const std::size_t place = all.captures.size() - 1;
   const double begin_ms = all.captures.back().begin_ms;
   const std::vector<std::size_t> first = first_bursts(capture.plan);
-  for (std::size_t s = 0; s < capture.plan.steps.size(); ++s) {
-    if (is_repeated && !is_burst_or_carrier(capture.plan, s)) continue;
+  const std::size_t steps = is_repeated ? first_steps(capture.plan) : capture.plan.steps.size();
+  for (std::size_t s = 0; s < steps; ++s) {
     PlanStep step = capture.plan.steps[s];
     step.start_ms += begin_ms;
     all.plan.steps.push_back(step);
@@ -75,6 +87,18 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
     append(capture, recorded, is_repeated, all);
   }
   return all;
+}
+
+double scale_error(const JoinedLight& light, double level_error_db) {
+  std::set<double> levels;  // of one capture, as those of others are as wrong, or further levels
+  for (std::size_t s = 0; s < light.plan.steps.size(); ++s)
+    if (light.steps[s].capture == 0 && is_long_carrier(light.plan.steps[s]))
+      levels.insert(light.plan.steps[s].level_db);
+  double sum = 0, squares = 0;
+  for (const double level : levels) sum += level, squares += level * level;
+  const double n = static_cast<double>(levels.size());
+  const double spread = levels.empty() ? 0 : squares - sum * sum / n;
+  return spread > 0 ? level_error_db / std::sqrt(spread) : 0;
 }
 
 }  // namespace sim

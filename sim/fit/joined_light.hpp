@@ -45,9 +45,13 @@ struct JoinedLight {
 };
 
 /// Between two captures is dark in which any gain comes back. Of one that repeats the plan of
-/// another, or is under a lamp, only short bursts at rest and long carriers are taken: trains tell
-/// nothing more in other light. Throws Failure(bad_input) where a
+/// another, or is under a lamp, only the steps up to the first train behind a long carrier are
+/// taken: trains tell nothing more in other light. Throws Failure(bad_input) where a
 /// recording and its plan have nothing in common, or all are too many bursts.
 JoinedLight join(const std::vector<LightCapture>& captures, double level_error_db);
+
+/// By how much the levels of long carriers may be further apart than the plans say, as a share: the
+/// standard deviation of a straight line's slope through them. 0 where they have one level alone.
+double scale_error(const JoinedLight& light, double level_error_db);
 
 }  // namespace sim

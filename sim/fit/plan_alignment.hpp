@@ -15,7 +15,8 @@ struct PlanAlignment {
   double plan_s(double recorded_s) const { return (recorded_s - start_s) / (1 + clock_error); }
 };
 
-/// Clocks may differ by 3 %. Throws Failure(bad_input) where so few bursts fit that it may be chance.
+/// Clocks may differ by 3 %. Throws Failure(bad_input) where so few bursts fit that it may be
+/// chance.
 PlanAlignment align(const Plan& plan, const PinRecording& recording);
 
 }  // namespace sim

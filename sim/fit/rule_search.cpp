@@ -22,6 +22,7 @@ class RuleSearch {
       : plan_(light.plan),
         priors_(priors),
         all_(light, all_steps_of(light.plan), priors, level_error_db),
+        scale_error_(scale_error(light, level_error_db)),
         x_(all_.start()) {
     std::ranges::copy(first_numbers(light, priors, level_error_db), x_.begin());
   }
@@ -30,7 +31,7 @@ class RuleSearch {
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     const Numbers mirrored = try_mirrored_centre(whole);
-    RuleFit fit{x_, covariance_at(whole, x_), x_, x_};
+    RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
     if (cost_of(whole, mirrored) < cost_of(whole, x_) + told_cost) {
       const auto [low, high] = std::minmax(mirrored[place_of(centre)], x_[place_of(centre)]);
@@ -214,6 +215,7 @@ class RuleSearch {
   const Plan& plan_;
   const ParameterPriors& priors_;
   PlanLikelihood all_;
+  double scale_error_;
   Numbers x_;
 };
 

@@ -14,6 +14,9 @@ struct RuleFit {
   /// Where each number may lie, all others as they are, without being told from `x`: of numbers
   /// with which the output jumps; of others `x` itself.
   Numbers low, high;
+  /// Of a decibel, as a share: levels are wrong, each for itself, so carriers are not that far
+  /// apart.
+  double scale_error = 0;
 };
 
 RuleFit search_rule(const JoinedLight& light, const ParameterPriors& priors, double level_error_db);

@@ -39,7 +39,7 @@ std::vector<Key> guard_keys() {
 
 constinit const ExperimentKind guard_kind{
     .name = "guard",
-    .tables = {"path.", "arena.", "devices.", "guard.", "stop.target_flr"},
+    .tables = {"path.", "device.pulse_us", "arena.", "devices.", "guard.", "stop.target_flr"},
     .amount = "arena.runs",
     .keys = guard_keys};
 

@@ -30,6 +30,11 @@ double in_db(double power_ratio) { return 10 * std::log10(power_ratio); }
 
 dsp::Hertz true_baud(const Scenario& s) { return off_by(s.device.baud, s.device.clock_error_ppm); }
 
+/// The rate of bits that would be as long as the light of a zero bit is: for its energy.
+dsp::Hertz light_rate(const Scenario& s) {
+  return s.device.pulse_us > 0 ? dsp::Hertz(1e6 / s.device.pulse_us) : true_baud(s);
+}
+
 channel::LightSettings light_settings(const Scenario& s) {
   return {.signal = light_of(s).total() * colour_response(s.module, s.emitter, s.led.temperature_c),
           .ambient = ambient_of(s),
@@ -49,16 +54,16 @@ PointLight point_light(const Scenario& scenario) {
   s.module = module_of(scenario);
   channel::LightSettings light = light_settings(s);
   if (!std::isnan(s.receiver.ebn0_db))
-    light.signal = signal_for_ebn0(s.module, light, true_baud(s), s.receiver.ebn0_db);
+    light.signal = signal_for_ebn0(s.module, light, light_rate(s), s.receiver.ebn0_db);
   return {std::move(s), light};
 }
 
 /// Signal: the carrier's fundamental. Noise: what shot and thermal noise put into the module with
 /// the carrier on. SNR is taken behind the band-pass, or in the bandwidth of a bit that a matched
 /// receiver has; Eb/N0 at the input, half of the bits being light (average-energy convention:
-/// coherent OOK has BER = Q(sqrt(Eb/N0))).
+/// coherent OOK has BER = Q(sqrt(Eb/N0))), or having a pulse of it.
 OperatingPoint operating_point(const Scenario& s, const channel::LightSettings& light) {
-  const dsp::Hertz baud = true_baud(s);
+  const dsp::Hertz baud = light_rate(s);
   const double ebn0 = ebn0_of(s.module, light, baud);
   const bool matched = channel::is_matched(s.module);
   const dsp::Hertz bandwidth = matched ? baud : channel::noise_bandwidth(s.module);
@@ -75,6 +80,7 @@ void set_device(Link& link, const Scenario& s) {
   link.message = s.device.message;
   link.bytes = protocol::cosys_encode(s.device.message);
   link.device_baud = true_baud(s);
+  link.pulse = dsp::Seconds(s.device.pulse_us * 1e-6);
   link.start_jitter = dsp::Seconds(s.device.start_jitter_us * 1e-6);
   link.interval_min = dsp::Seconds(s.device.interval_min_ms * 1e-3);
   link.interval_max = dsp::Seconds(s.device.interval_max_ms * 1e-3);
@@ -164,6 +170,7 @@ Link make_link(const Scenario& scenario) {
   link.draws_constants = s.receiver.population == population_with_constants;
   link.receiver_baud = off_by(s.device.baud, s.uart.clock_error_ppm);
   link.uart = protocol::find_uart_receiver(s.uart.receiver);
+  link.has_monostable = s.device.pulse_us > 0 && s.uart.monostable != 0;
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);
   link.point = point_hash(scenario);
   link.operating = operating_point(s, light);

@@ -25,6 +25,7 @@ struct Link {
   std::string message;     // as the user knows it
   protocol::Bytes bytes;   // as the line carries it
   dsp::Hertz device_baud;  // true rates, clock errors included
+  dsp::Seconds pulse{0};   // of light, for each zero bit; 0: the whole bit
   dsp::Seconds start_jitter, interval_min, interval_max;
   int warmup_messages = 1;
   // Light and module.
@@ -42,6 +43,7 @@ struct Link {
   // Receiver.
   dsp::Hertz receiver_baud;
   const protocol::UartReceiver* uart = nullptr;
+  bool has_monostable = false;  // that makes whole bits of short pulses before it
   // Randomness.
   std::uint64_t seed = 0;
   std::uint32_t point = 0;  // hash of the point's canonical text

@@ -111,8 +111,9 @@ bool beyond_colour(const Scenario& s, const OperatingPoint&) {
   return beyond(s.module.spectral, nm, channel::emin_nm);
 }
 
-/// The longest light of a message, in cycles: bits that are 0 in a row.
+/// The longest light of a message, in cycles: bits that are 0 in a row, or a pulse.
 double longest_burst_cycles(const Scenario& s) {
+  if (s.device.pulse_us > 0) return s.device.pulse_us * 1e-6 * s.device.carrier_hz;
   int longest = 0, run = 0;
   for (const bool level : protocol::line_bits(protocol::cosys_encode(s.device.message))) {
     run = level ? 0 : run + 1;

@@ -109,6 +109,22 @@ void check_together(Scenario& s, const std::vector<Limit>& limits, const SourceL
   }
 }
 
+/// A pulse is of a carrier, and no longer than the bit that it stands for.
+void check_pulse(const Scenario& s, const SourceLocations& places) {
+  if (s.device.pulse_us == 0) return;
+  constexpr double least_cycles = 4;
+  const double least_us = least_cycles / s.device.carrier_hz * 1e6, most_us = 1e6 / s.device.baud;
+  const std::string asked = fmt::format("device.pulse_us = {} {}", s.device.pulse_us,
+                                        place_of(places, "device.pulse_us"));
+  if (s.device.pulse_us < least_us || s.device.pulse_us > most_us)
+    throw bad_input(
+        asked, "a pulse is of 4 carrier periods at least, and within its bit",
+        fmt::format("use {:.3g} to {:.3g}, or 0 for light in the whole bit", least_us, most_us));
+  if (channel::is_matched(s.module))
+    throw bad_input(asked + " with receiver.module = \"" + s.receiver.module + "\"",
+                    "a matched receiver takes the light of whole bits", "remove one of the two");
+}
+
 /// Above the last point of its curve nothing is known of an LED.
 void check_current(const Scenario& s, const SourceLocations& places) {
   const double last = s.emitter.intensity_mw_per_sr.x.back();
@@ -162,6 +178,7 @@ void check_point(Scenario& s, const std::vector<Limit>& limits, const SourceLoca
   check_together(s, limits, places);
   check_remotes(s, places);
   check_current(s, places);
+  check_pulse(s, places);
   check_ebn0(s, places);
   check_unit(s, places);
   check_led_temperature(s.emitter, s.led.temperature_c, places);

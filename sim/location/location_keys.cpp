@@ -104,9 +104,9 @@ std::vector<Key> location_keys() {
 
 constinit const ExperimentKind presence_kind{
     .name = "presence",
-    .tables = {"presence.", "device.message", "device.baud", "device.clock_error_ppm",
-               "device.carrier_", "led.yaw_deg", "receiver.range_m", "receiver.bearing_deg",
-               "receiver.temperature_c", "ambient.", "noise."},
+    .tables = {"presence.", "device.message", "device.baud", "device.pulse_us",
+               "device.clock_error_ppm", "device.carrier_", "led.yaw_deg", "receiver.range_m",
+               "receiver.bearing_deg", "receiver.temperature_c", "ambient.", "noise."},
     .has_modules = false,
     .amount = "presence.trials",
     .keys = presence_keys};

@@ -20,6 +20,7 @@ namespace sim {
 struct KeyedMessage {
   std::string message = "IND 011111 OK";
   dsp::Hertz baud{600};
+  dsp::Seconds pulse{0};  // of light, for each zero bit; 0: the whole bit
 };
 
 struct PresenceSettings {

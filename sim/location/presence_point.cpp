@@ -9,7 +9,7 @@
 
 #include "channel/bursts.hpp"
 #include "protocol/cosys.hpp"
-#include "protocol/uart.hpp"
+#include "protocol/short_pulses.hpp"
 #include "sim/failure.hpp"
 #include "sim/noise/addressed_normals.hpp"
 
@@ -25,7 +25,7 @@ std::vector<channel::Burst> message_bursts(const KeyedMessage& keyed, double sam
   dsp::LogicTrace line;
   dsp::Seconds at(0);
   for (const std::uint8_t byte : protocol::cosys_encode(keyed.message))
-    at = protocol::send_byte(line, byte, at, keyed.baud);
+    at = protocol::send_byte_in_pulses(line, byte, at, keyed.baud, keyed.pulse);
   return channel::bursts_of(line, dsp::Hertz(sample_rate_hz));
 }
 

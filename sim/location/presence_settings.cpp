@@ -85,7 +85,8 @@ std::vector<double> false_alarms(const PresenceScenario& p, const SourceLocation
 std::optional<KeyedMessage> keyed_message(const Scenario& s) {
   if (s.settings.of<PresenceScenario>().keyed == 0) return std::nullopt;
   return KeyedMessage{.message = s.device.message,
-                      .baud = off_by(s.device.baud, s.device.clock_error_ppm)};
+                      .baud = off_by(s.device.baud, s.device.clock_error_ppm),
+                      .pulse = dsp::Seconds(s.device.pulse_us * 1e-6)};
 }
 
 }  // namespace

@@ -56,6 +56,9 @@ std::vector<Key> device_keys() {
              "error of the carrier frequency", "of a 555 timer up to 17 % (SNAS558N)"),
       number("device.carrier_duty", "1", from(0.01, 0.99), at, &D::carrier_duty,
              "lit fraction of a carrier period"),
+      younger(number("device.pulse_us", "us", from(0, 1e6), at, &D::pulse_us,
+                     "light of each 0 bit, from its start on",
+                     "0: the whole bit; 158 at 2400 Bd: a short burst for any module (Vishay)")),
   };
 }
 
@@ -153,6 +156,9 @@ std::vector<Key> surroundings_keys() {
            names_of(protocol::uart_receivers())),
       number("uart.clock_error_ppm", "1e-6", from(-1e5, 1e5), &Scenario::uart,
              &UartSettings::clock_error_ppm, "clock error of the listening UART", "positive: fast"),
+      younger(flag("uart.monostable", &Scenario::uart, &UartSettings::monostable,
+                   "whether each pulse of `device.pulse_us` is made a whole bit before the UART",
+                   "without, the UART must see the pulse in the middle of its bit")),
       number("ambient.irradiance_w_per_m2", "W/m2", from(0, 1000), &Scenario::ambient,
              &AmbientSettings::irradiance_w_per_m2, "steady ambient irradiance",
              "as if at 950 nm; 10: 1.4 klx of tungsten or 8.2 klx of day (Vishay 82459 Fig. 6)"),

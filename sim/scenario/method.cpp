@@ -42,6 +42,9 @@ Obstacle obstacle_of(const Scenario& s) {
             "use the fidelity waveform"};
   if (s.noise.scale == 0)
     return {"noise.scale", "without noise there is nothing to draw", "use the method brute-force"};
+  if (s.device.pulse_us > 0)
+    return {"device.pulse_us", "weights are of bits that are light as a whole",
+            "use the method brute-force"};
   if (s.stop.target_flr > 0)
     return {"stop.target_flr", "weighted losses cannot be told from a level frame by frame",
             "use --rel-ci or --max-frame-errors"};

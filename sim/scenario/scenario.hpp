@@ -27,6 +27,7 @@ struct DeviceSettings {
   double carrier_hz = 59000;
   double carrier_error_ppm = 0;
   double carrier_duty = 0.5;
+  double pulse_us = 0;  // of light, for each zero bit; 0: the whole bit
 };
 
 struct LedSettings {
@@ -62,6 +63,7 @@ struct ReceiverSettings {
 struct UartSettings {
   std::string receiver = "atmega";  // of protocol::uart_receivers()
   double clock_error_ppm = 0;
+  double monostable = 1;  // makes whole bits of short pulses before the UART
 };
 
 struct AmbientSettings {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "protocol/short_pulses.hpp"
 #include "sim/link/link.hpp"
 #include "sim/trial/decision_trial.hpp"
 #include "sim/trial/envelope_trial.hpp"
@@ -53,10 +54,20 @@ TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial) {
   traced.baud = link.device_baud;
   traced.delay = link.delay;
   traced.has_slow_agc = link.module.agc_attack_db_per_ms > 0;
+  traced.has_pulses = link.pulse > dsp::Seconds(0);
+  traced.has_monostable = link.has_monostable;
   traced.rx =
       link.decisions ? decided_pin(link, trial, sent) : pin_of(link, trial, sent, traced.taps);
   traced.tx = std::move(sent.line);
   return traced;
+}
+
+dsp::LogicTrace sent_line(const TracedTrial& trial) {
+  return trial.has_pulses ? protocol::whole_bits(trial.tx, trial.baud) : trial.tx;
+}
+
+dsp::LogicTrace read_line(const TracedTrial& trial) {
+  return trial.has_monostable ? protocol::whole_bits(trial.rx, trial.baud) : trial.rx;
 }
 
 std::vector<double> sample_times_s(const TracedTrial& trial) {

@@ -28,12 +28,18 @@ struct TracedTrial {
   dsp::Hertz carrier{}, baud{};  // the device's true ones
   dsp::Seconds delay{};      // constant part, light to pin: ideal receivers decide at a bit's end
   bool has_slow_agc = true;  // or its tap stands still
-  std::string pin = "rx";    // what formats call the module's pin that name their wires
+  bool has_pulses = false;   // of light, one for each zero bit
+  bool has_monostable = false;  // that makes whole bits of them before the UART
+  std::string pin = "rx";       // what formats call the module's pin that name their wires
   TraceOrigin origin{};
 };
 
 /// Re-runs trial `trial` of the point that `scenario` is; the origin is left to the caller.
 TracedTrial trace_trial(const Scenario& scenario, std::uint32_t trial);
+
+/// The bits that were sent, and what a UART reads: the two wires, if light is in whole bits.
+dsp::LogicTrace sent_line(const TracedTrial& trial);
+dsp::LogicTrace read_line(const TracedTrial& trial);
 
 /// The instants at which the taps were read, one a sample: the end of the sample.
 std::vector<double> sample_times_s(const TracedTrial& trial);

@@ -5,6 +5,7 @@
 
 #include "channel/conditions.hpp"
 #include "dsp/philox.hpp"
+#include "protocol/short_pulses.hpp"
 #include "sim/components/drawn_part.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/threads/stopwatch.hpp"
@@ -37,9 +38,9 @@ bool within(const SentMessage& message, dsp::Seconds at, const Link& link) {
   return sent >= message.byte_start.front() - half_bit(link) && sent < message.end;
 }
 
-void count_bits(const Link& link, const SentMessage& message, const dsp::LogicTrace& pin,
+void count_bits(const Link& link, const SentMessage& message, const dsp::LogicTrace& line,
                 Tally& tally) {
-  dsp::TraceReader reader(pin);
+  dsp::TraceReader reader(line);
   for (std::size_t i = 0; i < link.bytes.size(); ++i) {
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
       const dsp::Seconds centre =
@@ -175,7 +176,7 @@ SentMessage send_message(const Link& link, dsp::LogicTrace& line, dsp::Seconds s
   for (const std::uint8_t byte : link.bytes) {
     start += jitter.uniform(draws++) * link.start_jitter;
     message.byte_start.push_back(start);
-    start = protocol::send_byte(line, byte, start, link.device_baud);
+    start = protocol::send_byte_in_pulses(line, byte, start, link.device_baud, link.pulse);
   }
   message.end = start;
   return message;
@@ -242,8 +243,10 @@ channel::BitSlots bit_slots(const Link& link, const Transmission& sent) {
 
 Reception receive(const Link& link, std::uint32_t trial, dsp::LogicTrace pin) {
   const double phase = address(link, trial, Purpose::uart_phase).uniform(0);
-  Reception heard{.pin = std::move(pin), .bytes = {}, .frames = {}, .frame_end = {}};
-  heard.bytes = link.uart->receive(heard.pin, link.receiver_baud, phase);
+  Reception heard{
+      .pin = std::move(pin), .of_pulses = {}, .bytes = {}, .frames = {}, .frame_end = {}};
+  if (link.has_monostable) heard.of_pulses = protocol::whole_bits(heard.pin, link.receiver_baud);
+  heard.bytes = link.uart->receive(heard.line(), link.receiver_baud, phase);
   protocol::CosysDecoder decoder;
   for (const protocol::UartByte& byte : heard.bytes) {
     if (auto frame = decoder.push(byte)) {
@@ -263,7 +266,7 @@ bool overlaps_any(const Link& link, const Transmission& sent, const protocol::Co
 
 Tally count(const Link& link, const Transmission& sent, const Reception& heard) {
   Tally tally;
-  count_bits(link, sent.messages.back(), heard.pin, tally);
+  count_bits(link, sent.messages.back(), heard.line(), tally);
   count_bytes(link, sent.messages.back(), heard, tally);
   count_frames(link, sent, heard, tally);
   return tally;

@@ -84,9 +84,13 @@ struct Transmission {
 /// Everything that one trial's receiver heard.
 struct Reception {
   dsp::LogicTrace pin;
+  std::optional<dsp::LogicTrace> of_pulses;  // whole bits, where a monostable makes them of it
   std::vector<protocol::UartByte> bytes;
   std::vector<protocol::CosysFrame> frames;
   std::vector<dsp::Seconds> frame_end;  // start of the byte that completed each frame
+
+  /// What the decoder reads.
+  const dsp::LogicTrace& line() const { return of_pulses ? *of_pulses : pin; }
 };
 
 /// Dark before a trial's first message.

@@ -95,12 +95,13 @@ TEST(Presence, SoItDoesWithASlowAdcThatSeesAnAlias) {
 }
 
 TEST(Presence, SoItDoesInsideOfAMessage) {
-  for (const Detector detector : all_detectors) {
-    SCOPED_TRACE(static_cast<int>(detector));
-    PresenceSettings s = faint_light(detector, 16);
-    s.keyed = KeyedMessage{};
-    expect_closed_form(s);
-  }
+  for (const Detector detector : all_detectors)
+    for (const double pulse_s : {0.0, 600e-6}) {
+      SCOPED_TRACE(fmt::format("{} {}", static_cast<int>(detector), pulse_s));
+      PresenceSettings s = faint_light(detector, 16);
+      s.keyed = KeyedMessage{.pulse = dsp::Seconds(pulse_s)};
+      expect_closed_form(s);
+    }
 }
 
 /// In the dark with a resistor of no noise to speak of: 2 nA without light, 6 nA on average with
