@@ -13,6 +13,7 @@
 #include "sim/command/light_reading.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/fit/fit_report.hpp"
+#include "sim/fit/fitted_module.hpp"
 #include "sim/fit/measured_part.hpp"
 #include "sim/fit/plan_schedule.hpp"
 #include "sim/page/page.hpp"

@@ -59,7 +59,7 @@ Record:  stty -F /dev/ttyACM0 {2} raw -echo && cat /dev/ttyACM0 > capture.csv
          The first line of capture.csv is time_s,rx: delete what stands before it.
 Or:      a logic analyser on D7 (light on) and D8 (output), at 1 MS/s or more, saved as .sr, .vcd or .csv.
 Next:    keep capture.csv beside plan.txt, and write: cosys-sim fit capture.csv -o modules/mine.toml
-More:    near.csv, once more from {4:.2f} m, and lamp.csv, once more at {1:.2f} m under a lamp of, say, 10 W/m2:
+More:    near.csv, the first minute from {4:.2f} m, and lamp.csv, the same at {1:.2f} m under a lamp of, say, 10 W/m2:
          cosys-sim fit capture.csv near.csv lamp.csv --ambient 0,0,10 -o modules/mine.toml
 )",
       module, distance_m, sketch_baud,

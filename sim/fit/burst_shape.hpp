@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/fit/output_rule.hpp"
+#include "sim/fit/plan_text.hpp"
+#include "sim/fit/rule_constants.hpp"
 
 namespace sim {
 

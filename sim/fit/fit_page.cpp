@@ -101,7 +101,7 @@ Chart residual_chart(const MeasuredModule& measured, const std::string& quantity
 PageSection constants_section(const MeasuredModule& measured) {
   return {
       .heading = "Constants",
-      .text = "What is not told is that of " + measured.like.name + ".",
+      .text = "What is not told has in the part's file what fits best, with bounds that are wide.",
       .table = PageTable{
           .head = constants_head(measured), .rows = constants_rows(measured), .is_answer = true}};
 }

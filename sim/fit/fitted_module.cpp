@@ -23,22 +23,6 @@ FittedLight light_of(const std::vector<LightCapture>& captures, const channel::M
   return light;
 }
 
-/// What like it has where the recording does not tell.
-channel::ModuleData told_module(const RuleFit& fit, const ParameterPriors& priors,
-                                const std::vector<FittedNumber>& numbers,
-                                const FittedLight& light) {
-  Numbers x = fit.x;
-  for (std::size_t i = 0; i < n_rule_parameters; ++i) {
-    const auto number = std::ranges::find(numbers, priors[i].key, &FittedNumber::key);
-    if (number != numbers.end() && !number->is_told) x[i] = priors[i].middle;
-  }
-  channel::ModuleData module = module_of(x, light.like, light.first_level_mw_per_m2.value_or(1));
-  if (!light.first_level_mw_per_m2) module.emin_mw_per_m2 = light.like.emin_mw_per_m2;
-  for (const FittedNumber& number : numbers)
-    if (number.key == "ambient_k" && number.is_told) module.ambient_k = number.value;
-  return module;
-}
-
 std::vector<FittedCapture> fitted_captures(const RuleFit& fit, const JoinedLight& light) {
   std::vector<FittedCapture> captures;
   const double cycle_s = 1 / constants_of(fit.x).centre_hz;
@@ -76,7 +60,6 @@ FittedModule fit_module(const std::vector<LightCapture>& captures, const channel
 
   FittedModule fitted;
   fitted.numbers = fitted_numbers(fit, priors, light);
-  fitted.module = told_module(fit, priors, fitted.numbers, light);
   fitted.steps = fitted_steps(likelihood, fit.x);
   fitted.not_apart = pairs_not_apart(fit, priors);
   fitted.misfits = misfits_of(fitted.steps);

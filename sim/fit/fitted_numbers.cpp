@@ -22,7 +22,7 @@ struct ConstantNote {
 };
 
 constexpr std::array<ConstantNote, 15> constant_notes{{
-    {centre, 6, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
+    {centre, 5, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {q, 3.5, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {threshold, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {integrator, 2.5, "bursts of 30 cycles at levels 1 dB apart around Emin"},
@@ -31,11 +31,11 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {atc_release, 1.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {attack, 4.5, "carriers of 1.2 s at eight levels"},
     {duty, 4, "trains of long bursts that the output lets go of, at other duties"},
-    {long_burst, 4, "trains of bursts between those lengths, too dense to be held"},
+    {long_burst, 5, "trains of bursts between those lengths, too dense to be held"},
     {free_cycles, 2.5, "trains of bursts just longer than the limit, too dense to be held"},
     {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
     {dark_hold, 4, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
-    {margin, 5, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
+    {margin, 6, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 0,
      "a carrier that is stronger: of one at least the output must not let go. Record the plan once "
      "more at a quarter of the distance"},
@@ -79,12 +79,20 @@ bool is_told(const RuleFit& fit, const ParameterPriors& priors, const ConstantNo
   return length < 2 * normal_95 * most_left * prior.deviation;
 }
 
+/// Of what is not told: where any part may have it, less what the recording shuts out.
+Reach usual_reach(const RuleFit& fit, const ParameterPrior& prior, const ConstantNote& note) {
+  const Reach reach = reach_of(fit, note);
+  const double x = fit.x[place_of(note.parameter)], usual = normal_95 * prior.deviation;
+  return {std::min(std::max(reach.low, prior.middle - usual), x),
+          std::max(std::min(reach.high, prior.middle + usual), x)};
+}
+
 FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
                             const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
-  const Reach interval = reach_of(fit, note);
   const auto value = [&](double x) { return value_of(note.parameter, x); };
   const bool told = is_told(fit, priors, note);
+  const Reach interval = told ? reach_of(fit, note) : usual_reach(fit, priors[place], note);
   return {.key = std::string(priors[place].key),
           .value = value(fit.x[place]),
           .low = value(interval.low),

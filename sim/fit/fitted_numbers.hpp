@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "channel/receiver_module.hpp"
-#include "sim/fit/fitted_module.hpp"
+#include "sim/fit/fit_result.hpp"
 #include "sim/fit/rule_search.hpp"
 
 namespace sim {

@@ -3,7 +3,7 @@
 // more than chance.
 #include <vector>
 
-#include "sim/fit/fitted_module.hpp"
+#include "sim/fit/fit_result.hpp"
 #include "sim/fit/plan_likelihood.hpp"
 
 namespace sim {

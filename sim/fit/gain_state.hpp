@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/fit/output_rule.hpp"
+#include "sim/fit/rule_constants.hpp"
 
 namespace sim {
 

@@ -52,13 +52,27 @@ std::size_t first_steps(const Plan& plan) {
   return plan.steps.size();
 }
 
+/// Steps that a recording covers. One that ends with its last edge may have been silent behind it,
+/// for as long as weak steps last; one that ends sooner was cut short.
+std::size_t covered_steps(const LightCapture& capture, const PlanAlignment& alignment) {
+  constexpr double weak_s = 10;
+  const std::vector<PlanStep>& steps = capture.plan.steps;
+  const auto recorded_end_s = [&](const PlanStep& step) {
+    return alignment.recorded_s(end_ms(step) * 1e-3);
+  };
+  const double end_s = capture.recording.end_s;
+  if (recorded_end_s(steps.back()) <= end_s + weak_s) return steps.size();
+  const auto cut = std::ranges::find_if(
+      steps, [&](const PlanStep& step) { return recorded_end_s(step) > end_s; });
+  return std::max<std::size_t>(1, static_cast<std::size_t>(cut - steps.begin()));
+}
+
 /// Steps of a capture, each with its bursts, at the end of all.
-void append(const LightCapture& capture, const std::vector<BurstOutput>& recorded, bool is_repeated,
-            JoinedLight& all) {
+void append(const LightCapture& capture, std::size_t steps,
+            const std::vector<BurstOutput>& recorded, JoinedLight& all) {
   const std::size_t place = all.captures.size() - 1;
   const double begin_ms = all.captures.back().begin_ms;
   const std::vector<std::size_t> first = first_bursts(capture.plan);
-  const std::size_t steps = is_repeated ? first_steps(capture.plan) : capture.plan.steps.size();
   for (std::size_t s = 0; s < steps; ++s) {
     PlanStep step = capture.plan.steps[s];
     step.start_ms += begin_ms;
@@ -84,7 +98,8 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
     const bool is_repeated = levels_of < all.captures.size() || capture.ambient_w_per_m2 > 0;
     all.captures.push_back(
         {begin_ms, alignment, levels_of, level_prior(capture, captures.front(), level_error_db)});
-    append(capture, recorded, is_repeated, all);
+    const std::size_t told = is_repeated ? first_steps(capture.plan) : capture.plan.steps.size();
+    append(capture, std::min(told, covered_steps(capture, alignment)), recorded, all);
   }
   return all;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
@@ -66,11 +65,11 @@ std::string part_head(const FittedModule& fit, const std::string& like,
       fmt::format("{}a unit like {}, recorded in {}.", part_heading.substr(2), like, capture);
   std::string text = comment_of(heading);
   text += comment_of(
-      told.empty() ? "No number is measured: all are those of " + like + "."
+      told.empty() ? "No number is measured."
                    : "Measured, each with its interval of 95 %: " + list_in_words(told) + ".");
-  if (!told.empty()) text += comment_of("All others are those of " + like + ".");
   if (!untold.empty())
-    text += comment_of("The recording does not tell " + list_in_words(untold) + ".");
+    text += comment_of("Hardly told, what fits best: " + list_in_words(untold) + ".");
+  text += comment_of("All others are those of " + like + ".");
   for (const std::string& line : fit.not_apart) text += comment_of("Not told apart: " + line + ".");
   for (const FitMisfit& misfit : fit.misfits)
     text += comment_of("The part does not follow the rule: " + misfit_words(misfit) + ".");
@@ -124,6 +123,17 @@ class MeasuredPartLines {
     return number != fit_.numbers.end() && number->is_told ? &*number : nullptr;
   }
 
+  /// Not where its interval is none, or the module like it says another number in its place.
+  const FittedNumber* hardly_told(const std::string& key) const {
+    const auto number = std::ranges::find(fit_.numbers, key, &FittedNumber::key);
+    if (number == fit_.numbers.end() || number->low == number->high) return nullptr;
+    const bool has_other = std::ranges::any_of(module_keys().either, [&](const auto& pair) {
+      return (key == pair.first && sources_.of(pair.second)) ||
+             (key == pair.second && sources_.of(pair.first));
+    });
+    return has_other ? nullptr : &*number;
+  }
+
   /// The spread of units that a measured number has the place of.
   bool is_settled(const std::string& key) const {
     return (key == "centre_tolerance" && told("centre_hz") != nullptr) ||
@@ -143,6 +153,7 @@ class MeasuredPartLines {
     if (is_settled(key)) return number_line(key, "0", "", "one unit was measured: no spread");
     if (is_replaced(key)) return "";
     if (const FittedNumber* measured = told(key)) return line_of_measured(number, *measured);
+    if (const FittedNumber* best = hardly_told(key)) return line_of_best(number, *best);
     return line_as_like(number);
   }
 
@@ -166,26 +177,29 @@ class MeasuredPartLines {
     const auto source = sources_.of(key);
     if (!source) return "";
     const NumberBounds* given = bounds_in(like_.data.bounds, key);
-    const double value = like_.data.*number.member;
-    const std::string as_like = fmt::format("as {}: {}", like_.data.name, *source);
-    if (given == nullptr) return number_line(key, fmt::format("{}", value), "", as_like);
-    const auto [low, high] = not_excluded(*given, value);
-    const bool is_cut = low > given->low || high < given->high;
-    return number_line(
-        key, fmt::format("{}", value),
-        bounds_text(fmt::format("{}", low), fmt::format("{}", high), given->distribution),
-        as_like + (is_cut ? "; bounds cut by what " + capture_ + " shows" : ""));
+    const std::string bounds =
+        given == nullptr ? ""
+                         : bounds_text(fmt::format("{}", given->low),
+                                       fmt::format("{}", given->high), given->distribution);
+    return number_line(key, fmt::format("{}", like_.data.*number.member), bounds,
+                       fmt::format("as {}: {}", like_.data.name, *source));
   }
 
-  /// Bounds as far as the recording leaves them: of a number that it does not tell.
-  std::pair<double, double> not_excluded(const NumberBounds& bounds, double value) const {
-    const auto number = std::ranges::find(fit_.numbers, bounds.number, &FittedNumber::key);
-    if (number == fit_.numbers.end()) return {bounds.low, bounds.high};
-    const auto rounded = [](double x) {
-      return std::stod(significant_text(x, 4, Rounding::nearest));
+  /// What fits best of what is hardly told, with bounds as far as the recording leaves them to any
+  /// part. Another value would not go with the numbers that are told.
+  std::string line_of_best(const PartNumber<ModuleData>& number, const FittedNumber& best) const {
+    const NumberBounds* given = bounds_in(like_.data.bounds, best.key);
+    const Range range = given == nullptr ? number.facts.range : Range{given->low, given->high};
+    const double low = std::clamp(best.low, range.low, range.high);
+    const double high = std::clamp(best.high, range.low, range.high);
+    const auto text = [](double value) {
+      return fmt::format("{}", std::stod(significant_text(value, part_digits, Rounding::nearest)));
     };
-    return {std::min(std::max(bounds.low, rounded(number->low)), value),
-            std::max(std::min(bounds.high, rounded(number->high)), value)};
+    return number_line(
+        best.key, text(std::clamp(best.value, low, high)),
+        bounds_text(text(low), text(high), distribution_for(number, like_.data, low)),
+        fmt::format("hardly told by {}: what fits best, within what it leaves; {} has {}", capture_,
+                    like_.data.name, like_.data.*number.member));
   }
 
   std::string lines_of_curve(const PartCurve<ModuleData>& curve) const {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sim/components/parts.hpp"
-#include "sim/fit/fitted_module.hpp"
+#include "sim/fit/fit_result.hpp"
 
 namespace sim {
 

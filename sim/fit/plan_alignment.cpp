@@ -12,7 +12,8 @@ namespace sim {
 namespace {
 
 constexpr double most_clock_error = 0.03;
-constexpr double dark_s = 25e-3;  // before a burst that comes out of the dark
+constexpr double jitter_s = 0.8e-3;  // by which a pulse may be off, the clock aside
+constexpr double dark_s = 25e-3;     // before a burst that comes out of the dark
 
 struct Onset {
   double at_s;
@@ -91,7 +92,6 @@ class Chain {
     }
     /// The slope is known the better the longer the line is.
     double tolerance(double x) const {
-      constexpr double jitter_s = 0.8e-3;
       const double known = last_ > 0 ? jitter_s / last_ : most_clock_error;
       return jitter_s + std::min(known, most_clock_error) * (x - x0_ - last_);
     }
@@ -108,11 +108,16 @@ class Chain {
   const std::vector<Onset>& heard_;
 };
 
-/// A few bursts of any plan are in any recording.
-void refuse_chance(int matched, std::size_t planned, std::size_t heard) {
-  constexpr std::size_t least = 4, one_of = 8;
-  const std::size_t needed = std::max(least, std::min(planned, heard) / one_of);
-  if (static_cast<std::size_t>(matched) >= needed) return;
+/// How many bursts of any plan are in any recording, at the best of all the places that are tried.
+int most_by_chance(std::size_t planned, std::size_t heard, double recorded_s) {
+  const double a_pulse = static_cast<double>(heard) * 2 * jitter_s / recorded_s;
+  const double usual = static_cast<double>(planned) * std::min(a_pulse, 1.0);
+  return static_cast<int>(3 + usual + 5 * std::sqrt(usual));
+}
+
+void refuse_chance(int matched, std::size_t planned, int by_chance) {
+  const int needed = by_chance + 1;
+  if (matched >= needed) return;
   throw bad_input(
       fmt::format("the recording does not follow the plan: {} of its {} bursts are found", matched,
                   planned),
@@ -132,7 +137,9 @@ PlanAlignment align(const Plan& plan, const PinRecording& recording) {
       const PlanAlignment one = chain.from(i, j);
       if (one.matched > best.matched) best = one;
     }
-  refuse_chance(best.matched, planned.size(), heard.size());
+  const double recorded_s = std::max(recording.end_s - recording.begin_s, 1.0);
+  refuse_chance(best.matched, planned.size(),
+                most_by_chance(planned.size(), heard.size(), recorded_s));
   return best;
 }
 

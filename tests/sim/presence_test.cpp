@@ -96,7 +96,7 @@ TEST(Presence, SoItDoesWithASlowAdcThatSeesAnAlias) {
 
 TEST(Presence, SoItDoesInsideOfAMessage) {
   for (const Detector detector : all_detectors)
-    for (const double pulse_s : {0.0, 600e-6}) {
+    for (const double pulse_s : {0.0, 1.2e-3}) {
       SCOPED_TRACE(fmt::format("{} {}", static_cast<int>(detector), pulse_s));
       PresenceSettings s = faint_light(detector, 16);
       s.keyed = KeyedMessage{.pulse = dsp::Seconds(pulse_s)};

@@ -20,6 +20,7 @@ double other_value(const Key& key) {
   Scenario defaults;
   const double standard = key.number(defaults);
   if (std::isnan(standard)) return key.facts.range.high / 2;  // unset by default
+  if (key.name() == "device.pulse_us") return 200;            // 0: none; no shorter than 4 periods
   if (key.facts.type == KeyType::flag) return 1 - standard;
   if (key.facts.type == KeyType::whole_number) return standard + 1;
   const double up = standard == 0 ? 1.0 / 64 : standard * 1.0078125;

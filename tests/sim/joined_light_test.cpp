@@ -1,0 +1,115 @@
+// Captures of one module one behind the other: which steps count, and what is known of their light.
+#include "sim/fit/joined_light.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sim {
+namespace {
+
+constexpr double carrier_hz = 56e3;
+constexpr double error_db = 0.6;
+
+/// Short bursts, long carriers at three levels, a train, and short bursts again.
+Plan some_plan() {
+  Plan plan;
+  const auto add = [&](PlanStep step) {
+    step.start_ms = plan.steps.empty() ? 0 : end_ms(plan.steps.back()) + 500;
+    step.carrier_hz = carrier_hz;
+    plan.steps.push_back(step);
+  };
+  for (const double db : {0.0, -20.0})
+    add({.cycles_on = 30, .cycles_off = 1000, .repeats = 5, .level_db = db});
+  for (const double db : {-40.0, -20.0, 0.0}) add({.cycles_on = 60000, .level_db = db});
+  add({.cycles_on = 150, .cycles_off = 400, .repeats = 50, .level_db = -20});
+  add({.cycles_on = 30, .cycles_off = 1000, .repeats = 5, .level_db = -20});
+  return plan;
+}
+
+/// A module that reports all light as it is.
+PinRecording recording_of(const Plan& plan) {
+  PinRecording recording;
+  for (const PlanStep& step : plan.steps)
+    for (std::uint64_t i = 0; i < step.repeats; ++i) {
+      const double cycle_s = 1 / step.carrier_hz;
+      const double begin_s = 0.3 + step.start_ms * 1e-3 +
+                             cycle_s * static_cast<double>(i * (step.cycles_on + step.cycles_off));
+      recording.pulses.push_back(
+          {begin_s, begin_s + cycle_s * static_cast<double>(step.cycles_on)});
+    }
+  recording.end_s = recording.pulses.back().end_s + 1;
+  return recording;
+}
+
+LightCapture capture_of(const Plan& plan, std::optional<double> level = std::nullopt,
+                        double ambient = 0) {
+  return {plan, recording_of(plan), level, ambient};
+}
+
+TEST(JoinedLight, IsOfOneCaptureWhatItIs) {
+  const Plan plan = some_plan();
+  const JoinedLight light = join({capture_of(plan, 60)}, error_db);
+  EXPECT_EQ(light.plan, plan);
+  EXPECT_EQ(light.steps.size(), plan.steps.size());
+  EXPECT_EQ(light.recorded.size(), first_bursts(plan).back());
+  EXPECT_NEAR(light.captures[0].alignment.start_s, 0.3, 1e-6);
+}
+
+// Of the second one the train tells nothing new, and what comes behind it begins with less gain.
+TEST(JoinedLight, TakesOfARepeatedPlanTheStepsBeforeItsFirstTrain) {
+  const Plan plan = some_plan();
+  const JoinedLight light = join({capture_of(plan), capture_of(plan)}, error_db);
+  ASSERT_EQ(light.steps.size(), 7U + 5U);
+  EXPECT_EQ(light.steps[7].capture, 1U);
+  EXPECT_EQ(light.steps.back().step, 4U);
+  EXPECT_EQ(light.captures[1].levels_of, 0U) << "its levels are as wrong";
+  EXPECT_GE(light.plan.steps[7].start_ms, end_ms(light.plan.steps[6]) + 1e5) << "all gain is back";
+  Plan other = plan;
+  other.steps[0].repeats = 6;
+  const JoinedLight both = join({capture_of(plan), capture_of(other)}, error_db);
+  EXPECT_EQ(both.steps.size(), 14U) << "a plan of its own counts whole";
+  EXPECT_EQ(both.captures[1].levels_of, 1U);
+  EXPECT_EQ(join({capture_of(plan), capture_of(other, std::nullopt, 10)}, error_db).steps.size(),
+            12U)
+      << "but not under a lamp";
+}
+
+TEST(JoinedLight, TakesNoStepsBehindARecordingThatWasCutShort) {
+  Plan plan = some_plan();
+  plan.steps.push_back({end_ms(plan.steps.back()) + 12e3, carrier_hz, 30, 1000, 5, -20});
+  LightCapture capture = capture_of(plan);
+  std::erase_if(capture.recording.pulses, [&](const PinPulse& pulse) {
+    return pulse.start_s > 0.3 + 1e-3 * plan.steps[5].start_ms;
+  });
+  capture.recording.end_s = capture.recording.pulses.back().end_s;
+  EXPECT_EQ(join({capture}, error_db).steps.size(), 5U);
+  capture.recording.end_s += 12;
+  EXPECT_EQ(join({capture}, error_db).steps.size(), 8U) << "the last one may have been too weak";
+}
+
+TEST(JoinedLight, KnowsLightAsWellAsItIsTold) {
+  const Plan plan = some_plan();
+  const JoinedLight light = join(
+      {capture_of(plan, 60), capture_of(plan, 600), capture_of(plan), capture_of(plan, 60, 10)},
+      error_db);
+  EXPECT_NEAR(light.captures[1].level.middle, 20, 1e-9);
+  EXPECT_EQ(light.captures[1].level.deviation, error_db);
+  EXPECT_GT(light.captures[2].level.deviation, 10);
+  EXPECT_LT(light.captures[3].level.middle, 0) << "a lamp makes light seem weaker";
+  EXPECT_GT(light.captures[3].level.deviation, 3);
+}
+
+// A line through levels x has a slope of standard deviation s / sqrt(sum (x - mean)^2): 0.6 dB over
+// 28.28 dB.
+TEST(JoinedLight, ScaleIsAsSureAsCarriersAreFarApart) {
+  const Plan plan = some_plan();
+  EXPECT_NEAR(scale_error(join({capture_of(plan)}, error_db), error_db), 0.6 / std::sqrt(800),
+              1e-12);
+  Plan one = plan;
+  one.steps.erase(one.steps.begin() + 3, one.steps.begin() + 5);
+  EXPECT_EQ(scale_error(join({capture_of(one)}, error_db), error_db), 0) << "of one level alone";
+}
+
+}  // namespace
+}  // namespace sim
