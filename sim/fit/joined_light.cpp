@@ -68,8 +68,8 @@ std::size_t covered_steps(const LightCapture& capture, const PlanAlignment& alig
 }
 
 /// Steps of a capture, each with its bursts, at the end of all.
-void append(const LightCapture& capture, std::size_t steps,
-            const std::vector<BurstOutput>& recorded, JoinedLight& all) {
+void append_steps(const LightCapture& capture, std::size_t steps,
+                  const std::vector<BurstOutput>& recorded, JoinedLight& all) {
   const std::size_t place = all.captures.size() - 1;
   const double begin_ms = all.captures.back().begin_ms;
   const std::vector<std::size_t> first = first_bursts(capture.plan);
@@ -99,7 +99,7 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
     all.captures.push_back(
         {begin_ms, alignment, levels_of, level_prior(capture, captures.front(), level_error_db)});
     const std::size_t told = is_repeated ? first_steps(capture.plan) : capture.plan.steps.size();
-    append(capture, std::min(told, covered_steps(capture, alignment)), recorded, all);
+    append_steps(capture, std::min(told, covered_steps(capture, alignment)), recorded, all);
   }
   return all;
 }

@@ -42,14 +42,14 @@ PinRecording recording_of(const Plan& plan) {
   return recording;
 }
 
-LightCapture capture_of(const Plan& plan, std::optional<double> level = std::nullopt,
-                        double ambient = 0) {
+LightCapture heard_capture(const Plan& plan, std::optional<double> level = std::nullopt,
+                           double ambient = 0) {
   return {plan, recording_of(plan), level, ambient};
 }
 
 TEST(JoinedLight, IsOfOneCaptureWhatItIs) {
   const Plan plan = some_plan();
-  const JoinedLight light = join({capture_of(plan, 60)}, error_db);
+  const JoinedLight light = join({heard_capture(plan, 60)}, error_db);
   EXPECT_EQ(light.plan, plan);
   EXPECT_EQ(light.steps.size(), plan.steps.size());
   EXPECT_EQ(light.recorded.size(), first_bursts(plan).back());
@@ -59,7 +59,7 @@ TEST(JoinedLight, IsOfOneCaptureWhatItIs) {
 // Of the second one the train tells nothing new, and what comes behind it begins with less gain.
 TEST(JoinedLight, TakesOfARepeatedPlanTheStepsBeforeItsFirstTrain) {
   const Plan plan = some_plan();
-  const JoinedLight light = join({capture_of(plan), capture_of(plan)}, error_db);
+  const JoinedLight light = join({heard_capture(plan), heard_capture(plan)}, error_db);
   ASSERT_EQ(light.steps.size(), 7U + 5U);
   EXPECT_EQ(light.steps[7].capture, 1U);
   EXPECT_EQ(light.steps.back().step, 4U);
@@ -67,18 +67,19 @@ TEST(JoinedLight, TakesOfARepeatedPlanTheStepsBeforeItsFirstTrain) {
   EXPECT_GE(light.plan.steps[7].start_ms, end_ms(light.plan.steps[6]) + 1e5) << "all gain is back";
   Plan other = plan;
   other.steps[0].repeats = 6;
-  const JoinedLight both = join({capture_of(plan), capture_of(other)}, error_db);
+  const JoinedLight both = join({heard_capture(plan), heard_capture(other)}, error_db);
   EXPECT_EQ(both.steps.size(), 14U) << "a plan of its own counts whole";
   EXPECT_EQ(both.captures[1].levels_of, 1U);
-  EXPECT_EQ(join({capture_of(plan), capture_of(other, std::nullopt, 10)}, error_db).steps.size(),
-            12U)
+  EXPECT_EQ(
+      join({heard_capture(plan), heard_capture(other, std::nullopt, 10)}, error_db).steps.size(),
+      12U)
       << "but not under a lamp";
 }
 
 TEST(JoinedLight, TakesNoStepsBehindARecordingThatWasCutShort) {
   Plan plan = some_plan();
   plan.steps.push_back({end_ms(plan.steps.back()) + 12e3, carrier_hz, 30, 1000, 5, -20});
-  LightCapture capture = capture_of(plan);
+  LightCapture capture = heard_capture(plan);
   std::erase_if(capture.recording.pulses, [&](const PinPulse& pulse) {
     return pulse.start_s > 0.3 + 1e-3 * plan.steps[5].start_ms;
   });
@@ -90,9 +91,9 @@ TEST(JoinedLight, TakesNoStepsBehindARecordingThatWasCutShort) {
 
 TEST(JoinedLight, KnowsLightAsWellAsItIsTold) {
   const Plan plan = some_plan();
-  const JoinedLight light = join(
-      {capture_of(plan, 60), capture_of(plan, 600), capture_of(plan), capture_of(plan, 60, 10)},
-      error_db);
+  const JoinedLight light = join({heard_capture(plan, 60), heard_capture(plan, 600),
+                                  heard_capture(plan), heard_capture(plan, 60, 10)},
+                                 error_db);
   EXPECT_NEAR(light.captures[1].level.middle, 20, 1e-9);
   EXPECT_EQ(light.captures[1].level.deviation, error_db);
   EXPECT_GT(light.captures[2].level.deviation, 10);
@@ -104,11 +105,11 @@ TEST(JoinedLight, KnowsLightAsWellAsItIsTold) {
 // 28.28 dB.
 TEST(JoinedLight, ScaleIsAsSureAsCarriersAreFarApart) {
   const Plan plan = some_plan();
-  EXPECT_NEAR(scale_error(join({capture_of(plan)}, error_db), error_db), 0.6 / std::sqrt(800),
+  EXPECT_NEAR(scale_error(join({heard_capture(plan)}, error_db), error_db), 0.6 / std::sqrt(800),
               1e-12);
   Plan one = plan;
   one.steps.erase(one.steps.begin() + 3, one.steps.begin() + 5);
-  EXPECT_EQ(scale_error(join({capture_of(one)}, error_db), error_db), 0) << "of one level alone";
+  EXPECT_EQ(scale_error(join({heard_capture(one)}, error_db), error_db), 0) << "of one level alone";
 }
 
 }  // namespace

@@ -20,20 +20,20 @@ std::vector<std::string> far_link(const std::vector<std::string>& more = {}) {
 
 constexpr int trials = 8;
 
-Tally tally_of(const std::vector<std::string>& set) {
+Tally pulsed_tally(const std::vector<std::string>& set) {
   return run_group(link_of(set), 0, trials, nullptr, false).tally;
 }
 
 // Bits of 1.7 ms are long bursts (Vishay 82459 rev 1.8 Fig. 8: from 80 cycles on): all is lost.
 // 300 us are 18 cycles, and 158 us at 2400 Bd what Vishay recommends for its TSDP parts.
 TEST(PulsedLink, CarriesWhereLightInWholeBitsDoesNot) {
-  EXPECT_EQ(tally_of(far_link()).n_frames_ok, 0U);
+  EXPECT_EQ(pulsed_tally(far_link()).n_frames_ok, 0U);
   for (const std::vector<std::string>& set :
        {far_link({"device.pulse_us=300"}), far_link({"device.pulse_us=158", "device.baud=2400"}),
         far_link({"device.pulse_us=300", "uart.receiver=mid-bit"}),
         far_link({"device.pulse_us=300", "simulation.fidelity=envelope"}),
         far_link({"device.pulse_us=300", "receiver.population=parts"})}) {
-    const Tally tally = tally_of(set);
+    const Tally tally = pulsed_tally(set);
     EXPECT_EQ(tally.n_frames_ok, std::uint64_t{trials}) << set.back();
     EXPECT_EQ(tally.n_bit_errors, 0U) << set.back();
     EXPECT_EQ(tally.n_byte_errors, 0U) << set.back();
@@ -42,14 +42,14 @@ TEST(PulsedLink, CarriesWhereLightInWholeBitsDoesNot) {
 
 // A pulse of 158 us is over in the middle of a bit of 1.7 ms, where a UART looks.
 TEST(PulsedLink, IsReadThroughAMonostable) {
-  EXPECT_EQ(tally_of(far_link({"device.pulse_us=158"})).n_frames_ok, std::uint64_t{trials});
-  const Tally without = tally_of(far_link({"device.pulse_us=158", "uart.monostable=false"}));
+  EXPECT_EQ(pulsed_tally(far_link({"device.pulse_us=158"})).n_frames_ok, std::uint64_t{trials});
+  const Tally without = pulsed_tally(far_link({"device.pulse_us=158", "uart.monostable=false"}));
   EXPECT_EQ(without.n_frames_ok, 0U);
   EXPECT_GT(without.n_bit_errors, 0U);
 }
 
 TEST(PulsedLink, WholeBitsDoNotCareForAMonostable) {
-  const Tally tally = tally_of(clear_link({"uart.monostable=false"}));
+  const Tally tally = pulsed_tally(clear_link({"uart.monostable=false"}));
   EXPECT_EQ(tally.n_frames_ok, std::uint64_t{trials});
   EXPECT_EQ(tally.n_bit_errors, 0U);
 }
