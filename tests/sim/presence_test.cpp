@@ -1,6 +1,7 @@
 // Presence by intensity: what is counted beside the closed forms, and those beside integrals.
 #include "sim/location/presence.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
