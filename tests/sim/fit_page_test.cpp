@@ -117,8 +117,9 @@ TEST(FitJson, HasTheNumbersAsTheyAre) {
             nlohmann::json::parse(R"({"name":"agc_attack_db_per_ms","value":0.17234,"low":0.15811,
                                       "high":0.18749,"unit":"dB/ms","is_told":true})"));
   EXPECT_EQ(json["numbers"][2]["would_tell"], "a carrier");
-  EXPECT_EQ(json["steps"][1],
-            nlohmann::json::parse(R"({"step":1,"level_db":-8.0,"quantity":"pulses","unit":"1",
+  EXPECT_EQ(
+      json["steps"][1],
+      nlohmann::json::parse(R"({"capture":0,"step":1,"level_db":-8.0,"quantity":"pulses","unit":"1",
                                       "recorded":3.0,"fitted":4.0,"deviation":-1.0})"));
   EXPECT_EQ(json["misfits"][0]["what"], "short bursts");
   EXPECT_FALSE(json.contains("first_level"));
