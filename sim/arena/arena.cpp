@@ -107,7 +107,7 @@ Arena make_arena(const Scenario& scenario, const Workers& workers) {
   set_module(arena, s);
   add_lights(arena, s);
   arena.receiver_baud = dsp::Hertz(s.device.baud * (1 + s.uart.clock_error_ppm * 1e-6));
-  arena.has_monostable = s.device.pulse_us > 0 && s.uart.monostable != 0;
+  arena.has_monostable = reads_by_monostable(s);
   arena.uart = protocol::find_uart_receiver(s.uart.receiver);
   arena.validity_flags = validity_flags_of(scenario, arena);
   arena.seed = static_cast<std::uint64_t>(s.simulation.seed);

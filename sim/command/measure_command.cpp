@@ -88,7 +88,7 @@ MeasuredModule measured_module(const FitRequest& request, const channel::ModuleD
                                  .is_of_known_level = level.has_value()});
     captures.push_back({std::move(reading.plan), std::move(reading.recording), level, ambient});
   }
-  measured.fit = fit_module(captures, like, {});
+  measured.fit = fit_module(captures, like);
   return measured;
 }
 

@@ -10,10 +10,9 @@
 namespace sim {
 namespace {
 
-FittedLight light_of(const std::vector<LightCapture>& captures, const channel::ModuleData& like,
-                     const FitSettings& settings) {
+FittedLight light_of(const std::vector<LightCapture>& captures, const channel::ModuleData& like) {
   const std::optional<double> first = captures.front().first_level_mw_per_m2;
-  FittedLight light{like, first, settings.level_error, {}};
+  FittedLight light{like, first, level_error, {}};
   for (const LightCapture& capture : captures) {
     const std::optional<double> own = capture.first_level_mw_per_m2;
     const std::optional<double> level_db =
@@ -48,15 +47,15 @@ double strongest_db(const std::vector<FittedStep>& steps,
 
 }  // namespace
 
-FittedModule fit_module(const std::vector<LightCapture>& captures, const channel::ModuleData& like,
-                        const FitSettings& settings) {
-  const double level_error_db = 20 * std::log10(1 + settings.level_error);
+FittedModule fit_module(const std::vector<LightCapture>& captures,
+                        const channel::ModuleData& like) {
+  const double level_error_db = 20 * std::log10(1 + level_error);
   const JoinedLight joined = join(captures, level_error_db);
   const ParameterPriors priors = parameter_priors(like, joined.plan.steps.front().carrier_hz);
   const RuleFit fit = search_rule(joined, priors, level_error_db);
   PlanLikelihood likelihood(joined, all_steps_of(joined.plan), priors, level_error_db);
   likelihood.take_deviations_at(fit.x);
-  const FittedLight light = light_of(captures, like, settings);
+  const FittedLight light = light_of(captures, like);
 
   FittedModule fitted;
   fitted.numbers = fitted_numbers(fit, priors, light);

@@ -9,14 +9,11 @@
 
 namespace sim {
 
-struct FitSettings {
-  /// Standard deviation of a level against another one, as a share.
-  double level_error = 0.07;
-};
+/// Standard deviation of a level against another one, as a share.
+inline constexpr double level_error = 0.07;
 
 /// `captures`: at least one. Throws Failure(bad_input) where a recording and its plan have nothing
 /// in common.
-FittedModule fit_module(const std::vector<LightCapture>& captures, const channel::ModuleData& like,
-                        const FitSettings& settings);
+FittedModule fit_module(const std::vector<LightCapture>& captures, const channel::ModuleData& like);
 
 }  // namespace sim

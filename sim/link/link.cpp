@@ -106,6 +106,10 @@ double band_pass_gain(const channel::ModuleData& module, dsp::Hertz f) {
   return 1 / std::hypot(1.0, module.q * (ratio - 1 / ratio));
 }
 
+bool reads_by_monostable(const Scenario& s) {
+  return s.device.pulse_us > 0 && s.uart.monostable != 0;
+}
+
 channel::ModuleData module_of(const Scenario& s) {
   return channel::under({.celsius = s.receiver.temperature_c,
                          .supply_v = s.receiver.supply_v,
@@ -170,7 +174,7 @@ Link make_link(const Scenario& scenario) {
   link.draws_constants = s.receiver.population == population_with_constants;
   link.receiver_baud = off_by(s.device.baud, s.uart.clock_error_ppm);
   link.uart = protocol::find_uart_receiver(s.uart.receiver);
-  link.has_monostable = s.device.pulse_us > 0 && s.uart.monostable != 0;
+  link.has_monostable = reads_by_monostable(s);
   link.seed = static_cast<std::uint64_t>(s.simulation.seed);
   link.point = point_hash(scenario);
   link.operating = operating_point(s, light);

@@ -70,6 +70,9 @@ EnvelopeBounds envelope_bounds(const Scenario& scenario);
 /// What makes its random numbers other than those of other points: a hash of its canonical text.
 std::uint32_t point_hash(const Scenario& scenario);
 
+/// Whether a monostable before the UART makes whole bits of short pulses.
+bool reads_by_monostable(const Scenario& scenario);
+
 /// The scenario's module as it is where and how it is used.
 channel::ModuleData module_of(const Scenario& scenario);
 

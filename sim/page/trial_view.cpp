@@ -98,11 +98,10 @@ void add_characters(TrialView& view, const TracedMessage& message) {
 
 void add_bits(TrialView& view, const TracedTrial& trial, const TracedMessage& message) {
   const double bit_s = message.character_s / protocol::bits_per_byte;
-  const dsp::LogicTrace line = read_line(trial);
   for (const protocol::UartByte& byte : message.sent)
     for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
       const double at_s = byte.start.value + (slot + 0.5) * bit_s;
-      const bool level = line.level_at(dsp::Seconds(at_s) + trial.delay);
+      const bool level = message.line.level_at(dsp::Seconds(at_s) + trial.delay);
       view.bits.push_back({at_s - message.start_s(0), level ? "1" : "0",
                            level != protocol::line_bit(byte.value, slot)});
     }

@@ -172,7 +172,6 @@ void draw_bits(SvgDrawing& drawing, const Panel& panel, const Signals& signals,
   });
   const double begun_s = read == signals.message.received.end() ? signals.message.start_s(character)
                                                                 : read->start.value;
-  const dsp::LogicTrace line = read_line(signals.trial);
   for (int slot = 0; slot < protocol::bits_per_byte; ++slot) {
     const bool sent = protocol::line_bit(signals.message.sent[character].value, slot);
     const char* role = slot == 0 ? "start " : slot == protocol::stop_slot ? "stop " : "";
@@ -180,7 +179,7 @@ void draw_bits(SvgDrawing& drawing, const Panel& panel, const Signals& signals,
     drawing.text({panel.x(sent_s), panel.lane_top(0) - 8}, fmt::format("{}{:d}", role, sent),
                  "character");
     const double read_s = begun_s + (slot + 0.5) * bit_s;
-    const bool level = line.level_at(dsp::Seconds(read_s));
+    const bool level = signals.message.line.level_at(dsp::Seconds(read_s));
     drawing.text({panel.x(read_s), panel.wire_bottom() + 20}, fmt::format("{:d}", level),
                  level == sent ? "character" : "wrong");
   }

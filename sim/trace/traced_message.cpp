@@ -44,16 +44,18 @@ bool is_wrong_at_pin(const TracedTrial& trial, const TracedMessage& message, std
                      int slot) {
   const double bit_s = message.character_s / protocol::bits_per_byte;
   const dsp::Seconds middle(message.start_s(character) + (slot + 0.5) * bit_s);
-  return read_line(trial).level_at(middle + trial.delay) !=
+  return message.line.level_at(middle + trial.delay) !=
          protocol::line_bit(message.sent[character].value, slot);
 }
 
 TracedMessage message_of(const TracedTrial& trial) {
   const double character_s = protocol::bits_per_byte / trial.baud.value;
+  dsp::LogicTrace line = read_line(trial);
   return {
       .sent = last_message(protocol::receive_mid_bit(sent_line(trial), trial.baud), character_s),
-      .received = protocol::receive_mid_bit(read_line(trial), trial.baud),
-      .character_s = character_s};
+      .received = protocol::receive_mid_bit(line, trial.baud),
+      .character_s = character_s,
+      .line = std::move(line)};
 }
 
 std::string shown(const UartByte& byte) {

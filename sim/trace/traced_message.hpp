@@ -15,6 +15,7 @@ struct TracedMessage {
   std::vector<protocol::UartByte> sent;      // the last characters without a pause between them
   std::vector<protocol::UartByte> received;  // of the whole trial
   double character_s = 0;                    // of ten bits
+  dsp::LogicTrace line{};                    // that the receiver reads
 
   double start_s(std::size_t character) const { return sent[character].start.value; }
   double end_s() const { return sent.back().start.value + character_s; }
@@ -26,7 +27,7 @@ struct TracedMessage {
   std::optional<std::size_t> first_wrong() const;
 };
 
-/// Whether the pin has not the level of a bit (0: the start bit) of a character in its middle.
+/// Whether the line has not the level of a bit (0: the start bit) of a character in its middle.
 bool is_wrong_at_pin(const TracedTrial& trial, const TracedMessage& message, std::size_t character,
                      int slot);
 

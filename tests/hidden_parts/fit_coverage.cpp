@@ -101,7 +101,7 @@ void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
   like.centre_hz = request.draw.nominal_hz;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::clock_t began = std::clock();
-    const sim::FittedModule fitted = sim::fit_module(captures[i], like, {});
+    const sim::FittedModule fitted = sim::fit_module(captures[i], like);
     outcome.seconds.push_back(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
     add(parts[i], fitted, outcome);
   }

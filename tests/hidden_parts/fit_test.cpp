@@ -57,7 +57,7 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
   const auto recordings = recordings_of(plan, parts, first_level);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const sim::FittedModule fitted =
-        sim::fit_module({{plan, recordings[i], first_level}}, channel::ModuleData{}, {});
+        sim::fit_module({{plan, recordings[i], first_level}}, channel::ModuleData{});
     const auto& attack = number(fitted, "agc_attack_db_per_ms");
     EXPECT_TRUE(attack.is_told) << i;
     EXPECT_LE(attack.low, parts[i].module.agc_attack_db_per_ms) << i;
@@ -84,7 +84,7 @@ TEST(FitOfHiddenParts, SeveralCapturesTellRangeAndAmbientLight) {
   constexpr double nearer = 15.85, lamp_w_per_m2 = 5;  // 24 dB
   std::vector<sim::LightCapture> captures{
       {plan, recording_in(part, plan, first_level), first_level}};
-  const auto alone = sim::fit_module(captures, channel::ModuleData{}, {});
+  const auto alone = sim::fit_module(captures, channel::ModuleData{});
   EXPECT_FALSE(number(alone, "agc_range_db").is_told);
   EXPECT_LE(number(alone, "agc_range_db").low, 75);
   EXPECT_FALSE(number(alone, "ambient_k").is_told);
@@ -92,7 +92,7 @@ TEST(FitOfHiddenParts, SeveralCapturesTellRangeAndAmbientLight) {
   captures.push_back({plan, recording_in(part, plan, nearer * first_level), std::nullopt});
   part.ambient_w_per_m2 = lamp_w_per_m2;
   captures.push_back({plan, recording_in(part, plan, first_level), std::nullopt, lamp_w_per_m2});
-  const auto all = sim::fit_module(captures, channel::ModuleData{}, {});
+  const auto all = sim::fit_module(captures, channel::ModuleData{});
   for (const auto& [key, truth] : {std::pair{"agc_range_db", 75.0},
                                    {"ambient_k", part.module.ambient_k},
                                    {"agc_attack_db_per_ms", part.module.agc_attack_db_per_ms}}) {
@@ -111,14 +111,14 @@ TEST(FitOfHiddenParts, SeveralCapturesTellRangeAndAmbientLight) {
 TEST(FitOfHiddenParts, RefusesAPlanWithoutEnd) {
   sim::Plan plan = short_plan();
   plan.steps.back().repeats = 1'000'000'000'000;
-  EXPECT_THROW(sim::fit_module({{plan, {}, {}}}, channel::ModuleData{}, {}), sim::Failure);
+  EXPECT_THROW(sim::fit_module({{plan, {}, {}}}, channel::ModuleData{}), sim::Failure);
 }
 
 TEST(FitOfHiddenParts, RefusesARecordingOfSomethingElse) {
   sim::PinRecording recording;
   for (int i = 0; i < 300; ++i) recording.pulses.push_back({i * 0.013, i * 0.013 + 0.001});
-  EXPECT_THROW(sim::fit_module({{short_plan(), {}, {}}}, channel::ModuleData{}, {}), sim::Failure);
-  EXPECT_THROW(sim::fit_module({{short_plan(), recording, {}}}, channel::ModuleData{}, {}),
+  EXPECT_THROW(sim::fit_module({{short_plan(), {}, {}}}, channel::ModuleData{}), sim::Failure);
+  EXPECT_THROW(sim::fit_module({{short_plan(), recording, {}}}, channel::ModuleData{}),
                sim::Failure);
 }
 
