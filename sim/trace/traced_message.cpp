@@ -50,12 +50,13 @@ bool is_wrong_at_pin(const TracedTrial& trial, const TracedMessage& message, std
 
 TracedMessage message_of(const TracedTrial& trial) {
   const double character_s = protocol::bits_per_byte / trial.baud.value;
-  dsp::LogicTrace line = read_line(trial);
-  return {
+  TracedMessage message{
       .sent = last_message(protocol::receive_mid_bit(sent_line(trial), trial.baud), character_s),
-      .received = protocol::receive_mid_bit(line, trial.baud),
+      .received = {},
       .character_s = character_s,
-      .line = std::move(line)};
+      .line = read_line(trial)};
+  message.received = protocol::receive_mid_bit(message.line, trial.baud);
+  return message;
 }
 
 std::string shown(const UartByte& byte) {
