@@ -62,6 +62,7 @@ void BurstShape::play(const StepResponse& response, double on_s, const RuleConst
   end_ = magnitude(ringing_);
   end_db_ = decibels_of(end_ / c.threshold);
   peak_ = t < on_s ? std::max(peak * std::exp(-(on_s - t) / c.atc_release_s), end_) : peak;
+  end_over_following_db_ = decibels_of(end_ / (c.atc_fraction * peak_));
 }
 
 double share_above(double level, double peak) {

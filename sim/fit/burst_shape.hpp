@@ -47,6 +47,7 @@ class BurstShape {
   Phasor ringing() const { return ringing_; }
   double end() const { return end_; }        // amplitude
   double end_db() const { return end_db_; }  // over the comparator's level, gain at rest
+  double end_over_following_db() const { return end_over_following_db_; }
   double peak() const { return peak_; }
 
  private:
@@ -54,7 +55,7 @@ class BurstShape {
   bool is_rising_ = true;
   Phasor ringing_before_ = 0, ringing_ = 0;
   double peak_before_ = 0, peak_ = 0;
-  double end_ = 0, end_db_ = 0;
+  double end_ = 0, end_db_ = 0, end_over_following_db_ = 0;
 };
 
 /// Which share of a cycle lies between a peak and where the wave passes a level below it: to 1e-5

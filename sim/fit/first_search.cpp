@@ -83,7 +83,8 @@ class FirstSearch {
     for (const RuleParameter one : numbers_of_first_steps) x_[place_of(one)] = best[place_of(one)];
   }
 
-  /// Each other one how strong its light is against the first one's.
+  /// Each other one how strong its light is against the first one's; and how far the gain falls,
+  /// where it is stronger.
   void find_light_of(std::size_t capture) {
     PlanLikelihood likelihood = likelihood_of(capture);
     if (likelihood.plan().steps.empty()) return;
@@ -94,12 +95,16 @@ class FirstSearch {
     for (const CaptureNumber one :
          {CaptureNumber::start, CaptureNumber::clock, CaptureNumber::level})
       is_free[place_of(one, capture)] = true;
+    std::vector<double> ranges = steps_between(45, 120, 11);
+    ranges.push_back(x_[place_of(range)]);
     const LeastSquaresProblem problem = problem_of(likelihood, is_free);
     likelihood.take_wide_deviations();
     Numbers x = likelihood.start();
     std::ranges::copy(x_, x.begin());
     x = best_of_grid(problem, x,
-                     {{level, steps_between(prior.middle - reach, prior.middle + reach, 61)}}, 1)
+                     {{level, steps_between(prior.middle - reach, prior.middle + reach, 61)},
+                      {place_of(range), ranges}},
+                     1)
             .front()
             .x;
     x = least_squares(problem, x, 6).x;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "sim/counting/sample_quantile.hpp"
 
@@ -17,10 +18,7 @@ enum class StepKind { carrier, release, long_train, short_train, single };
 StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
   const PlanStep& step = plan.steps[s];
   if (is_long_carrier(step)) return StepKind::carrier;
-  constexpr double soon_ms = 20;
-  if (s > 0 && is_long_carrier(plan.steps[s - 1]) &&
-      step.start_ms - end_ms(plan.steps[s - 1]) < soon_ms)
-    return StepKind::release;
+  if (is_behind_carrier(plan, s)) return StepKind::release;
   if (step.repeats > 1 && static_cast<double>(step.cycles_on) > long_burst_cycles)
     return StepKind::long_train;
   const double period = static_cast<double>(step.cycles_on + step.cycles_off) / step.carrier_hz;
@@ -28,22 +26,50 @@ StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
   return step.repeats > 1 && period < dense_s ? StepKind::short_train : StepKind::single;
 }
 
-struct KindWords {
-  StepKind kind;
-  const char* light;
-  const char* quantity;
-  const char* unit;
-};
-constexpr std::array<KindWords, 5> kind_words{{
-    {StepKind::carrier, "long carriers", "time until the output lets go", "ms"},
-    {StepKind::release, "short bursts behind a carrier", "bursts reported", "1"},
-    {StepKind::long_train, "trains of long bursts", "bursts reported", "1"},
-    {StepKind::short_train, "trains of short bursts", "bursts reported", "1"},
-    {StepKind::single, "short bursts at rest", "bursts reported", "1"},
+constexpr std::array<std::pair<StepKind, const char*>, 5> lights{{
+    {StepKind::carrier, "long carriers"},
+    {StepKind::release, "short bursts behind a carrier"},
+    {StepKind::long_train, "trains of long bursts"},
+    {StepKind::short_train, "trains of short bursts"},
+    {StepKind::single, "short bursts at rest"},
 }};
 
-const KindWords& words_of(StepKind kind) {
-  return *std::ranges::find(kind_words, kind, &KindWords::kind);
+const char* words_of(StepKind kind) {
+  return std::ranges::find(lights, kind, &std::pair<StepKind, const char*>::first)->second;
+}
+
+/// What of a step says whether its bursts are reported.
+struct ToldFeature {
+  FeatureKind feature;
+  double StepFeatures::*value;
+  double scale;
+  const char* words;
+  const char* unit;
+};
+
+/// Of a train the first bursts: how many of those behind them are reported is chaotic.
+constexpr const char* first_run_words = "bursts reported in a row, or below 0 not reported";
+
+ToldFeature told_feature(const PlanStep& step) {
+  using enum FeatureKind;
+  if (is_long_carrier(step))
+    return {reported, &StepFeatures::reported,
+            1e3 * static_cast<double>(step.cycles_on) / step.carrier_hz,
+            "time until the output lets go", "ms"};
+  if (is_train(step)) return {first_run, &StepFeatures::first_run, 1, first_run_words, "1"};
+  return {reported, &StepFeatures::reported, 1, "bursts reported", "1"};
+}
+
+/// Steps that are so far off, where there are so many of them, are a misfit. What chance does not
+/// move, the first bursts of a train, needs few steps, but these far off.
+struct Misfitting {
+  double deviations;
+  std::size_t one_of;
+};
+
+Misfitting misfitting(const std::string& quantity) {
+  if (quantity.ends_with(first_run_words)) return {8, 20};
+  return {4, 7};
 }
 
 }  // namespace
@@ -57,46 +83,48 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
   for (std::size_t s = 0; s < compared.size(); ++s) {
     const JoinedStep& origin = likelihood.origin(s);
     const PlanStep& step = likelihood.plan().steps[s];
-    const KindWords& words = words_of(kind_of(likelihood.plan(), s, long_cycles));
-    const double on_ms = 1e3 * static_cast<double>(step.cycles_on) / step.carrier_hz;
-    const double scale = words.kind == StepKind::carrier ? on_ms : 1;
+    const char* light = words_of(kind_of(likelihood.plan(), s, long_cycles));
+    const ToldFeature told = told_feature(step);
     const double level_db = likelihood.level_db(x, s);
+    const auto deviation = [&](FeatureKind kind) {
+      return -deviations[s * n_feature_kinds + static_cast<std::size_t>(kind)];
+    };
     steps.push_back({.capture = origin.capture,
                      .step = origin.step,
                      .level_db = level_db,
-                     .recorded = scale * compared[s].recorded.reported,
-                     .fitted = scale * compared[s].ruled.reported,
-                     .deviation = -deviations[s * n_feature_kinds],
-                     .quantity = fmt::format("{}: {}", words.light, words.quantity),
-                     .unit = words.unit});
+                     .recorded = told.scale * compared[s].recorded.*told.value,
+                     .fitted = told.scale * compared[s].ruled.*told.value,
+                     .deviation = deviation(told.feature),
+                     .quantity = fmt::format("{}: {}", light, told.words),
+                     .unit = told.unit});
     if (compared[s].recorded.with_low == 0 || compared[s].ruled.with_low == 0) continue;
     steps.push_back({.capture = origin.capture,
                      .step = origin.step,
                      .level_db = level_db,
                      .recorded = compared[s].recorded.low_s * step.carrier_hz,
                      .fitted = compared[s].ruled.low_s * step.carrier_hz,
-                     .deviation = -deviations[s * n_feature_kinds + 1],
-                     .quantity = fmt::format("{}: length of the output", words.light),
+                     .deviation = deviation(FeatureKind::low),
+                     .quantity = fmt::format("{}: length of the output", light),
                      .unit = "cycle"});
   }
   return steps;
 }
 
 std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
-  constexpr double far = 4;
   std::vector<FitMisfit> misfits;
   std::vector<std::string> seen;
   for (const FittedStep& first : steps) {
     if (std::ranges::find(seen, first.quantity) != seen.end()) continue;
     seen.push_back(first.quantity);
+    const Misfitting too_far = misfitting(first.quantity);
     std::vector<double> all, off;
     for (const FittedStep& step : steps) {
       if (step.quantity != first.quantity) continue;
       all.push_back(step.deviation);
-      if (std::abs(step.deviation) > far) off.push_back(step.recorded - step.fitted);
+      if (std::abs(step.deviation) > too_far.deviations) off.push_back(step.recorded - step.fitted);
     }
-    constexpr std::size_t least = 3, share_of = 7;
-    if (off.size() < least || share_of * off.size() < all.size()) continue;
+    constexpr std::size_t least = 3;
+    if (off.size() < least || too_far.one_of * off.size() < all.size()) continue;
     misfits.push_back(
         {first.quantity,
          fmt::format("{:+.3g} {} beside the rule in {} of {} steps", sample_quantile(off, 0.5),

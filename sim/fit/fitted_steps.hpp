@@ -8,7 +8,8 @@
 
 namespace sim {
 
-/// The number of bursts, or of a carrier the time, and the length of the pulses.
+/// The number of bursts, of a train those in a row from its first on, of a carrier the time; and
+/// the length of the pulses.
 std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Numbers& x);
 
 /// Steps of one quantity that no constants explain: more of them than chance and chaos have.

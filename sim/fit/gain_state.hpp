@@ -9,9 +9,10 @@
 
 namespace sim {
 
+inline constexpr double decibels_a_decay = 20 / std::numbers::ln10;  // of an amplitude
 /// 10^(db / 20).
-inline double gain_of(double db) { return std::exp(db * (std::numbers::ln10 / 20)); }
-inline double decibels_of(double ratio) { return (20 / std::numbers::ln10) * std::log(ratio); }
+inline double gain_of(double db) { return std::exp(db * (1 / decibels_a_decay)); }
+inline double decibels_of(double ratio) { return decibels_a_decay * std::log(ratio); }
 
 /// The slow AGC between two moments of activity.
 class GainState {

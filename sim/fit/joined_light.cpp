@@ -41,12 +41,13 @@ ParameterPrior level_prior(const LightCapture& capture, const LightCapture& firs
   return prior;
 }
 
-/// Of a plan that tells nothing new the steps up to the first train behind a long carrier. Steps
-/// cannot be left out between others: what the gain has lost in them is not back yet.
+/// Of a plan that tells nothing new the steps up to the first train that does not follow a long
+/// carrier, once there was one. Steps cannot be left out between others: what the gain has lost in
+/// them is not back yet.
 std::size_t first_steps(const Plan& plan) {
   bool had_carrier = false;
   for (std::size_t s = 0; s < plan.steps.size(); ++s) {
-    if (had_carrier && !is_burst_or_carrier(plan, s)) return s;
+    if (had_carrier && !is_burst_or_carrier(plan, s) && !is_behind_carrier(plan, s)) return s;
     had_carrier = had_carrier || is_long_carrier(plan.steps[s]);
   }
   return plan.steps.size();

@@ -161,7 +161,7 @@ class OutputOfRule {
       if (reached < during) until_off = activity.from + reached;
       GainState later = gain_;
       later.active(during, lets_go_db + c_.margin_db);
-      to = falls_below(c_.threshold * gain_of(later.db()) * margin_);
+      to = falls_below(later.db() - c_.margin_db);
     }
     const double until = std::max(now_ + to + longer_, from);
     gain_.active(until - from, lets_go_db + c_.margin_db);
@@ -171,15 +171,15 @@ class OutputOfRule {
 
   Spell light(const LevelCrossing& signal, double until_off) const {
     double to = signal.to;
-    if (signal.above)
-      to = until_off < on_s_ ? until_off : falls_below(c_.threshold * gain_of(gain_.db()));
+    if (signal.above) to = until_off < on_s_ ? until_off : falls_below(gain_.db());
     return {now_ + signal.from, std::max(now_ + to + longer_, now_ + signal.from)};
   }
 
-  /// When what is left of the burst falls below a level, or that of the comparator that follows.
-  double falls_below(double fixed) const {
-    const double level = std::max(fixed, c_.atc_fraction * peak_), end = shape_.end();
-    return on_s_ + (end > level ? response_.decay_s * std::log(end / level) : 0);
+  /// When what is left of the burst falls below a level, in dB over that of the comparator with the
+  /// gain at rest, or below that of the comparator that follows.
+  double falls_below(double fixed_db) const {
+    const double left_db = std::min(shape_.end_db() - fixed_db, shape_.end_over_following_db());
+    return on_s_ + std::max(left_db, 0.0) * response_.decay_s / decibels_a_decay;
   }
 
   BurstOutput reported(double start_s) {

@@ -166,8 +166,23 @@ void PlanLikelihood::take_wide_deviations() {
   }
 }
 
+/// By how much a train's first bursts last longer where the gain is a little higher before them
+/// than the rule has it; those that follow forget it.
+double PlanLikelihood::uncertain_cut(const Numbers& x, std::size_t step,
+                                     const Compared& compared) const {
+  constexpr double gain_db = 0.1, whole = 0.97;
+  const PlanStep& burst = plan_.steps[step];
+  const double shorter_s = std::min(compared.recorded.low_s, compared.ruled.low_s);
+  const bool is_cut = shorter_s * burst.carrier_hz < whole * static_cast<double>(burst.cycles_on);
+  if (!is_train(burst) || !is_cut) return 0;
+  const double attack_db_per_s =
+      1e3 * value_of(RuleParameter::attack, x[place_of(RuleParameter::attack)]);
+  return gain_db / attack_db_per_s * burst.carrier_hz / std::max(compared.ruled.with_low, 1);
+}
+
 void PlanLikelihood::take_deviations_at(const Numbers& x) {
-  const std::vector<double> here = values(x, 0, 0, nullptr);
+  std::vector<Compared> compared;
+  const std::vector<double> here = values(x, 0, 0, &compared);
   const std::vector<double> longer = values(x, cycles_uncertain, 0, nullptr);
   const std::vector<double> shorter = values(x, -cycles_uncertain, 0, nullptr);
   const std::vector<double> stronger = values(x, 0, uncertain_db, nullptr);
@@ -185,8 +200,11 @@ void PlanLikelihood::take_deviations_at(const Numbers& x) {
     const double least = is_time ? cycles_uncertain * std::sqrt(alike(i / n_feature_kinds, kind))
                          : is_long_carrier(step) ? carrier_s / on_s
                                                  : bursts + chaotic;
-    sigma_.push_back(
-        std::hypot(least, (longer[i] - shorter[i]) / 2, (stronger[i] - weaker[i]) / 2));
+    const double cut = kind == FeatureKind::low
+                           ? uncertain_cut(x, i / n_feature_kinds, compared[i / n_feature_kinds])
+                           : 0;
+    sigma_.push_back(std::hypot(std::hypot(least, cut), (longer[i] - shorter[i]) / 2,
+                                (stronger[i] - weaker[i]) / 2));
   }
 }
 

@@ -57,6 +57,7 @@ class PlanLikelihood {
   std::vector<double> amplitudes(const Numbers& x) const;
   /// Of how many steps on this one's carrier the feature is alike.
   double alike(std::size_t step, FeatureKind kind) const;
+  double uncertain_cut(const Numbers& x, std::size_t step, const Compared& compared) const;
   void play(const Numbers& x, double more_hold_cycles, double more_db) const;
   std::vector<double> values(const Numbers& x, double more_hold_cycles, double more_db,
                              std::vector<Compared>* compared) const;

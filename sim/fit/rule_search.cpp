@@ -33,6 +33,7 @@ class RuleSearch {
     const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
+    if (is_as_good_without_limit(whole)) fit.high[place_of(range)] = HUGE_VAL;
     if (cost_of(whole, mirrored) < cost_of(whole, x_) + told_cost) {
       const auto [low, high] = std::minmax(mirrored[place_of(centre)], x_[place_of(centre)]);
       fit.low[place_of(centre)] = std::min(fit.low[place_of(centre)], low);
@@ -52,6 +53,19 @@ class RuleSearch {
     other = least_squares(problem, other, 5).x;
     if (cost_of(problem, other) < cost_of(problem, x_)) std::swap(other, x_);
     return other;
+  }
+
+  /// Whether other numbers explain as well that the gain falls without end: a limit just beyond the
+  /// strongest light does what a level does that is wrong by 10 %.
+  bool is_as_good_without_limit(const LeastSquaresProblem& problem) const {
+    constexpr double no_limit_db = 190, as_good = 8 * told_cost;
+    LeastSquaresProblem others = problem;
+    others.is_free[place_of(range)] = false;
+    others.priors[place_of(range)].deviation = HUGE_VAL;
+    Numbers without = x_;
+    without[place_of(range)] = no_limit_db;
+    without = least_squares(others, without, 4).x;
+    return cost_of(others, without) < cost_of(others, x_) + as_good;
   }
 
   void all_steps() {
@@ -174,6 +188,10 @@ class RuleSearch {
     std::ranges::copy(steps_between(hold - 2, hold + 2, 17), std::back_inserter(holds));
     std::ranges::sort(lengths);
     std::ranges::sort(holds);
+    const double fall = x_[place_of(range)];
+    std::vector<double> ranges = steps_between(30, 140, 37);
+    std::ranges::copy(steps_between(fall - 4, fall + 4, 17), std::back_inserter(ranges));
+    std::ranges::sort(ranges);
     const GridAxis hold_way = hold_for_free_cycles(holds);
     return {
         hold_way,
@@ -183,7 +201,7 @@ class RuleSearch {
         {place_of(free_cycles), steps_between(0, 40, 27)},
         {place_of(dark_hold), holds},
         {place_of(margin), steps_between(0, 10, 31)},
-        {place_of(range), steps_between(30, 140, 37)}};
+        {place_of(range), ranges}};
   }
 
   /// A difference does not see what lies behind a jump, so each is tried all along its way.

@@ -58,13 +58,16 @@ double reported_of(const PlanStep& step, std::span<const BurstOutput> bursts) {
   return reported;
 }
 
+double dark_before_ms(const Plan& plan, std::size_t s) {
+  return s == 0 ? HUGE_VAL : plan.steps[s].start_ms - end_ms(plan.steps[s - 1]);
+}
+
 /// Seldom enough, and dark before them.
 bool is_short_at_rest(const Plan& plan, std::size_t s) {
   constexpr double longest_cycles = 40, least_dark_ms = 40;
   const PlanStep& step = plan.steps[s];
-  const double dark_ms = s == 0 ? HUGE_VAL : step.start_ms - end_ms(plan.steps[s - 1]);
-  return static_cast<double>(step.cycles_on) <= longest_cycles && dark_ms >= least_dark_ms &&
-         !is_train(step);
+  return static_cast<double>(step.cycles_on) <= longest_cycles &&
+         dark_before_ms(plan, s) >= least_dark_ms && !is_train(step) && !is_behind_carrier(plan, s);
 }
 
 }  // namespace
@@ -84,6 +87,14 @@ bool is_train(const PlanStep& step) {
   constexpr double most_duty_at_rest = 0.08;
   const auto on = static_cast<double>(step.cycles_on), off = static_cast<double>(step.cycles_off);
   return step.repeats > 1 && on / (on + off) > most_duty_at_rest;
+}
+
+bool is_behind_carrier(const Plan& plan, std::size_t step) {
+  constexpr double soon_ms = 50;
+  if (is_long_carrier(plan.steps[step])) return false;
+  for (std::size_t s = step; s > 0 && dark_before_ms(plan, s) < soon_ms; --s)
+    if (is_long_carrier(plan.steps[s - 1])) return true;
+  return false;
 }
 
 bool is_burst_or_carrier(const Plan& plan, std::size_t step) {
@@ -136,7 +147,8 @@ StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> burs
     }
     const bool is_last = bursts.size() > 1 && !both(i + 1);
     if (!is_carrier && !is_last) low += bursts[i].low_s, ++features.with_low;
-    if (bursts[i].begins && others[i].begins) start += bursts[i].start_s, ++features.with_start;
+    if (!is_train(step) && bursts[i].begins && others[i].begins)
+      start += bursts[i].start_s, ++features.with_start;
   }
   if (features.with_low > 0) features.low_s = low / features.with_low;
   if (features.with_start > 0) features.start_s = start / features.with_start;

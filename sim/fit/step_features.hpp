@@ -14,7 +14,7 @@ namespace sim {
 struct StepFeatures {
   double reported = 0;  // bursts; of one long burst: the share of it
   double low_s = 0;     // mean of a reported burst, but for the last one
-  double start_s = 0;   // mean, of those that begin a pulse
+  double start_s = 0;   // mean, of those that begin a pulse; not of a train, as gain moves it
   /// Bursts until one is not reported as the first one is; below 0 where that one is not. What
   /// comes behind hangs on ever smaller differences, this does not.
   double first_run = 0;
@@ -26,6 +26,10 @@ std::vector<std::size_t> first_bursts(const Plan& plan);
 
 /// A burst alone that lasts so long that the gain may let go of it.
 bool is_long_carrier(const PlanStep& step);
+
+/// Bursts that follow a long carrier without a rest: when they are reported again, the gain is
+/// back.
+bool is_behind_carrier(const Plan& plan, std::size_t step);
 
 /// Short bursts that the gain has nothing to do with, or a long carrier.
 bool is_burst_or_carrier(const Plan& plan, std::size_t step);

@@ -108,6 +108,44 @@ TEST(FitOfHiddenParts, SeveralCapturesTellRangeAndAmbientLight) {
   EXPECT_NEAR(all.strongest_db, 24, 1.2) << "not of the lamp's";
 }
 
+// Weak bursts behind a carrier of which the output never let go come back when the gain has, from
+// as far down as it goes: that tells the range to less than the 8 dB between carriers.
+TEST(FitOfHiddenParts, BurstsBehindCarriersTellTheRange) {
+  sim::Plan plan = short_plan();
+  for (const double db : {-24.0, -16.0, -8.0, 0.0}) {
+    add(plan, 2500, {0, carrier_hz, 50000, 0, 1, db});
+    add(plan, 3.5, {0, carrier_hz, 20, 176, 300, db - 16});
+  }
+  HiddenPart part = usual_part(1, plan);
+  part.module.agc_range_db = 51;
+  part.module.emin_mw_per_m2 = 0.2;  // the strongest is 64 dB above
+  const auto fitted = sim::fit_module({{plan, recording_in(part, plan, first_level), first_level}},
+                                      channel::ModuleData{});
+  const sim::FittedNumber& range = number(fitted, "agc_range_db");
+  EXPECT_TRUE(range.is_told);
+  EXPECT_LE(range.low, 51);
+  EXPECT_GE(range.high, 51);
+  EXPECT_LT(range.high - range.low, 8);
+}
+
+TEST(FitOfHiddenParts, SaysWhereAPartBreaksTheRule) {
+  sim::Plan plan = short_plan();
+  for (const double db : {-7.0, -21.0, -35.0, -49.0})
+    add(plan, 2500, {0, carrier_hz, 50000, 0, 1, db});
+  for (const Broken broken : {Broken::nothing, Broken::linear_attack}) {
+    HiddenPart part = usual_part(0, plan);
+    part.broken = broken;
+    const auto fitted = sim::fit_module(
+        {{plan, recording_in(part, plan, first_level), first_level}}, channel::ModuleData{});
+    if (broken == Broken::nothing) {
+      EXPECT_TRUE(fitted.misfits.empty());
+      continue;
+    }
+    ASSERT_FALSE(fitted.misfits.empty());
+    EXPECT_TRUE(fitted.misfits.front().what.starts_with("long carriers"));
+  }
+}
+
 TEST(FitOfHiddenParts, RefusesAPlanWithoutEnd) {
   sim::Plan plan = short_plan();
   plan.steps.back().repeats = 1'000'000'000'000;
