@@ -104,10 +104,10 @@ void follow_by_short_bursts(const ExpectedModule& module, double level_db, Bench
 
 /// The weakest first, as the strongest leave the gain low for longest. Weaker bursts behind the
 /// strong ones tell how far the gain has fallen, where the output never lets go.
-BenchTrials attack_part(const ExpectedModule& module) {
+BenchTrials attack_part(const ExpectedModule& module, int weakest_db) {
   constexpr int step_db = 8, weakest_followed_db = -32, weaker_db = 16;
   BenchTrials trials;
-  for (int level_db = -56; level_db <= 0; level_db += step_db) {
+  for (int level_db = weakest_db; level_db <= 0; level_db += step_db) {
     trials.push_back({{.rest_ms = 1800, .level_db = 1.0 * level_db, .on = module.cycles(1200)}});
     if (level_db >= weakest_followed_db)
       follow_by_short_bursts(module, level_db - weaker_db, trials.back());
@@ -193,17 +193,19 @@ void append(BenchTrials& to, const BenchTrials& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// All parts once. Behind the first pass trains come first, as a part without them tells no more.
+/// All parts once. Behind the first pass carriers at levels between and other trains come first, as
+/// the same light once more tells little.
 BenchTrials trials_of_pass(const ExpectedModule& module, int pass) {
   const BenchTrials held = held_part(module, pass);
   BenchTrials trials;
   if (pass > 0) {
+    append(trials, attack_part(module, -52));
     append(trials, short_part(module));
     append(trials, held);
   }
   append(trials, emin_part(module));
   append(trials, tune_part(module));
-  append(trials, attack_part(module));
+  append(trials, attack_part(module, -56));
   append(trials, pass > 0 ? release_part(module) : spread(release_part(module), held));
   return trials;
 }
