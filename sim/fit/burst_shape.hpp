@@ -45,8 +45,8 @@ class BurstShape {
   /// So that what has passed its level stays above it.
   bool is_rising() const { return is_rising_; }
   Phasor ringing() const { return ringing_; }
-  double end() const { return end_; }        // amplitude
-  double end_db() const { return end_db_; }  // over the comparator's level, gain at rest
+  /// Amplitude at the end over the comparator's level, gain at rest, and over the one that follows.
+  double end_db() const { return end_db_; }
   double end_over_following_db() const { return end_over_following_db_; }
   double peak() const { return peak_; }
 

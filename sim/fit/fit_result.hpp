@@ -27,6 +27,7 @@ struct FittedStep {
   double deviation = 0;             // of the two, in its standard deviations
   std::string quantity;             // "time until the output lets go"
   std::string unit;                 // "ms", "cycle", "1"
+  bool is_of_first_bursts = false;  // of a train: chance does not move them
 };
 
 /// Where the part does not follow the rule.

@@ -47,16 +47,15 @@ struct ToldFeature {
   const char* unit;
 };
 
-/// Of a train the first bursts: how many of those behind them are reported is chaotic.
-constexpr const char* first_run_words = "bursts reported in a row, or below 0 not reported";
-
 ToldFeature told_feature(const PlanStep& step) {
   using enum FeatureKind;
   if (is_long_carrier(step))
     return {reported, &StepFeatures::reported,
             1e3 * static_cast<double>(step.cycles_on) / step.carrier_hz,
             "time until the output lets go", "ms"};
-  if (is_train(step)) return {first_run, &StepFeatures::first_run, 1, first_run_words, "1"};
+  if (is_train(step))  // how many are reported behind the first ones is chaotic
+    return {first_run, &StepFeatures::first_run, 1,
+            "bursts reported in a row, or below 0 not reported", "1"};
   return {reported, &StepFeatures::reported, 1, "bursts reported", "1"};
 }
 
@@ -67,8 +66,8 @@ struct Misfitting {
   std::size_t one_of;
 };
 
-Misfitting misfitting(const std::string& quantity) {
-  if (quantity.ends_with(first_run_words)) return {8, 20};
+Misfitting misfitting(const FittedStep& step) {
+  if (step.is_of_first_bursts) return {8, 20};
   return {4, 7};
 }
 
@@ -96,7 +95,8 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
                      .fitted = told.scale * compared[s].ruled.*told.value,
                      .deviation = deviation(told.feature),
                      .quantity = fmt::format("{}: {}", light, told.words),
-                     .unit = told.unit});
+                     .unit = told.unit,
+                     .is_of_first_bursts = told.feature == FeatureKind::first_run});
     if (compared[s].recorded.with_low == 0 || compared[s].ruled.with_low == 0) continue;
     steps.push_back({.capture = origin.capture,
                      .step = origin.step,
@@ -105,7 +105,8 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
                      .fitted = compared[s].ruled.low_s * step.carrier_hz,
                      .deviation = deviation(FeatureKind::low),
                      .quantity = fmt::format("{}: length of the output", light),
-                     .unit = "cycle"});
+                     .unit = "cycle",
+                     .is_of_first_bursts = false});
   }
   return steps;
 }
@@ -116,7 +117,7 @@ std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
   for (const FittedStep& first : steps) {
     if (std::ranges::find(seen, first.quantity) != seen.end()) continue;
     seen.push_back(first.quantity);
-    const Misfitting too_far = misfitting(first.quantity);
+    const Misfitting too_far = misfitting(first);
     std::vector<double> all, off;
     for (const FittedStep& step : steps) {
       if (step.quantity != first.quantity) continue;

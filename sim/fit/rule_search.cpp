@@ -58,7 +58,7 @@ class RuleSearch {
   /// Whether other numbers explain as well that the gain falls without end: a limit just beyond the
   /// strongest light does what a level does that is wrong by 10 %.
   bool is_as_good_without_limit(const LeastSquaresProblem& problem) const {
-    constexpr double no_limit_db = 190, as_good = 8 * told_cost;
+    constexpr double no_limit_db = 190, as_good = 8 * told_cost;  // rounding is alike in many steps
     LeastSquaresProblem others = problem;
     others.is_free[place_of(range)] = false;
     others.priors[place_of(range)].deviation = HUGE_VAL;
