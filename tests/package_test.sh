@@ -18,8 +18,8 @@ need file file
 
 # --- the package ------------------------------------------------------------------------------
 
-make_package() { # make_package BUILD_FOLDER
-  cpack --config "$1/CPackConfig.cmake" -B "$folder/made" >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
+make_package() { # make_package BUILD_FOLDER: compressed fast, not well
+  cpack --config "$1/CPackConfig.cmake" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B "$folder/made" >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
   echo "$folder"/made/*.deb
 }
 
