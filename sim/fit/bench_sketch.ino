@@ -72,16 +72,16 @@ static void fetch_next() {
   has_next = true;
 }
 
-// OCR1A and OCR1B are taken over by the timer when its cycle ends.
+// OCR1A and OCR1B are taken over by the timer when its cycle ends: they come first, to be in time for this one.
 static inline void begin_step() {
   Step* const begun = next_step;
+  OCR1B = begun->width - 1;
+  period = begun->period;
+  OCR1A = period - 1;
+  left = begun->lead;
   next_step = step;
   step = begun;
   has_next = false;
-  left = begun->lead;
-  period = begun->period;
-  OCR1A = period - 1;
-  OCR1B = begun->width - 1;
 }
 
 // At the end of each pulse, so while it is dark. Where all is done it may be interrupted, so that an edge never waits

@@ -54,6 +54,8 @@ TrialBursts train(double level_db, std::uint32_t on, std::uint32_t period, doubl
           .repeats = ExpectedModule::whole(cycles / std::max(period, on + 1))};
 }
 
+bool is_odd(int pass) { return pass % 2 != 0; }
+
 BenchTrial mark(const ExpectedModule& module) {
   TrialBursts bursts = train(0, 30, module.cycles(10), module.cycles(50));
   bursts.rest_ms = 100;
@@ -68,24 +70,28 @@ TrialBursts single_bursts(const ExpectedModule& module, double level_db, double 
   return bursts;
 }
 
-BenchTrials emin_part(const ExpectedModule& module) {
+/// Odd passes have levels between those of even ones, here and below: each level of a bench is
+/// wrong by its own error, so the same one again tells little.
+BenchTrials emin_part(const ExpectedModule& module, int pass) {
+  constexpr std::array even{-40, -46, -50, -54, -58}, odd{-44, -48, -52, -56, -61};
   BenchTrials trials;
-  for (const int level_db : {-40, -44, -46, -48, -50, -52, -54, -56, -58, -61})
+  for (const int level_db : is_odd(pass) ? odd : even)
     trials.push_back({single_bursts(module, level_db, 1)});
   return trials;
 }
 
 /// The further off the carrier, the less of it passes the resonator.
-BenchTrials tune_part(const ExpectedModule& module) {
+BenchTrials tune_part(const ExpectedModule& module, int pass) {
   struct Side {
     double off;
-    int strongest_db, weakest_db;
+    int strongest_db;
   };
+  const int weaker_db = is_odd(pass) ? 2 : 0;
   BenchTrials trials;
-  for (const Side& side : {Side{0.05, -40, -54}, Side{0.1, -36, -50}})
-    for (int level_db = side.strongest_db; level_db >= side.weakest_db; level_db -= 2)
-      for (const double carrier : {1 - side.off, 1 + side.off})
-        trials.push_back({single_bursts(module, level_db, carrier)});
+  for (const auto& [off, strongest_db] : {Side{0.05, -40}, Side{0.1, -36}})
+    for (const int below_db : {0, 4, 8, 12})
+      for (const double carrier : {1 - off, 1 + off})
+        trials.push_back({single_bursts(module, strongest_db - weaker_db - below_db, carrier)});
   return trials;
 }
 
@@ -104,8 +110,9 @@ void follow_by_short_bursts(const ExpectedModule& module, double level_db, Bench
 
 /// The weakest first, as the strongest leave the gain low for longest. Weaker bursts behind the
 /// strong ones tell how far the gain has fallen, where the output never lets go.
-BenchTrials attack_part(const ExpectedModule& module, int weakest_db) {
+BenchTrials attack_part(const ExpectedModule& module, int pass) {
   constexpr int step_db = 8, weakest_followed_db = -32, weaker_db = 16;
+  const int weakest_db = is_odd(pass) ? -52 : -56;
   BenchTrials trials;
   for (int level_db = weakest_db; level_db <= 0; level_db += step_db) {
     trials.push_back({{.rest_ms = 1800, .level_db = 1.0 * level_db, .on = module.cycles(1200)}});
@@ -143,12 +150,12 @@ BenchTrial short_train(const ExpectedModule& module, double on, double gap) {
 }
 
 /// Round by round: bursts of each length at another duty or gap, those that are expected to be the
-/// last that are held first. Odd passes are between those of even ones.
+/// last that are held first.
 BenchTrials held_part(const ExpectedModule& module, int pass) {
   constexpr std::array rounds{1.0, 0.5, 1.35, 0.7, 1.7, 0.85, 1.15, 0.3};
   constexpr std::array<double, 4> long_bursts{98.0 / 80, 150.0 / 80, 300.0 / 80, 600.0 / 80};
   constexpr std::array<double, 5> lengths{0.82, 0.9, 0.98, 1.05, 1.12};
-  const double between = pass % 2 == 0 ? 1 : 1.08;
+  const double between = is_odd(pass) ? 1.08 : 1;
   const double short_burst = 0.75 * module.long_burst;
   BenchTrials trials;
   for (std::size_t round = 0; round < rounds.size(); ++round) {
@@ -193,20 +200,19 @@ void append(BenchTrials& to, const BenchTrials& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// All parts once. Behind the first pass carriers at levels between and other trains come first, as
-/// the same light once more tells little.
+/// All parts once. Trains begin with the first pass and those that are short with the second.
 BenchTrials trials_of_pass(const ExpectedModule& module, int pass) {
   const BenchTrials held = held_part(module, pass);
-  BenchTrials trials;
-  if (pass > 0) {
-    append(trials, attack_part(module, -52));
+  BenchTrials trials = emin_part(module, pass);
+  append(trials, tune_part(module, pass));
+  append(trials, attack_part(module, pass));
+  if (pass == 0) {
+    append(trials, spread(release_part(module), held));
+  } else {
     append(trials, short_part(module));
     append(trials, held);
+    append(trials, release_part(module));
   }
-  append(trials, emin_part(module));
-  append(trials, tune_part(module));
-  append(trials, attack_part(module, -56));
-  append(trials, pass > 0 ? release_part(module) : spread(release_part(module), held));
   return trials;
 }
 

@@ -33,7 +33,8 @@ class RuleSearch {
     const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
-    if (is_as_good_without_limit(whole)) fit.high[place_of(range)] = HUGE_VAL;
+    if (fit.high[place_of(range)] < furthest_range_db && is_as_good_without_limit(whole))
+      fit.high[place_of(range)] = HUGE_VAL;
     if (cost_of(whole, mirrored) < cost_of(whole, x_) + told_cost) {
       const auto [low, high] = std::minmax(mirrored[place_of(centre)], x_[place_of(centre)]);
       fit.low[place_of(centre)] = std::min(fit.low[place_of(centre)], low);
@@ -44,6 +45,7 @@ class RuleSearch {
 
  private:
   static constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
+  static constexpr double furthest_range_db = 140;
 
   /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
   /// better side, and returns the best numbers of the other one.
@@ -189,7 +191,7 @@ class RuleSearch {
     std::ranges::sort(lengths);
     std::ranges::sort(holds);
     const double fall = x_[place_of(range)];
-    std::vector<double> ranges = steps_between(30, 140, 37);
+    std::vector<double> ranges = steps_between(30, furthest_range_db, 37);
     std::ranges::copy(steps_between(fall - 4, fall + 4, 17), std::back_inserter(ranges));
     std::ranges::sort(ranges);
     const GridAxis hold_way = hold_for_free_cycles(holds);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -72,10 +73,31 @@ TEST(PlanSchedule, OfAMinuteHasSomeOfEachPart) {
   }
   EXPECT_EQ(attack_levels.size(), 8U);
   EXPECT_NEAR(*attack_levels.rbegin() - *attack_levels.begin(), 56, 0.5);
-  EXPECT_EQ(emin_levels.size(), 10U);
+  EXPECT_EQ(emin_levels.size(), 5U);
   EXPECT_EQ(carriers.size(), 5U);
   EXPECT_GE(releases, 5 + 1) << "behind strong carriers, and the release's own";
-  EXPECT_GE(held.size(), 1U);
+  EXPECT_GE(held.size(), 5U);
+}
+
+// A level once more is wrong by the same error, and tells little.
+TEST(PlanSchedule, OfFiveMinutesHasLevelsBetweenThoseOfItsFirstPass) {
+  std::map<double, std::set<double>> short_bursts;  // levels by carrier
+  std::set<double> carriers;
+  std::size_t steps = 0;
+  for (const PlanStep& step : scheduled("TSOP4856", 5).steps) {
+    if (is_like(step, 67200, 1)) carriers.insert(step.level_db);
+    if (!is_like(step, 30, 30)) continue;
+    short_bursts[step.carrier_hz].insert(step.level_db);
+    ++steps;
+  }
+  EXPECT_EQ(short_bursts.size(), 5U);
+  std::size_t levels = 0;
+  for (const auto& [carrier_hz, of_carrier] : short_bursts) {
+    EXPECT_EQ(of_carrier.size(), carrier_hz == 16e6 / 286 ? 10U : 8U) << carrier_hz;
+    levels += of_carrier.size();
+  }
+  EXPECT_EQ(levels, steps) << "each of them once";
+  EXPECT_GE(carriers.size(), 15U);
 }
 
 TEST(PlanSchedule, HasTheBurstsOfTheModule) {
