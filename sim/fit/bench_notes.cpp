@@ -64,7 +64,7 @@ More:    near.csv, the first minute from {4:.2f} m, and lamp.csv, the same at {1
 )",
       module, distance_m, sketch_baud,
       minutes_and_seconds(static_cast<double>(clocks_of(schedule)) / bench_clock_hz + 2),
-      distance_m / 4);
+      distance_m / 8);
   return text;
 }
 

@@ -115,6 +115,19 @@ std::string more_sentence(const FittedNumber& number) {
                      number.is_told ? " better" : "", number.more);
 }
 
+/// Where a train is just held, noise decides of a part that has hardly any margin. The rule of the
+/// fit is without noise.
+std::optional<std::string> noise_sentence(const FittedModule& fit) {
+  constexpr double hardly_any_db = 0.5;
+  const auto margin = std::ranges::find(fit.numbers, "agc_margin_db", &FittedNumber::key);
+  if (fit.misfits.empty() || margin == fit.numbers.end() || margin->value > hardly_any_db)
+    return std::nullopt;
+  return fmt::format(
+      "With a margin of {:.2g} dB, noise decides whether such bursts are reported, which the rule "
+      "does not have: that may be all.",
+      margin->value);
+}
+
 /// To the left, as wide as need be.
 std::string lines_of_cells(const std::vector<std::vector<std::string>>& rows) {
   std::vector<TextColumn> columns(rows.front().size(), {{}, 0});
@@ -139,6 +152,7 @@ std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
     sentences.push_back("Not told apart: " + line + ".");
   for (const FitMisfit& misfit : fit.misfits)
     sentences.push_back("The part does not follow the rule: " + misfit_words(misfit) + ".");
+  if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
   sentences.push_back(fmt::format("{}: {} deviations of {:.2f} standard deviations, as a rule.",
                                   fit.misfits.empty() ? "The part follows the rule" : "In all",
                                   fit.steps.size(), fit.usual_deviation));

@@ -38,7 +38,7 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {margin, 6, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 0,
      "a carrier that is stronger: of one at least the output must not let go. Record the plan once "
-     "more at a quarter of the distance"},
+     "more at an eighth of the distance"},
 }};
 
 constexpr double normal_95 = 1.96;

@@ -73,6 +73,18 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
     EXPECT_EQ(occurrences(text, line), 1U) << line << text;
 }
 
+// Noise decides where a train is just held: of a misfit of such a part, that is the likely reason.
+TEST(FitWords, DoubtAMisfitOfAPartWithoutMargin) {
+  MeasuredModule measured = made_up_measurement();
+  measured.fit.numbers.push_back({.key = "agc_margin_db", .value = 0.2});
+  const char* reason = "With a margin of 0.2 dB, noise decides";
+  EXPECT_EQ(occurrences(measured_text(measured), reason), 0U);
+  measured.fit.misfits = {{"trains", "5 of 40 steps"}};
+  EXPECT_EQ(occurrences(measured_text(measured), reason), 1U);
+  measured.fit.numbers.back().value = 3;
+  EXPECT_EQ(occurrences(measured_text(measured), "noise decides"), 0U);
+}
+
 TEST(FitWords, SayOfFurtherCapturesHowStrongTheirLightIs) {
   MeasuredModule measured = made_up_measurement();
   measured.captures.push_back(measured.captures[0]);
