@@ -4,9 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <deque>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/command/commands.hpp"
@@ -65,6 +69,18 @@ std::vector<std::string> names_of_files(const std::vector<fs::path>& captures) {
   return names;
 }
 
+/// As the last line says of what the sketch sent (sim/fit/bench_sketch.ino).
+std::uint64_t lost_pairs_in(const fs::path& capture) {
+  static constexpr std::string_view word = "# pairs of edges lost: ";
+  constexpr std::streamoff last_line = 64;
+  std::ifstream file(capture, std::ios::binary | std::ios::ate);
+  file.seekg(std::max<std::streamoff>(file.tellg() - last_line, 0));
+  const std::string end(std::istreambuf_iterator<char>(file), {});
+  const std::size_t place = end.rfind(word);
+  return place == std::string::npos ? 0
+                                    : std::strtoull(end.c_str() + place + word.size(), nullptr, 10);
+}
+
 MeasuredModule measured_module(const FitRequest& request, const channel::ModuleData& like,
                                std::vector<LightReading> readings) {
   MeasuredModule measured{.fit = {}, .like = like, .captures = {}, .first_level_by = {}};
@@ -85,7 +101,8 @@ MeasuredModule measured_module(const FitRequest& request, const channel::ModuleD
                                  .steps = reading.plan.steps.size(),
                                  .ambient_w_per_m2 = ambient,
                                  .is_of_messages = reading.is_of_messages,
-                                 .is_of_known_level = level.has_value()});
+                                 .is_of_known_level = level.has_value(),
+                                 .lost_pairs = lost_pairs_in(request.captures[k])});
     captures.push_back({std::move(reading.plan), std::move(reading.recording), level, ambient});
   }
   measured.fit = fit_module(captures, like);

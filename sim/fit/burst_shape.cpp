@@ -41,7 +41,9 @@ void BurstShape::play(const StepResponse& response, double on_s, const RuleConst
   ringing_before_ = ringing;
   peak_before_ = peak;
   cycles_.clear();
-  is_rising_ = true;
+  rise_begin_ = rise_end_ = 0;
+  least_behind_rise_ = HUGE_VAL;
+  greatest_ = 0;
   Phasor away = ringing - response.steady;
   double before = magnitude(ringing);
   double t = 0;
@@ -53,8 +55,7 @@ void BurstShape::play(const StepResponse& response, double on_s, const RuleConst
     away *= dt < response.cycle_s ? std::exp(response.pole * dt) : response.step;
     const double after = magnitude(response.steady + away);
     peak = std::max(after, peak * atc_step);
-    cycles_.push_back({t, dt, before, after, c.atc_fraction * peak});
-    is_rising_ = is_rising_ && after >= before && after > cycles_.back().following;
+    take({t, dt, before, after, c.atc_fraction * peak});
     before = after;
     t += dt;
   }
@@ -63,6 +64,19 @@ void BurstShape::play(const StepResponse& response, double on_s, const RuleConst
   end_db_ = decibels_of(end_ / c.threshold);
   peak_ = t < on_s ? std::max(peak * std::exp(-(on_s - t) / c.atc_release_s), end_) : peak;
   end_over_following_db_ = decibels_of(end_ / (c.atc_fraction * peak_));
+}
+
+void BurstShape::take(const BurstCycle& cycle) {
+  const std::size_t place = cycles_.size();
+  cycles_.push_back(cycle);
+  greatest_ = std::max(greatest_, cycle.after);
+  const bool is_above = cycle.after > cycle.following;
+  if (!is_above && rise_begin_ == place)
+    rise_begin_ = rise_end_ = place + 1;
+  else if (is_above && rise_end_ == place && cycle.after >= cycle.before)
+    ++rise_end_;
+  else
+    least_behind_rise_ = is_above ? std::min(least_behind_rise_, cycle.after) : 0;
 }
 
 double share_above(double level, double peak) {
@@ -92,14 +106,15 @@ void LevelCrossing::step(const BurstCycle& cycle) {
 
 LevelCrossing crossing_of(const BurstShape& shape, double level, std::size_t& begin) {
   LevelCrossing crossing{level};
+  if (level >= shape.greatest()) return crossing;
   const std::vector<BurstCycle>& cycles = shape.cycles();
-  if (!shape.is_rising() || cycles.empty()) {
+  if (shape.rise_begin() == shape.rise_end() || level >= shape.least_behind_rise()) {
     for (const BurstCycle& cycle : cycles) crossing.step(cycle);
     return crossing;
   }
-  begin = std::min(begin, cycles.size() - 1);
-  while (begin > 0 && cycles[begin - 1].after > level) --begin;
-  while (begin + 1 < cycles.size() && cycles[begin].after <= level) ++begin;
+  begin = std::clamp(begin, shape.rise_begin(), shape.rise_end() - 1);
+  while (begin > shape.rise_begin() && cycles[begin - 1].after > level) --begin;
+  while (begin + 1 < shape.rise_end() && cycles[begin].after <= level) ++begin;
   crossing.step(cycles[begin]);
   return crossing;
 }

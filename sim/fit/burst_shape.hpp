@@ -42,8 +42,13 @@ class BurstShape {
   void forget() { cycles_.clear(); }
 
   const std::vector<BurstCycle>& cycles() const { return cycles_; }
-  /// So that what has passed its level stays above it.
-  bool is_rising() const { return is_rising_; }
+  /// Cycles of which the amplitude rises and is above the comparator that follows, as in those
+  /// before them it is not. Behind them it is at least least_behind_rise(), and 0 is that where it
+  /// passes the comparator once more.
+  std::size_t rise_begin() const { return rise_begin_; }
+  std::size_t rise_end() const { return rise_end_; }
+  double least_behind_rise() const { return least_behind_rise_; }
+  double greatest() const { return greatest_; }
   Phasor ringing() const { return ringing_; }
   /// Amplitude at the end over the comparator's level, gain at rest, and over the one that follows.
   double end_db() const { return end_db_; }
@@ -52,7 +57,10 @@ class BurstShape {
 
  private:
   std::vector<BurstCycle> cycles_;
-  bool is_rising_ = true;
+  void take(const BurstCycle& cycle);
+
+  std::size_t rise_begin_ = 0, rise_end_ = 0;
+  double least_behind_rise_ = 0, greatest_ = 0;
   Phasor ringing_before_ = 0, ringing_ = 0;
   double peak_before_ = 0, peak_ = 0;
   double end_ = 0, end_db_ = 0, end_over_following_db_ = 0;

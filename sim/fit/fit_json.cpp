@@ -28,10 +28,16 @@ Json captures_json(const MeasuredModule& measured) {
   for (std::size_t k = 0; k < measured.captures.size(); ++k) {
     const MeasuredCapture& capture = measured.captures[k];
     const FittedCapture& fitted = measured.fit.captures[k];
-    Json row{{"file", capture.file},       {"wire", capture.wire},
-             {"plan", capture.plan_words}, {"ambient_w_per_m2", capture.ambient_w_per_m2},
-             {"start_s", fitted.start_s},  {"clock_error", fitted.clock_error},
-             {"level_db", fitted.level_db}};
+    Json row{{"file", capture.file},
+             {"wire", capture.wire},
+             {"plan", capture.plan_words},
+             {"ambient_w_per_m2", capture.ambient_w_per_m2},
+             {"start_s", fitted.start_s},
+             {"clock_error", fitted.clock_error},
+             {"level_db", fitted.level_db},
+             {"n_steps", capture.steps},
+             {"n_fitted_steps", fitted.fitted_steps},
+             {"n_lost_pairs", capture.lost_pairs}};
     all.push_back(std::move(row));
   }
   return all;

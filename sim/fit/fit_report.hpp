@@ -2,6 +2,7 @@
 // What is said of a measured module: a table of its constants beside those of the module that it is
 // like, and sentences; the same as JSON, and as a page with the recording beside what was fitted.
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct MeasuredCapture {
   double ambient_w_per_m2 = 0;    // of a lamp
   bool is_of_messages = false;    // the plan is what the module reports of messages
   bool is_of_known_level = true;  // its light was not to be found
+  std::uint64_t lost_pairs = 0;   // of edges that the sketch of a bench says it has left out
 };
 
 struct MeasuredModule {

@@ -41,6 +41,8 @@ struct FittedCapture {
   double start_s = 0;      // of the plan, in the recording's time
   double clock_error = 0;  // of the recording's against the plan's, as a share
   double level_db = 0;     // over the first capture's light, as the module sees it under a lamp
+  std::size_t fitted_steps = 0;  // of its plan, from the first one on
+  bool is_cut_short = false;     // the recording ends before the plan
 };
 
 struct FittedModule {

@@ -74,14 +74,28 @@ std::string light_sentence(const MeasuredCapture& capture, const FittedCapture& 
                      capture.is_of_known_level ? "" : ", as the recording says");
 }
 
+/// Of so many in the plan.
+std::string steps_in_words(std::size_t steps, const FittedCapture& fitted) {
+  if (fitted.fitted_steps == steps) return fmt::format("{} steps of light", steps);
+  return fmt::format(
+      "the first {} of {} steps of light{}", fitted.fitted_steps, steps,
+      fitted.is_cut_short ? ", where the recording ends" : ", as the others tell nothing more");
+}
+
 std::vector<std::string> capture_sentences(const MeasuredModule& measured) {
   std::vector<std::string> sentences;
   const std::string first = escaped_name(measured.captures.front().file);
   for (std::size_t k = 0; k < measured.captures.size(); ++k) {
     const MeasuredCapture& capture = measured.captures[k];
-    sentences.push_back(fmt::format("Read {} of {}, by {}: {} steps of light.",
-                                    escaped_name(capture.wire), escaped_name(capture.file),
-                                    capture.plan_words, capture.steps));
+    sentences.push_back(fmt::format("Read {} of {}, by {}: {}.", escaped_name(capture.wire),
+                                    escaped_name(capture.file), capture.plan_words,
+                                    steps_in_words(capture.steps, measured.fit.captures[k])));
+    if (capture.lost_pairs > 0)
+      sentences.push_back(
+          fmt::format("The sketch left out {} pairs of edges of {}: something else lights the "
+                      "module. Shade it, "
+                      "and record again.",
+                      capture.lost_pairs, escaped_name(capture.file)));
     if (capture.is_of_messages)
       sentences.emplace_back(
           "Of messages that the module did not report at all nothing is known, and messages tell "
@@ -153,9 +167,11 @@ std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
   for (const FitMisfit& misfit : fit.misfits)
     sentences.push_back("The part does not follow the rule: " + misfit_words(misfit) + ".");
   if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
-  sentences.push_back(fmt::format("{}: {} deviations of {:.2f} standard deviations, as a rule.",
-                                  fit.misfits.empty() ? "The part follows the rule" : "In all",
-                                  fit.steps.size(), fit.usual_deviation));
+  sentences.push_back(fmt::format(
+      "{}: {} numbers of the recording differ from the fit by {:.2f} standard deviations on the "
+      "whole; chance makes up to 1 of it.",
+      fit.misfits.empty() ? "The part does what a gain control of this kind does" : "In all",
+      fit.steps.size(), fit.usual_deviation));
   return sentences;
 }
 

@@ -30,7 +30,9 @@ std::vector<FittedCapture> fitted_captures(const RuleFit& fit, const JoinedLight
     captures.push_back(
         {.start_s = alignment.start_s + fit.x[place_of(CaptureNumber::start, k)] * cycle_s,
          .clock_error = alignment.clock_error + 1e-6 * fit.x[place_of(CaptureNumber::clock, k)],
-         .level_db = k == 0 ? 0 : fit.x[place_of(CaptureNumber::level, k)]});
+         .level_db = k == 0 ? 0 : fit.x[place_of(CaptureNumber::level, k)],
+         .fitted_steps = light.captures[k].steps,
+         .is_cut_short = light.captures[k].is_cut_short});
   }
   return captures;
 }

@@ -38,7 +38,7 @@ constexpr std::array<ConstantNote, 15> constant_notes{{
     {margin, 6, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 0,
      "a carrier that is stronger: of one at least the output must not let go. Record the plan once "
-     "more at an eighth of the distance"},
+     "more at an eighth of the distance, or nearer"},
 }};
 
 constexpr double normal_95 = 1.96;
@@ -87,10 +87,18 @@ Reach usual_reach(const RuleFit& fit, const ParameterPrior& prior, const Constan
           std::max(std::min(reach.high, prior.middle + usual), x)};
 }
 
+/// A hold of less than two carrier cycles is none, of which a part's file would make another rule.
+double held_or_none(RuleParameter parameter, double value) {
+  constexpr double none_ms = 0.05;
+  return parameter == dark_hold && value < none_ms ? 0 : value;
+}
+
 FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
                             const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
-  const auto value = [&](double x) { return value_of(note.parameter, x); };
+  const auto value = [&](double x) {
+    return held_or_none(note.parameter, value_of(note.parameter, x));
+  };
   const bool told = is_told(fit, priors, note);
   const Reach interval = told ? reach_of(fit, note) : usual_reach(fit, priors[place], note);
   return {.key = std::string(priors[place].key),

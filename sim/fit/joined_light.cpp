@@ -97,10 +97,12 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
     const double begin_ms = all.plan.steps.empty() ? 0 : end_ms(all.plan.steps.back()) + rest_ms;
     const auto levels_of = static_cast<std::size_t>(same - captures.begin());
     const bool is_repeated = levels_of < all.captures.size() || capture.ambient_w_per_m2 > 0;
-    all.captures.push_back(
-        {begin_ms, alignment, levels_of, level_prior(capture, captures.front(), level_error_db)});
     const std::size_t told = is_repeated ? first_steps(capture.plan) : capture.plan.steps.size();
-    append_steps(capture, std::min(told, covered_steps(capture, alignment)), recorded, all);
+    const std::size_t covered = covered_steps(capture, alignment);
+    all.captures.push_back({begin_ms, alignment, levels_of,
+                            level_prior(capture, captures.front(), level_error_db),
+                            std::min(told, covered), covered < told});
+    append_steps(capture, all.captures.back().steps, recorded, all);
   }
   return all;
 }

@@ -29,6 +29,8 @@ struct JoinedCapture {
   PlanAlignment alignment;
   std::size_t levels_of = 0;  // the first one with the same plan: its levels are wrong by as much
   ParameterPrior level;       // dB over the first capture's light, as the comparator sees it
+  std::size_t steps = 0;      // of its plan that are taken, from the first one on
+  bool is_cut_short = false;  // the recording ends before what would be taken
 };
 
 /// Where a step is from.

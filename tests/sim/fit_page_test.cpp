@@ -30,7 +30,7 @@ MeasuredModule made_up_measurement() {
                {0, 1, -8, 3, 4, -1, "pulses", "1"},
                {0, 2, -8, 12, 12, 0, "time until it lets go", "ms"}};
   fit.usual_deviation = 1.29;
-  fit.captures = {{.start_s = 0.1}};
+  fit.captures = {{.start_s = 0.1, .fitted_steps = 3}};
   fit.strongest_over_emin_db = 54.2;
   return measured;
 }
@@ -55,7 +55,8 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "The strongest light was 54 dB above Emin: of stronger light nothing is told.\n"
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
-      "The part follows the rule: 3 deviations of 1.29 standard deviations, as a rule.\n"))
+      "The part does what a gain control of this kind does: 3 numbers of the recording differ from "
+      "the fit by 1.29 standard deviations on the whole; chance makes up to 1 of it.\n"))
       << measured_text(measured);
   measured.first_level_by = "--irradiance";
   measured.first_level_mw_per_m2 = 30.5;
@@ -69,7 +70,7 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
         "of the recording, whose clock runs 0.210 % too slow.\n",
         "Not told apart: a and b: c would.\n",
         "The part does not follow the rule: short bursts: reported 20 ms later.\n",
-        "In all: 3 deviations of"})
+        "In all: 3 numbers of the recording differ"})
     EXPECT_EQ(occurrences(text, line), 1U) << line << text;
 }
 
@@ -93,16 +94,25 @@ TEST(FitWords, SayOfFurtherCapturesHowStrongTheirLightIs) {
   measured.captures[1].is_of_known_level = false;
   measured.captures[2].file = "lamp.csv";
   measured.captures[2].ambient_w_per_m2 = 10;
+  measured.captures[2].lost_pairs = 12;
   measured.fit.captures = {
-      {.start_s = 0.1}, {.start_s = 0.2, .level_db = 24.123}, {.start_s = 0.3, .level_db = -12.4}};
+      {.start_s = 0.1, .fitted_steps = 3},
+      {.start_s = 0.2, .level_db = 24.123, .fitted_steps = 2},
+      {.start_s = 0.3, .level_db = -12.4, .fitted_steps = 1, .is_cut_short = true}};
   measured.first_level_mw_per_m2 = 60;
   measured.first_level_by = "--irradiance";
   measured.fit.strongest_db = 24.123;
   const std::string text = measured_text(measured);
   for (const char* line :
-       {"Read rx of near.csv, by the plan plan.txt: 3 steps of light.\n"
+       {"Read rx of near.csv, by the plan plan.txt: the first 2 of 3 steps of light, as the others "
+        "tell nothing more.\n"
         "The plan begins at 0.2 s of the recording, and their clocks agree.\n"
         "Its light is 24.12 dB stronger than that of c<1>.csv, as the recording says.\n",
+        "Read rx of lamp.csv, by the plan plan.txt: the first 1 of 3 steps of light, where the "
+        "recording ends.\n",
+        "The sketch left out 12 pairs of edges of lamp.csv: something else lights the module. "
+        "Shade "
+        "it, and record again.\n",
         "Under the lamp of 10 W/m2 its light seems 12.40 dB weaker than that of c<1>.csv.\n",
         "The strongest light was 54 dB above Emin, 964 mW/m2: of stronger light, which an LED of "
         "72 mW/sr gives nearer than 0.27 m, nothing is told.\n"})

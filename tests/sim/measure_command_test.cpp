@@ -113,6 +113,14 @@ TEST_F(MeasureCommand, TakesTheIrradianceThatItIsTold) {
   EXPECT_FALSE(of({}).contains("first_level")) << "no plan that this program wrote";
 }
 
+TEST_F(MeasureCommand, SaysWhatTheSketchLeftOut) {
+  const char* words = "pairs of edges of capture.csv: something else lights the module";
+  EXPECT_EQ(measured({"capture.csv"}).out.find(words), std::string::npos);
+  write("capture.csv", bench_.output + "# pairs of edges lost: 12\n");
+  EXPECT_NE(measured({"capture.csv"}).out.find(std::string("left out 12 ") + words),
+            std::string::npos);
+}
+
 TEST_F(MeasureCommand, FindsThePlanOnTheWireOfTheLed) {
   std::filesystem::remove(path("plan.txt"));
   write("both.csv", bench_.both);
