@@ -69,10 +69,12 @@ std::vector<std::string> names_of_files(const std::vector<fs::path>& captures) {
   return names;
 }
 
-/// As the last line says of what the sketch sent (sim/fit/bench_sketch.ino).
+/// As the last line says of what the sketch sent (sim/fit/bench_sketch.ino). A pipe was read
+/// already.
 std::uint64_t lost_pairs_in(const fs::path& capture) {
   static constexpr std::string_view word = "# pairs of edges lost: ";
   constexpr std::streamoff last_line = 64;
+  if (!fs::is_regular_file(capture)) return 0;
   std::ifstream file(capture, std::ios::binary | std::ios::ate);
   file.seekg(std::max<std::streamoff>(file.tellg() - last_line, 0));
   const std::string end(std::istreambuf_iterator<char>(file), {});

@@ -87,7 +87,7 @@ Reach usual_reach(const RuleFit& fit, const ParameterPrior& prior, const Constan
           std::max(std::min(reach.high, prior.middle + usual), x)};
 }
 
-/// A hold of less than two carrier cycles is none, of which a part's file would make another rule.
+/// A hold of two or three carrier cycles is none: of any a part's file makes another rule.
 double held_or_none(RuleParameter parameter, double value) {
   constexpr double none_ms = 0.05;
   return parameter == dark_hold && value < none_ms ? 0 : value;
