@@ -133,7 +133,7 @@ std::uint64_t lost(const std::string& device, const std::string& module) {
 }
 
 // Vishay's TSDP application note: 57.6 kHz up to 9600 bit/s, 38.4 kHz up to 4800.
-TEST(DataLink, OfTsdpCarriesTheRatesOfItsNote) {
+TEST(DataLink, MeasuredOfTsdpCarriesTheRatesOfItsNote) {
   for (const char* baud : {"1200", "2400", "4800", "9600"})
     EXPECT_EQ(lost(std::string("carrier_hz = 57600\nbaud = ") + baud + "\n", ""), 0U) << baud;
   for (const char* baud : {"1200", "2400", "4800"})
