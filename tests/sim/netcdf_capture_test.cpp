@@ -130,16 +130,18 @@ TEST_F(NetcdfCapture, OtherFilesAreRefused) {
             "cannot decode t.h5 (its sample rate is none) give a trace as cosys-sim writes it");
 }
 
-// More in damaged_files_test.cpp. In a process of its own: what the library leaves open of a
-// damaged file it may speak of at exit.
+// Half of the rounds bend what the file begins with, its structure, and half any of its bytes,
+// which are mostly samples. More in damaged_files_test.cpp. In a process of its own: what the
+// library leaves open of a damaged file it may speak of at exit.
 TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
   Random random(73);
   const std::string good = sim::trace_as_netcdf(random_trial(random, true, 2'000));
   int refused = 0;
   for (int round = 0; round < 20; ++round) {
     std::string bad = good;
+    const std::size_t reach = round % 2 == 0 ? 2048 : bad.size();
     for (auto n = 1 + random() % 60; n > 0; --n)
-      bad[random() % bad.size()] = static_cast<char>(random());
+      bad[random() % reach] = static_cast<char>(random());
     std::ofstream(path("t.h5"), std::ios::binary) << bad;
     const Outcome o = program({"decode", "t.h5", "--baud", "600"});
     EXPECT_TRUE(o.code == 0 || o.code == 2) << round << ": " << o.code;
@@ -148,7 +150,7 @@ TEST_F(NetcdfCapture, BentIsReadOrRefusedInALine) {
     refused += o.code == 2;
   }
   EXPECT_GT(refused, 3);
-  EXPECT_LT(refused, 40);
+  EXPECT_LT(refused, 20);
 }
 
 }  // namespace
