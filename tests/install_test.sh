@@ -24,7 +24,7 @@ grep -qF "$shared/modules" error.txt || fail 'its own modules are not looked for
 
 # What the program wrote of itself: a manual page with all commands, and what shells complete.
 share=$folder/installed/share
-mapfile -t commands < <("$program" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]\+\) .*/\1/p')
+mapfile -t commands < <("$program" --help | sed -n '/^Commands:/,$s/^  \([a-z]\+\) .*/\1/p')
 [[ ${#commands[@]} -gt 10 ]] || fail 'the help names too few commands:' "${commands[@]}"
 for command in "${commands[@]}"; do
   grep -qx "\.SS $command" "$share/man/man1/cosys-sim.1" || fail "$command is not in the manual page"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "sim/command/command_options.hpp"
 #include "sim/command/commands_added.hpp"
+#include "sim/command/help_text.hpp"
 #include "sim/command/read_usage.hpp"
 #include "sim/engine/process_group.hpp"
 #include "sim/text/spelling.hpp"
@@ -52,6 +52,22 @@ Failure wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 std::vector<std::string> given_options(const CLI::App& command) {
   return names_of(command.get_options(
       [](const CLI::Option* option) { return option->count() > 0 && !option->get_positional(); }));
+}
+
+/// --help, --help-all, --version.
+void print_asked_for(CLI::App& app, const CLI::ParseError& asked_for) {
+  const bool is_all = dynamic_cast<const CLI::CallForAllHelp*>(&asked_for) != nullptr;
+  const bool is_help = is_all || dynamic_cast<const CLI::CallForHelp*>(&asked_for) != nullptr;
+  if (!is_help) return print(std::string(asked_for.what()) + "\n");
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "" : chosen.front()->get_name();
+  print(help_text(usage_of(app), command, is_all));
+}
+
+/// Each command has --help-all.
+void add_whole_helps(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands(nullptr))
+    command->set_help_all_flag("--help-all", "this help, with options that are rarely needed");
 }
 
 struct Requests {
@@ -173,13 +189,12 @@ int run_command_line(int argc, char** argv, const Surroundings& surroundings) {
   add_compare(app, requests.compare);
   add_completion(app, requests.completion);
   add_manual(app);
+  add_whole_helps(app);
   try {
     app.parse(words_of(app, argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0) throw wrong_usage(app, e);
-    std::ostringstream asked_for;  // --help, --version
-    app.exit(e, asked_for, asked_for);
-    print(asked_for.str());
+    print_asked_for(app, e);
     return 0;
   }
   fill_in(requests, surroundings);

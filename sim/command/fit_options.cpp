@@ -26,10 +26,9 @@ void add_light(CLI::App& fit, FitRequest& request) {
            request.plan = true;
            if (!file.empty()) request.plan_files.emplace_back(file);
          },
-         "of a capture: the light that the module was shown (.txt), once for all captures or once "
-         "for each; if not given plan.txt beside the capture, else what is on the LED's wire, "
-         "else COSYS messages, as far as the module reports them. "
-         "Without a capture: write a plan, and what it takes to carry it out")
+         "the light that the module was shown (.txt), for all captures or one for each; if not "
+         "given plan.txt beside the capture, else what is on the LED's wire, else COSYS messages. "
+         "Without a capture: write a plan, and what carries it out")
       ->expected(0, 1)
       ->trigger_on_parse()
       ->type_name("PLAN")
@@ -55,15 +54,14 @@ void add_light(CLI::App& fit, FitRequest& request) {
       ->check(between(1, 1e5));
   fit.add_option("--irradiance", request.irradiances_mw_per_m2,
                  "at the module in the plan's first step, of the first capture or, with commas, of "
-                 "each; if not given, as a plan of this program says, else Emin is that of "
-                 "--module. Of further captures it is found, if it is not given")
+                 "each; if not given, what the plan says, or --module's Emin")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("MW/M2")
       ->check(between(1e-6, 1e9));
   fit.add_option("--ambient", request.ambients_w_per_m2,
-                 "of a lamp on the module, with commas, of each capture; 0 for the first. One that "
-                 "has no irradiance of its own has the light of the first")
+                 "of a lamp on the module, of each capture with commas; 0 for the first. One "
+                 "without an irradiance of its own has the light of the first")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("W/M2")
@@ -79,14 +77,12 @@ void add_fit(CLI::App& app, FitRequest& request) {
       "Arduino that plays it and records the output; then find the module's constants in the "
       "recording, and write them as a part that scenarios name");
   add_place(fit, "CAPTURE", request.captures, "",
-            "recording of the module's output: .csv, .sr, .vcd, .wav or any that decode reads; "
-            "none to write a plan. Several of one module are fitted together, such as one from "
-            "nearby and one under a lamp")
+            "recording of the module's output, in a format that decode reads; several of one "
+            "module (nearby, under a lamp) are fitted together; none to write a plan")
       ->expected(0, 1000);
   add_light(fit, request);
   add_place(fit, "-o,--output", request.output, "OUT",
-            "part to write (.toml), best into a folder modules/; with --plan alone the folder for "
-            "plan.txt, sketch/sketch.ino, wiring.svg and README.txt");
+            "part to write (.toml), best into a folder modules/; of --plan alone a folder");
   add_place(fit, "--page", request.page, "PAGE.html",
             "recording and fit as pictures and tables in one file");
   fit.add_option("--minutes", request.minutes, "of light at most, 1 to 30; 5 if not given")

@@ -84,6 +84,11 @@ std::string command_line_of(const std::string& program, const CommandUsage& comm
   return line + " [" + italic("OPTION") + " ...]\n";
 }
 
+std::string examples_in_words(const CommandUsage& command) {
+  return fmt::format("{}: {}", command.examples.size() == 1 ? "Example" : "Examples",
+                     fmt::join(command.examples, "; "));
+}
+
 std::string command_section(const std::string& program, const CommandUsage& command) {
   std::string text = ".SS " + troff_word(command.name) + "\n" + command_line_of(program, command);
   text += ".PP\n" + troff_text(command.summary + ".");
@@ -92,7 +97,8 @@ std::string command_section(const std::string& program, const CommandUsage& comm
   for (const OptionUsage& option : command.options)
     if (option.names.back() != "--help")  // said once, of all commands
       text += item(option_tag(option), option_text(option));
-  return command.footer.empty() ? text : text + ".PP\n" + troff_text(command.footer);
+  if (!command.notes.empty()) text += ".PP\n" + troff_text(command.notes);
+  return command.examples.empty() ? text : text + ".PP\n" + troff_text(examples_in_words(command));
 }
 
 std::string exit_status() {

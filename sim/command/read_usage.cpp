@@ -79,11 +79,21 @@ OptionUsage option_usage(CLI::Option& option) {
   return usage;
 }
 
+/// A footer is notes, then "Example: COMMAND" or "Examples: COMMAND; COMMAND".
+void take_footer(const std::string& footer, CommandUsage& usage) {
+  const std::size_t place = std::min(footer.find("Example"), footer.size());
+  usage.notes = trimmed(footer.substr(0, place));
+  const std::size_t colon = footer.find(": ", place);
+  if (colon == std::string::npos) return;
+  for (const std::string_view example : split(std::string_view(footer).substr(colon + 2), ';'))
+    usage.examples.emplace_back(trimmed(example));
+}
+
 CommandUsage command_usage(CLI::App& command) {
   CommandUsage usage;
   usage.name = command.get_name();
   usage.summary = command.get_description();
-  usage.footer = command.get_footer();
+  take_footer(command.get_footer(), usage);
   for (CLI::Option* option : command.get_options())
     (option->get_positional() ? usage.arguments : usage.options).push_back(option_usage(*option));
   return usage;

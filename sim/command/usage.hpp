@@ -28,7 +28,9 @@ struct OptionUsage {
 };
 
 struct CommandUsage {
-  std::string name, summary, footer;
+  std::string name, summary;
+  std::string notes;                  // behind its options
+  std::vector<std::string> examples;  // "cosys-sim parts TSOP4856"
   std::vector<OptionUsage> arguments, options;
 };
 

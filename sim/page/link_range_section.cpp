@@ -58,7 +58,7 @@ std::string doubt_of(const LinkResult& result, const Ranking& ranking, const Row
 /// What the column of units means.
 std::string doubts_text(const Ranking& ranking) {
   if (!has_doubts(ranking)) return "";
-  return "Ranges are those of the parts as assumed. Not all of them is published: 8 of 10 units, "
+  return "Ranges are those of the parts as assumed. Not all of them is known: 8 of 10 units, "
          "each with what nobody printed drawn within its bounds, end where the last column says. A "
          "run with --doubt says more.";
 }

@@ -179,7 +179,7 @@ std::string without_end_blanks(std::string line) {
 /// Below the only row.
 std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
   return fmt::format(
-      "as assumed; {} for 8 of 10 units, as not all of {} is published (--doubt says more; measure "
+      "as assumed; {} for 8 of 10 units, as not all of {} is known (--doubt says more; measure "
       "yours: cosys-sim fit)\n",
       span_words(axis, doubt.quantiles), doubt.part);
 }
@@ -195,7 +195,7 @@ std::string doubt_note(const Ranking& ranking) {
       ranking.rows, [](const RowCrossing& row) { return row.doubt.has_value(); });
   if (doubted == ranking.rows.end()) return "";
   return fmt::format(
-      "as assumed; 8 of 10 units: of {} drawn within what is not published of a part (--doubt says "
+      "as assumed; 8 of 10 units: of {} drawn within what is not known of a part (--doubt says "
       "more)\n",
       doubted->doubt->units);
 }

@@ -22,7 +22,7 @@ using RangeQuantiles = std::array<UnitRange, 3>;
 /// From the least to the greatest of them: where 8 of 10 units end.
 UnitRange span_of(const RangeQuantiles& quantiles);
 
-/// How far units of a part get of which not all is published.
+/// How far units of a part get of which not all is known.
 struct RangeDoubt {
   std::string part;
   std::size_t units = 0;  // that were drawn

@@ -51,10 +51,9 @@ TEST_F(Doubt, APlainRunSaysHowFarItsRangeCanBeTrusted) {
   const std::string found = first_line_with(program(whole).out, "of 16 units)");
   ASSERT_NE(found.find("receiver.range_m 0.2 to 3 m (10 %"), std::string::npos) << found;
   ASSERT_NE(found.find("beyond 9 m (90 %"), std::string::npos) << found;
-  EXPECT_EQ(
-      said,
-      "as assumed; 0.2 m to beyond 9 m for 8 of 10 units, as not all of TSOP4856 is published "
-      "(--doubt says more; measure yours: cosys-sim fit)");
+  EXPECT_EQ(said,
+            "as assumed; 0.2 m to beyond 9 m for 8 of 10 units, as not all of TSOP4856 is known "
+            "(--doubt says more; measure yours: cosys-sim fit)");
 }
 
 TEST_F(Doubt, IsInTheJsonOfAPlainRunAndOfASweepOfUnits) {

@@ -34,7 +34,7 @@ class Completion : public CommandLine {
 
   WordSet commands() const {
     const std::string help = program({"--help"}).out;
-    return groups_in(help.substr(help.find("Subcommands:")), "^  ([a-z]+) ");
+    return groups_in(help.substr(help.find("Commands:")), "^  ([a-z]+) ");
   }
 };
 
@@ -42,9 +42,9 @@ TEST_F(Completion, OffersEachCommandAndEachOptionOfTheHelp) {
   WordSet commands_and_help = commands();
   ASSERT_GT(commands_and_help.size(), 10u);
   for (const std::string& command : commands()) {
-    const std::string help = program({command, "--help"}).out;
+    const std::string help = program({command, "--help-all"}).out;
     WordSet options = groups_in(help, "^  (--?[A-Za-z-]+)");
-    options.merge(groups_in(help, "^  -[^ ]+,(--[A-Za-z-]+)"));
+    options.merge(groups_in(help, "^  -[^ ]+, (--[A-Za-z-]+)"));
     EXPECT_EQ(offers({command, "-"}), options) << command;
   }
   EXPECT_EQ(offers({"help", ""}), commands_and_help);
@@ -112,14 +112,18 @@ TEST(ZshCompletion, QuotesWhatItsShellWouldTakeForItsOwn) {
                           .endings = {},
                           .excludes = {},
                           .repeated = true};
-  const std::string text = sim::zsh_completion(
-      {.program =
-           {.name = "cosys-sim", .summary = "", .footer = "", .arguments = {}, .options = {}},
-       .commands = {{.name = "write",
-                     .summary = "Writes it's",
-                     .footer = "",
-                     .arguments = {},
-                     .options = {file, choice}}}});
+  const std::string text = sim::zsh_completion({.program = {.name = "cosys-sim",
+                                                            .summary = "",
+                                                            .notes = "",
+                                                            .examples = {},
+                                                            .arguments = {},
+                                                            .options = {}},
+                                                .commands = {{.name = "write",
+                                                              .summary = "Writes it's",
+                                                              .notes = "",
+                                                              .examples = {},
+                                                              .arguments = {},
+                                                              .options = {file, choice}}}});
   EXPECT_EQ(script_line(text, "'write:"), "'write:Writes it'\\''s'");
   EXPECT_EQ(
       script_line(text, "'(--no-output"),

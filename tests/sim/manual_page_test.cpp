@@ -18,12 +18,11 @@ class Manual : public CommandLine {
 
   /// The options of a command's help, each with its value: "-o, --output OUT.h5|DIR/".
   std::vector<std::string> options_of(const std::string& command) const {
-    const std::string help = std::regex_replace(program({command, "--help"}).out,
-                                                std::regex(" Excludes:( --[a-z-]+)+"), "");
-    const std::regex option("^  (-[^ \n]+( [^ \n]+)?)", std::regex::multiline);
+    const std::string help = program({command, "--help-all"}).out;
+    const std::regex option("^  (-[^\n]*?)(  [^\n]*)?$", std::regex::multiline);
     std::vector<std::string> options;
     for (std::sregex_iterator it(help.begin(), help.end(), option), end; it != end; ++it)
-      options.push_back(std::regex_replace((*it)[1].str(), std::regex(",-"), ", -"));
+      options.push_back((*it)[1].str());
     return options;
   }
 };
@@ -71,11 +70,16 @@ TEST_F(Manual, ShowsTextsAsTheyAre) {
                           .excludes = {"--other", "-x"}};
   sim::CommandUsage command{.name = "write",
                             .summary = ".TP is written",
-                            .footer = "'quoted' at last",
+                            .notes = "'quoted' at last",
+                            .examples = {},
                             .arguments = {},
                             .options = {option}};
-  sim::CommandUsage program{
-      .name = "cosys-sim", .summary = "S", .footer = "", .arguments = {}, .options = {}};
+  sim::CommandUsage program{.name = "cosys-sim",
+                            .summary = "S",
+                            .notes = "",
+                            .examples = {},
+                            .arguments = {},
+                            .options = {}};
   const std::string page =
       shown(sim::manual_page({.program = program, .commands = {command}}, "1.2.3", "2024-05-31"));
   const std::vector<std::string> texts = {

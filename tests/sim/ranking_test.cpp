@@ -245,7 +245,7 @@ TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
   ranking.rows[0].doubt = doubt;
   EXPECT_EQ(sim::ranking_lines(result, ranking),
             lines(result) +
-                "as assumed; 1 m to beyond 4 m for 8 of 10 units, as not all of A is published "
+                "as assumed; 1 m to beyond 4 m for 8 of 10 units, as not all of A is known "
                 "(--doubt says more; measure yours: cosys-sim fit)\n");
 }
 
@@ -254,14 +254,13 @@ TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
       grid(modules({"A", "B"}), range, {{0, 1000, 1000, 1000}, {0, 0, 0, 0}});
   sim::Ranking ranking = sim::rank(result);
   ranking.rows[1].doubt = doubt;
-  EXPECT_EQ(
-      sim::ranking_lines(result, ranking),
-      "receiver.range_m at which frame loss passes 1 %, best first:\n"
-      "      receiver.module\n"
-      "   1  B                beyond the sweep: at most 1 % lost in 1 .. 4 m\n"
-      "   2  A                between 1 and 2 m; 8 of 10 units: 1 m to beyond 4 m\n"
-      "as assumed; 8 of 10 units: of 16 drawn within what is not published of a part (--doubt "
-      "says more)\n");
+  EXPECT_EQ(sim::ranking_lines(result, ranking),
+            "receiver.range_m at which frame loss passes 1 %, best first:\n"
+            "      receiver.module\n"
+            "   1  B                beyond the sweep: at most 1 % lost in 1 .. 4 m\n"
+            "   2  A                between 1 and 2 m; 8 of 10 units: 1 m to beyond 4 m\n"
+            "as assumed; 8 of 10 units: of 16 drawn within what is not known of a part (--doubt "
+            "says more)\n");
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {
