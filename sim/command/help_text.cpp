@@ -96,14 +96,16 @@ std::string help_section(std::string_view heading, const std::string& rows) {
 std::string argument_rows(const CommandUsage& command) {
   std::string rows;
   for (const OptionUsage& argument : command.arguments)
-    rows += help_row(argument.names.front(), argument.help, option_column);
+    rows += help_row(argument.names.front(), option_text(argument), option_column);
   return rows;
 }
 
-std::string option_rows(const CommandUsage& command, const OptionGroup& group) {
+/// The whole help also says which options do not go together.
+std::string option_rows(const CommandUsage& command, const OptionGroup& group, bool all) {
   std::string rows;
   for (const OptionUsage& option : command.options)
-    if (&group_of(option) == &group) rows += help_row(tag_of(option), option.help, option_column);
+    if (&group_of(option) == &group)
+      rows += help_row(tag_of(option), all ? option_text(option) : option.help, option_column);
   return rows;
 }
 
@@ -123,7 +125,7 @@ std::string option_sections(const CommandUsage& command, bool all) {
   for (const OptionGroup& group : option_groups) {
     const bool is_rare = &group == &option_groups.back();
     text += is_rare && !all ? rarely_needed(command)
-                            : help_section(group.heading, option_rows(command, group));
+                            : help_section(group.heading, option_rows(command, group, all));
   }
   return text;
 }
@@ -139,7 +141,7 @@ std::string help_of_program(const ProgramUsage& usage) {
   const CommandUsage& program = usage.program;
   std::string rows;
   for (const OptionUsage& option : program.options)
-    rows += help_row(tag_of(option), option.help, option_column);
+    rows += help_row(tag_of(option), option_text(option), option_column);
   return wrapped(program.summary, 0, 0) + "\n" + example_lines(program.examples) +
          usage_line(program.name, {}) + help_section("Commands", command_rows(usage)) +
          help_section("Options", rows);

@@ -58,20 +58,6 @@ std::string option_tag(const OptionUsage& option) {
   return option.value.empty() ? tag : tag + " " + italic(option.value);
 }
 
-/// Words that the help leaves to the error line, and options that do not go together.
-std::string option_text(const OptionUsage& option) {
-  const auto is_said = [&](const std::string& word) {
-    return (option.value + option.help).find(word) != std::string::npos;
-  };
-  std::string text = option.help;
-  if (option.kind == ValueKind::words && !std::ranges::all_of(option.words, is_said))
-    text += fmt::format("; one of {}", fmt::join(option.words, ", "));
-  std::vector<std::string> excludes = option.excludes;
-  std::erase_if(excludes, [](const std::string& name) { return !name.starts_with("--"); });
-  if (!excludes.empty()) text += fmt::format("; not with {}", fmt::join(excludes, ", "));
-  return text;
-}
-
 /// "cosys-sim trace SCENARIO -o FILE [OPTION ...]"
 std::string command_line_of(const std::string& program, const CommandUsage& command) {
   std::string line = bold(program) + " " + bold(command.name);

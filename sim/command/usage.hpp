@@ -1,5 +1,6 @@
 #pragma once
-// What the command line offers, as plain data: completions and the manual page are written from it.
+// What the command line offers, as plain data: help, completions and the manual page are written
+// from it.
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct OptionUsage {
   bool required = false;
   bool repeated = false;  // may be given several times
 };
+
+/// Its help, and what that leaves out: words of a choice, and options that it does not go with.
+std::string option_text(const OptionUsage& option);
 
 struct CommandUsage {
   std::string name, summary;

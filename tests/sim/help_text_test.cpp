@@ -62,6 +62,7 @@ TEST_F(HelpText, HasOptionsByWhatTheyAreFor) {
   EXPECT_NE(place(help, "\nRarely needed (see --help-all): "), std::string::npos);
   EXPECT_EQ(place(help, "\n  --shard K/N"), std::string::npos);
   EXPECT_NE(place(all, "\n  --shard K/N"), std::string::npos);
+  EXPECT_NE(place(all, "not with --plan, --plot"), std::string::npos);
 }
 
 }  // namespace
