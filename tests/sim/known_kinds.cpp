@@ -3,22 +3,17 @@
 #include "sim/arena/arena_keys.hpp"
 #include "sim/false_accepts/false_accept_keys.hpp"
 #include "sim/guard/guard_keys.hpp"
-#include "sim/scenario/experiment_kind.hpp"
-#ifndef COSYS_UP_TO_GUARD
 #include "sim/location/location_keys.hpp"
+#include "sim/scenario/experiment_kind.hpp"
 #include "sim/shared_link/shared_link_keys.hpp"
-#endif
 
 namespace sim {
 namespace {
 
 const KnownExperimentKind known[]{
     KnownExperimentKind(arena_kind),       KnownExperimentKind(guard_kind),
-#ifndef COSYS_UP_TO_GUARD
     KnownExperimentKind(shared_link_kind), KnownExperimentKind(presence_kind),
-    KnownExperimentKind(location_kind),
-#endif
-    KnownExperimentKind(false_accept_kind)};
+    KnownExperimentKind(location_kind),    KnownExperimentKind(false_accept_kind)};
 
 }  // namespace
 }  // namespace sim
