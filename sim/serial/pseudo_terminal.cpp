@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <termios.h>
 
 #include <array>
@@ -43,6 +44,19 @@ short state_of(const Descriptor& master) {
   return one.revents;
 }
 
+/// The device was made after the link to it, or is gone. Its time of change is that of its making:
+/// neither settings nor bytes move it.
+bool is_newer(const fs::path& device, const fs::path& link) {
+  struct stat made {};
+  struct stat linked {};
+  if (::stat(device.c_str(), &made) != 0) return errno == ENOENT;
+  if (::lstat(link.c_str(), &linked) != 0) return false;
+  const auto order = [](const struct stat& s) {
+    return std::pair(s.st_ctim.tv_sec, s.st_ctim.tv_nsec);
+  };
+  return order(linked) < order(made);
+}
+
 bool is_alone(const Descriptor& master) { return (state_of(master) & POLLHUP) != 0; }
 
 }  // namespace
@@ -69,11 +83,13 @@ void PseudoTerminal::make_new() const {
   ::tcflush(slave.get(), TCIFLUSH);
 }
 
-/// By a killed process: its end is gone, or its number is now this one's.
+/// By a killed process: its end is gone, or its number is now this one's or of another that was
+/// made after the link.
 bool PseudoTerminal::is_left_behind() const {
   std::error_code error;
   const fs::path target = fs::read_symlink(link_, error);
-  return target == theirs_ || (target.parent_path() == "/dev/pts" && !fs::exists(target, error));
+  if (target == theirs_) return true;
+  return target.parent_path() == "/dev/pts" && is_newer(target, link_);
 }
 
 void PseudoTerminal::make_link() const {

@@ -85,6 +85,18 @@ TEST_F(Nodes, ReplaceOnlyLinksOfTheirOwn) {
   EXPECT_EQ(content(path("line")), "of another");
 }
 
+TEST_F(Nodes, ReplaceALinkWhoseNumberAnotherHasNow) {
+  namespace fs = std::filesystem;
+  const auto killed = ready_node({"base.toml", "--pty", "left"});
+  killed->finish(SIGKILL);
+  const fs::path number = fs::read_symlink(path("left"));
+  std::vector<std::unique_ptr<TestDevice>> others;
+  while (!fs::exists(number)) others.push_back(std::make_unique<TestDevice>());
+  const auto next = ready_node({"base.toml", "--pty", "left"});
+  EXPECT_NE(fs::read_symlink(path("left")), number);
+  EXPECT_EQ(next->finish(SIGTERM).code, 130);
+}
+
 TEST_F(Nodes, NameLinksThatAreNoUtf8) {
   const auto base = start_node({"base.toml", "--pty", "li\xffne"});
   EXPECT_EQ(base->wait_for("ready")["device"], "li\xef\xbf\xbdne");
