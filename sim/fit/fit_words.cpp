@@ -169,7 +169,7 @@ std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
   if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
   sentences.push_back(fmt::format(
       "{}: {} numbers of the recording differ from the fit by {:.2f} standard deviations on the "
-      "whole; chance makes up to 1 of it.",
+      "whole.",
       fit.misfits.empty() ? "The part does what a gain control of this kind does" : "In all",
       fit.steps.size(), fit.usual_deviation));
   return sentences;

@@ -12,7 +12,8 @@ namespace sim {
 /// the length of the pulses.
 std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Numbers& x);
 
-/// Steps of one quantity that no constants explain: more of them than chance and chaos have.
+/// Steps of one quantity that no constants explain: more of them than chance and chaos have. Behind
+/// these all steps, where they are off on the whole.
 std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps);
 
 /// The root of the mean square; of some chaotic trains, which are far off by little, no more than a

@@ -56,7 +56,7 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
       "The part does what a gain control of this kind does: 3 numbers of the recording differ from "
-      "the fit by 1.29 standard deviations on the whole; chance makes up to 1 of it.\n"))
+      "the fit by 1.29 standard deviations on the whole.\n"))
       << measured_text(measured);
   measured.first_level_by = "--irradiance";
   measured.first_level_mw_per_m2 = 30.5;
