@@ -39,7 +39,13 @@ press_tab='
   zpty shell zsh -f -i
   zpty -w shell "PS1=; fpath=($1 \$fpath); autoload -U compinit; compinit -u -D; echo re\"\"ady"
   zpty -r -m shell seen "*ready*"
-  zpty -w -n shell "cosys-sim decode --uart mid'$'\t''"
+  zpty -w -n shell "cosys-sim $2'$'\t''"
   zpty -r -m shell seen "*mid-bit*"'
 command -v zsh >/dev/null || "$here/skip.sh" install "needs zsh (Debian: zsh)" || exit $?
-timeout 30 zsh -f -c "$press_tab" zsh "$share/zsh/site-functions" || fail 'zsh does not complete decode --uart mid'
+for words in 'decode --uart mid' 'run --set uart.receiver=mid' 'run --set=uart.receiver=mid'; do
+  timeout 30 zsh -f -c "$press_tab" zsh "$share/zsh/site-functions" "$words" || fail "zsh does not complete $words"
+done
+command -v fish >/dev/null || "$here/skip.sh" install "needs fish (Debian: fish)" || exit $?
+words=$(PATH=$folder/installed/bin:$PATH XDG_DATA_DIRS=$share HOME=$folder \
+  fish -c 'complete -C "cosys-sim decode --uart mid"')
+[[ $words == mid-bit* ]] || fail "fish makes this of decode --uart mid: $words"

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "sim/command/completion.hpp"
 #include "sim/text/shell_text.hpp"
 
@@ -31,23 +33,32 @@ _cosys_sim_folders() {
   mapfile -t COMPREPLY < <(compgen -d -- "$word")
 }
 
+)";
+
+constexpr const char* bash_middle = R"(
 _cosys_sim() {
-  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
+  local word=${COMP_WORDS[COMP_CWORD]} at=$((COMP_CWORD - 1)) key='' before command='' i
   COMPREPLY=()
-  # Bash takes --output=x for three words.
+  # Bash takes --output=x for three words, and --set key=x for four.
   if [[ $word == = ]]; then
     word=''
-  elif [[ $before == = ]]; then
-    before=${COMP_WORDS[COMP_CWORD - 2]}
-    [[ $before == -* ]] || return 0
+    ((++at))
   fi
+  if [[ ${COMP_WORDS[at]} == = ]]; then
+    ((--at))
+    if [[ ${COMP_WORDS[at]} != -* ]]; then
+      key=${COMP_WORDS[at]}
+      ((--at))
+      [[ ${COMP_WORDS[at]} != = ]] || ((--at))
+    fi
+  fi
+  before=${COMP_WORDS[at]}
   for ((i = 1; i < COMP_CWORD; ++i)); do
     [[ ${COMP_WORDS[i]} == -* ]] || {
       command=${COMP_WORDS[i]}
       break
     }
   done
-  case $command in
 )";
 
 constexpr const char* bash_end = R"(  esac
@@ -67,7 +78,10 @@ std::string bash_action(const OptionUsage& option) {
   switch (option.kind) {
     case ValueKind::words:
     case ValueKind::some_words:
+    case ValueKind::part:
       return "_cosys_sim_words" + bash_words(option.words);
+    case ValueKind::key:
+      return "_cosys_sim_keys";
     case ValueKind::file:
       return "_cosys_sim_files" + (option.endings.empty() ? " ''" : bash_words(option.endings));
     case ValueKind::folder:
@@ -110,13 +124,37 @@ std::string bash_case_of(const CommandUsage& command) {
          " ;;\n      esac\n      ;;\n";
 }
 
+/// A key and =, or where these are typed the words that it may be.
+std::string bash_keys(const std::vector<KeyUsage>& keys) {
+  std::vector<std::string> starts;
+  for (const KeyUsage& key : keys) starts.push_back(key.name + "=");
+  std::string text = "_cosys_sim_keys() {\n  case $key in\n    '')\n";
+  text += "      compopt -o nospace 2>/dev/null\n      _cosys_sim_words" + bash_words(starts) +
+          "\n      ;;\n";
+  for (const KeyUsage& key : keys)
+    if (!key.words.empty())
+      text += fmt::format("    {}) _cosys_sim_words{} ;;\n", key.name, bash_words(key.words));
+  return text + "  esac\n}\n";
+}
+
+/// Names of all options that take a key.
+std::set<std::string> options_of_keys(const ProgramUsage& usage) {
+  std::set<std::string> names;
+  for (const CommandUsage& command : usage.commands)
+    for (const OptionUsage& option : command.options)
+      if (option.kind == ValueKind::key) names.insert(option.names.begin(), option.names.end());
+  return names;
+}
+
 }  // namespace
 
 std::string bash_completion(const ProgramUsage& usage) {
   std::vector<std::string> names;
   for (const CommandUsage& command : usage.commands) names.push_back(command.name);
   const std::string commands = "_cosys_sim_words" + bash_words(names);
-  std::string text = bash_head;
+  std::string text = bash_head + bash_keys(usage.keys) + bash_middle;
+  text += fmt::format("  [[ -z $key || $before == @({}) ]] || return 0\n  case $command in\n",
+                      fmt::join(options_of_keys(usage), "|"));
   text += "    '') " + bash_next_word(usage.program.options, commands + " help") + " ;;\n";
   text += "    help) " + commands + " ;;\n";
   for (const CommandUsage& command : usage.commands) text += bash_case_of(command);

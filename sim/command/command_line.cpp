@@ -99,7 +99,7 @@ void fill_in(Requests& to, const Surroundings& from) {
   for (PartRoots* parts :
        {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts,
         &to.fit.parts, &to.locate.options.parts, &to.serve.options.parts, &to.check.options.parts,
-        &to.baseline.options.parts, &to.compare.options.parts})
+        &to.baseline.options.parts, &to.compare.options.parts, &to.completion.parts})
     parts->push_back(from.shipped_parts);
 }
 

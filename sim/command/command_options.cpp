@@ -19,6 +19,11 @@
 namespace sim {
 namespace {
 
+/// Takes any text, and is there for its name.
+CLI::Validator known_by(const std::string& name) {
+  return {[](const std::string&) { return std::string(); }, "", name};
+}
+
 /// Throws for what --set would refuse, but under the name of the option that was typed.
 void check_short_form(const std::string& name, const std::string& value, const std::string& place) {
   const Key& key = *find_key(name);
@@ -67,9 +72,14 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 }
 
 CLI::Validator likely(const std::vector<std::string>& words) {
-  return {[](const std::string&) { return std::string(); }, "",
-          fmt::format("{} {}", some_words_check, fmt::join(words, " "))};
+  return known_by(fmt::format("{} {}", some_words_check, fmt::join(words, " ")));
 }
+
+CLI::Validator a_part_of(const std::string& folders) {
+  return known_by(fmt::format("{} {}", part_check, folders));
+}
+
+const CLI::Validator a_setting = known_by(std::string(key_check));
 
 CLI::Validator a_count(double most) {
   return {[=](const std::string& text) {
@@ -145,6 +155,7 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
                  "change a key of the scenario: receiver.range_m=3, a range or list sweeps it: "
                  "receiver.range_m=1:0.5:20 or =1,2,5; may be given several times")
       ->type_name("KEY=VALUE")
+      ->check(a_setting)
       ->expected(1)
       ->take_all();
   add_part_folders(app, options.parts);

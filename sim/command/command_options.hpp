@@ -22,6 +22,12 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 /// Any text; these are words that are known, beside others.
 CLI::Validator likely(const std::vector<std::string>& words);
 
+/// Any text; these are the folders of parts that it may name.
+CLI::Validator a_part_of(const std::string& folders);
+
+/// Any text; it is to begin with a key of a scenario.
+extern const CLI::Validator a_setting;
+
 /// A whole number from 1 on, written as any number: 1e6.
 CLI::Validator a_count(double most);
 

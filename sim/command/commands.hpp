@@ -261,10 +261,11 @@ ExitCode bench_command(const FitRequest& request);
 ExitCode measure_command(const FitRequest& request);
 
 struct CompletionRequest {
-  std::string shell;  // "bash" or "zsh"
+  std::string shell;  // "bash", "zsh" or "fish"
+  PartRoots parts;
 };
 /// A script for it, to stdout.
-ExitCode completion_command(const CompletionRequest& request, const ProgramUsage& usage);
+ExitCode completion_command(const CompletionRequest& request, ProgramUsage usage);
 
 struct ManualRequest {
   ProgramInfo program;

@@ -90,6 +90,7 @@ void add_fit(CLI::App& app, FitRequest& request) {
       ->check(between(least_minutes, most_minutes));
   fit.add_option("--module", request.module, "a module like yours; TSOP4856 if not given")
       ->type_name("NAME")
+      ->check(a_part_of("modules"))
       ->check(a_name);
   add_capture_options(fit, request, "that is the module's output");
   fit.add_option("--polarity", request.polarity,

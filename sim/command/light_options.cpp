@@ -10,7 +10,8 @@ void add_parts(CLI::App& app, PartsRequest& request) {
   parts
       .add_option("NAME", request.name,
                   "the part to show: its numbers, and the model beside the data sheet's curves")
-      ->type_name("");
+      ->type_name("")
+      ->check(a_part_of("modules leds floors photodiodes"));
   parts.add_option("--search", request.search, "list only parts whose file mentions this")
       ->type_name("TEXT");
   add_part_folders(parts, request.parts);
@@ -28,7 +29,8 @@ void add_locate(CLI::App& app, LocateRequest& request) {
       "(.toml), of which one trial is drawn")
       ->required();
   locate.add_option("--led", request.led, "the device's LED; TSAL6200 if not given")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(a_part_of("leds"));
   locate.add_option("--led-current-ma", request.led_current_ma, "its current; 100 if not given")
       ->type_name("MA")
       ->check(between(1e-3, 1e4));
@@ -37,9 +39,12 @@ void add_locate(CLI::App& app, LocateRequest& request) {
                   "where it looks, from +x to +y; if not given, it is as bright to all sides")
       ->type_name("DEG")
       ->check(between(-360, 360));
-  locate.add_option("--floor", request.floor, "indoor if not given")->type_name("NAME");
+  locate.add_option("--floor", request.floor, "indoor if not given")
+      ->type_name("NAME")
+      ->check(a_part_of("floors"));
   locate.add_option("--photodiode", request.photodiode, "the receivers'; BPW34 if not given")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(a_part_of("photodiodes"));
   locate
       .add_option("--height-mm", request.height_mm,
                   "of LED and receivers above the floor; 10 if not given")

@@ -43,6 +43,10 @@ void describe_value(OptionUsage& usage, const std::string& check) {
     usage.kind = ValueKind::words;
   else if (words.front() == some_words_check)
     usage.kind = ValueKind::some_words;
+  else if (words.front() == key_check)
+    usage.kind = ValueKind::key;
+  else if (words.front() == part_check)
+    usage.kind = ValueKind::part;
   else
     return;
   usage.words.assign(words.begin() + 1, words.end());

@@ -7,8 +7,10 @@
 
 namespace sim {
 
-/// What a check of CLI11 is named by, to say what it is for; behind those of words come the words.
-constexpr std::string_view place_check = "place", words_check = "words", some_words_check = "some";
+/// What a check of CLI11 is named by, to say what it is for; behind those of words come the words,
+/// behind that of parts their folders.
+constexpr std::string_view place_check = "place", words_check = "words", some_words_check = "some",
+                           key_check = "key", part_check = "part";
 
 ProgramUsage usage_of(CLI::App& app);
 

@@ -124,6 +124,7 @@ void add_find(CLI::App& app, FindRequest& request) {
                   "the key and its range, receiver.range_m=1:40, or the key alone if the scenario "
                   "sweeps it; other sweeps of the scenario are a search each")
       ->type_name("KEY=LOW:HIGH")
+      ->check(a_setting)
       ->required()
       ->check(a_name);
   find.add_option("--flr", request.flr, "frame loss ratio to be found; 0.01 if not given")

@@ -7,11 +7,13 @@ namespace sim {
 void add_completion(CLI::App& app, CompletionRequest& request) {
   auto& completion = *app.add_subcommand(
       "completion", "Print a script by which a shell completes commands, options and files");
-  completion.add_option("SHELL", request.shell, "bash or zsh")
+  completion.add_option("SHELL", request.shell, "bash, zsh or fish")
       ->required()
       ->type_name("")
-      ->check(one_of({"bash", "zsh"}));
-  completion.footer("Example: source <(cosys-sim completion bash)");
+      ->check(one_of({"bash", "zsh", "fish"}));
+  completion.footer(
+      "bash and fish source it; zsh reads it from a folder of its fpath, as _cosys-sim. Examples: "
+      "source <(cosys-sim completion bash); cosys-sim completion fish | source");
 }
 
 void add_manual(CLI::App& app) {

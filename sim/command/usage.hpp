@@ -11,6 +11,8 @@ enum class ValueKind {
   free,        // of which nothing is known
   words,       // one of a few
   some_words,  // one of a few, or another
+  key,         // a key of a scenario, =, and what it is to be
+  part,        // one of a folder of parts, or another
   file,
   folder
 };
@@ -21,7 +23,7 @@ struct OptionUsage {
   std::string value;               // "OUT.h5"; empty of flags and arguments
   std::string help;
   ValueKind kind = ValueKind::free;
-  std::vector<std::string> words;     // of both kinds of words
+  std::vector<std::string> words;     // of both kinds of words; the folders of parts: "modules"
   std::vector<std::string> endings;   // of files, those that the help names: ".toml"; none: all
   std::vector<std::string> excludes;  // names of options that it cannot go with
   bool required = false;
@@ -38,9 +40,16 @@ struct CommandUsage {
   std::vector<OptionUsage> arguments, options;
 };
 
+/// A key of a scenario.
+struct KeyUsage {
+  std::string name;
+  std::vector<std::string> words;  // that it may be; none: a number or any text
+};
+
 struct ProgramUsage {
   CommandUsage program;  // what it takes before a command
   std::vector<CommandUsage> commands;
+  std::vector<KeyUsage> keys = {};  // filled for completions alone
 };
 
 }  // namespace sim

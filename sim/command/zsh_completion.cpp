@@ -53,7 +53,10 @@ std::string zsh_value(const std::string& called, const OptionUsage& option) {
       return "";
     case ValueKind::words:
     case ValueKind::some_words:
+    case ValueKind::part:
       return start + fmt::format("({})", fmt::join(option.words, " "));
+    case ValueKind::key:
+      return start + "_cosys-sim_keys";
     case ValueKind::folder:
       return start + "_files -/";
     case ValueKind::file:
@@ -106,11 +109,24 @@ std::string zsh_commands(const std::vector<CommandUsage>& commands) {
   return text + "  )\n";
 }
 
+/// A key and =, or where these are typed the words that it may be.
+std::string zsh_keys(const std::vector<KeyUsage>& keys) {
+  std::string text =
+      "_cosys-sim_keys() {\n  if compset -P '*='; then\n    case ${${IPREFIX%=}##*=} in\n";
+  for (const KeyUsage& key : keys)
+    if (!key.words.empty())
+      text += fmt::format("      {}) compadd -- {} ;;\n", key.name, fmt::join(key.words, " "));
+  text += "    esac\n  else\n    compadd -S = --";
+  for (const KeyUsage& key : keys) text += " " + key.name;
+  return text + "\n  fi\n}\n\n";
+}
+
 }  // namespace
 
 std::string zsh_completion(const ProgramUsage& usage) {
   std::string text =
-      "#compdef cosys-sim\n# Completes cosys-sim in zsh. Printed by: cosys-sim completion zsh\n\n"
+      "#compdef cosys-sim\n# Completes cosys-sim in zsh. Printed by: cosys-sim completion zsh\n\n" +
+      zsh_keys(usage.keys) +
       "_cosys-sim() {\n  local curcontext=$curcontext state line ret=1\n  local -A opt_args\n" +
       zsh_commands(usage.commands) + "  _arguments -C";
   for (const OptionUsage& option : usage.program.options) text += " \\\n    " + zsh_option(option);

@@ -1,5 +1,5 @@
-// Completions: what bash offers at a word, and that it is what the help says; zsh's in its own
-// words.
+// Completions: what bash and fish offer at a word, and that it is what the help says; zsh's in its
+// own words.
 #include <regex>
 
 #include "program.hpp"
@@ -61,7 +61,29 @@ TEST_F(Completion, OffersTheWordsOfAChoice) {
             WordSet{"mid-bit"});  // as bash takes --uart=mid
   EXPECT_EQ(offers({"run", "--quiet", "--method", "="}), (WordSet{"brute-force", "importance"}));
   EXPECT_TRUE(offers({"check", "--decoder", ""}).contains("soft-alone"));
-  EXPECT_EQ(offers({"completion", ""}), (WordSet{"bash", "zsh"}));
+  EXPECT_EQ(offers({"completion", ""}), (WordSet{"bash", "zsh", "fish"}));
+}
+
+TEST_F(Completion, OffersKeysAndWhatTheyMayBe) {
+  WordSet keys;
+  for (const sim::Key& key : sim::scenario_keys()) keys.insert(key.name() + "=");
+  ASSERT_GT(keys.size(), 100u);
+  EXPECT_EQ(offers({"run", "--set", ""}), keys);
+  EXPECT_EQ(offers({"find", "x.toml", "--over", "receiver.ran"}), WordSet{"receiver.range_m="});
+  EXPECT_EQ(offers({"run", "--set", "=", "receiver.ran"}), WordSet{"receiver.range_m="});
+  EXPECT_EQ(offers({"run", "--set", "uart.receiver", "=", "mid"}), WordSet{"mid-bit"});
+  EXPECT_EQ(offers({"run", "--set", "=", "uart.receiver", "=", "mid"}), WordSet{"mid-bit"});
+  EXPECT_TRUE(offers({"run", "--set", "receiver.module", "="}).contains("TSOP4856"));
+  EXPECT_EQ(offers({"run", "--set", "led.part", "=", "TSAL62"}), WordSet{"TSAL6200"});
+}
+
+TEST_F(Completion, OffersPartsOfTheKindThatIsAskedFor) {
+  EXPECT_EQ(offers({"fit", "--module", "TSOP4856"}), WordSet{"TSOP4856"});
+  EXPECT_EQ(offers({"fit", "--module", "TSAL62"}), WordSet());
+  EXPECT_TRUE(offers({"locate", "--floor", ""}).contains("indoor"));
+  EXPECT_FALSE(offers({"locate", "--floor", ""}).contains("BPW34"));
+  EXPECT_EQ(offers({"parts", "BPW34"}), WordSet{"BPW34"});
+  EXPECT_EQ(offers({"parts", "TSAL62"}), WordSet{"TSAL6200"});
 }
 
 TEST_F(Completion, OffersFilesByTheirEnding) {
@@ -80,14 +102,39 @@ TEST_F(Completion, OffersNothingWhereNothingIsKnown) {
   write("3.toml", "");
   EXPECT_EQ(offers({"run", "-n", ""}), WordSet());
   EXPECT_EQ(offers({"run", "--set", "receiver.range_m", "=", ""}), WordSet());
+  EXPECT_EQ(offers({"run", "--threads", "a", "=", ""}), WordSet());
+  EXPECT_EQ(offers({"run", "-o", "a", "=", ""}), WordSet());
   EXPECT_EQ(offers({"rnu", ""}), WordSet());
 }
 
-TEST_F(Completion, IsForTwoShells) {
-  expect_refused({"completion", "fish"}, 2,
-                 "SHELL: fish not in {bash,zsh} (wrong usage) see cosys-sim completion --help");
+TEST_F(Completion, IsForThreeShells) {
+  expect_refused({"completion", "ksh"}, 2,
+                 "SHELL: ksh not in {bash,zsh,fish} (wrong usage) see cosys-sim completion --help");
   write("_cosys-sim", program({"completion", "zsh"}).out);
   EXPECT_EQ(tool("zsh", {"-n", "_cosys-sim"}), "");
+}
+
+TEST_F(Completion, IsTheSameInFish) {
+  write("completion.fish", program({"completion", "fish"}).out);
+  const auto fish_offers = [&](const std::string& line) {
+    const std::string script = "source completion.fish; complete -C 'cosys-sim " + line + "'";
+    return groups_in(tool("fish", {"--no-config", "-c", script}), "^([^\t\n]+)");
+  };
+  write("a.toml", "");
+  write("b.h5", "");
+  for (const std::string& command : commands())
+    EXPECT_EQ(fish_offers(command + " -"), offers({command, "-"})) << command;
+  EXPECT_EQ(fish_offers(""), offers({""}));
+  EXPECT_EQ(fish_offers("help "), offers({"help", ""}));
+  EXPECT_EQ(fish_offers("decode --uart "), offers({"decode", "--uart", ""}));
+  EXPECT_EQ(fish_offers("run --set "), offers({"run", "--set", ""}));
+  EXPECT_EQ(fish_offers("run --set uart.receiver=mid"), WordSet{"uart.receiver=mid-bit"});
+  EXPECT_EQ(fish_offers("run --set=uart.receiver=mid"), WordSet{"--set=uart.receiver=mid-bit"});
+  EXPECT_EQ(fish_offers("run --set receiver.range_m="), WordSet());
+  EXPECT_EQ(fish_offers("run -n "), WordSet());
+  EXPECT_EQ(fish_offers("fit --module TSOP4856"), WordSet{"TSOP4856"});
+  EXPECT_EQ(fish_offers("run a"), WordSet{"a.toml"});
+  EXPECT_EQ(fish_offers("run -o b"), WordSet{"b.h5"});
 }
 
 /// The line of zsh's script that begins so.
