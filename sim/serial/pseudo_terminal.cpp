@@ -45,8 +45,8 @@ short state_of(const Descriptor& master) {
 }
 
 /// The device was made after the link to it, or is gone. Its time of change is that of its making:
-/// neither settings nor bytes move it.
-bool is_newer(const fs::path& device, const fs::path& link) {
+/// settings and bytes do not move it, only new permissions would.
+bool is_gone_or_newer(const fs::path& device, const fs::path& link) {
   struct stat made {};
   struct stat linked {};
   if (::stat(device.c_str(), &made) != 0) return errno == ENOENT;
@@ -89,7 +89,7 @@ bool PseudoTerminal::is_left_behind() const {
   std::error_code error;
   const fs::path target = fs::read_symlink(link_, error);
   if (target == theirs_) return true;
-  return target.parent_path() == "/dev/pts" && is_newer(target, link_);
+  return target.parent_path() == "/dev/pts" && is_gone_or_newer(target, link_);
 }
 
 void PseudoTerminal::make_link() const {

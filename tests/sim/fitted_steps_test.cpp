@@ -37,8 +37,7 @@ TEST(FittedSteps, AreAMisfitOnTheWhole) {
   ASSERT_EQ(misfits.size(), 1U);
   EXPECT_EQ(misfits[0].what, "all steps");
   EXPECT_EQ(misfits[0].by_how_much,
-            "0.9 standard deviations beside the rule on the whole; parts that follow it are 0.8 at "
-            "most");
+            "0.9 standard deviations beside the rule on the whole, where 0.2 to 0.8 is usual");
   EXPECT_TRUE(sim::misfits_of(steps_off(99, 0.9)).empty()) << "too few to say";
 }
 
