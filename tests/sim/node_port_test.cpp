@@ -58,6 +58,10 @@ TEST_F(Nodes, EndWhenTheirTimeIsOver) {
   EXPECT_GE(end_of(o)["time_s"], 0.1);
 }
 
+/// A device that is made after this is newer than a link that is there: times of files go in steps
+/// of up to 10 ms.
+void let_times_move_on() { std::this_thread::sleep_for(std::chrono::milliseconds(30)); }
+
 TEST_F(Nodes, ReplaceOnlyLinksOfTheirOwn) {
   namespace fs = std::filesystem;
   const auto refused = [&](const std::string& name) {
@@ -74,6 +78,7 @@ TEST_F(Nodes, ReplaceOnlyLinksOfTheirOwn) {
   const auto base = ready_node({"base.toml", "--pty", "line"});
   refused("line");  // of a node that runs
   const auto killed = ready_node({"base.toml", "--pty", "left"});
+  let_times_move_on();
   killed->finish(SIGKILL);
   EXPECT_TRUE(fs::is_symlink(path("left")));
   const auto next = ready_node({"base.toml", "--pty", "left"});
@@ -88,6 +93,7 @@ TEST_F(Nodes, ReplaceOnlyLinksOfTheirOwn) {
 TEST_F(Nodes, ReplaceALinkWhoseNumberAnotherHasNow) {
   namespace fs = std::filesystem;
   const auto killed = ready_node({"base.toml", "--pty", "left"});
+  let_times_move_on();
   killed->finish(SIGKILL);
   const fs::path number = fs::read_symlink(path("left"));
   std::vector<std::unique_ptr<TestDevice>> others;
