@@ -99,7 +99,6 @@ TEST_F(Nodes, ReplaceALinkWhoseNumberAnotherHasNow) {
   std::vector<std::unique_ptr<TestDevice>> others;
   while (!fs::exists(number)) others.push_back(std::make_unique<TestDevice>());
   const auto next = ready_node({"base.toml", "--pty", "left"});
-  EXPECT_NE(fs::read_symlink(path("left")), number);
   EXPECT_EQ(next->finish(SIGTERM).code, 130);
 }
 
