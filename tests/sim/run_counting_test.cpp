@@ -87,8 +87,8 @@ void for_each_experiment(const Check& check) {
   check(guard_measurement, small_scenario("guard", "arena.runs=3"), guard_columns());
   check(shared_link_measurement, small_scenario("sharedlink", "exchange.runs=3"),
         shared_link_columns());
-  check(presence_measurement, small_scenario("presence", "presence.trials=50"), presence_columns());
-  check(location_measurement, small_scenario("location", "location.trials=50"), location_columns());
+  check(presence_measurement, small_scenario("presence", "presence.trials=12"), presence_columns());
+  check(location_measurement, small_scenario("location", "location.trials=8"), location_columns());
   check(false_accept_measurement, small_scenario("listening", "listening.runs=3"),
         false_accept_columns());
 }
