@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "sim/fit/grid_search.hpp"
@@ -120,8 +121,10 @@ class FirstSearch {
 }  // namespace
 
 LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_free) {
-  return {[&likelihood](const Numbers& x) { return likelihood.deviations(x); }, likelihood.priors(),
-          std::move(is_free)};
+  return {[&likelihood](const Numbers& x, const std::function<bool(double)>& take) {
+            likelihood.visit_deviations(x, take);
+          },
+          likelihood.priors(), std::move(is_free)};
 }
 
 Numbers first_numbers(const JoinedLight& light, const ParameterPriors& priors,

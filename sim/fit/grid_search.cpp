@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/fit/lowest_costs.hpp"
+
 namespace sim {
 
 void GridAxis::move(Numbers& x, double value) const {
@@ -16,6 +18,7 @@ std::vector<GridPoint> best_of_grid(const LeastSquaresProblem& problem, const Nu
   std::size_t all = 1;
   for (const GridAxis& axis : axes) all *= axis.values.size();
   std::vector<GridPoint> points;
+  LowestCosts lowest(wanted);
   for (std::size_t i = 0; i < all; ++i) {
     Numbers at = x;
     std::size_t rest = i;
@@ -23,9 +26,11 @@ std::vector<GridPoint> best_of_grid(const LeastSquaresProblem& problem, const Nu
       axis.move(at, axis.values[rest % axis.values.size()]);
       rest /= axis.values.size();
     }
-    points.push_back({cost_of(problem, at), std::move(at)});
+    const double cost = cost_of(problem, at, lowest.most());
+    lowest.add(cost);
+    points.push_back({cost, std::move(at)});
   }
-  std::ranges::sort(points, {}, &GridPoint::cost);
+  std::ranges::stable_sort(points, {}, &GridPoint::cost);
   points.resize(std::min(points.size(), wanted));
   return points;
 }

@@ -24,7 +24,7 @@ struct GridPoint {
   Numbers x;
 };
 
-/// The best points of a grid around `x`, the best first.
+/// The best points of a grid around `x`, the best first; of equal ones the first of the grid.
 std::vector<GridPoint> best_of_grid(const LeastSquaresProblem& problem, const Numbers& x,
                                     const std::vector<GridAxis>& axes, std::size_t wanted);
 

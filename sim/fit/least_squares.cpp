@@ -12,11 +12,18 @@ namespace {
 /// Deviations beyond it count for less and less: Cauchy's loss.
 constexpr double cauchy_scale = 2.5;
 
-double cost_of_deviations(const Numbers& deviations) {
-  double sum = 0;
-  for (const double d : deviations)
-    sum += cauchy_scale * cauchy_scale * std::log1p(d * d / (cauchy_scale * cauchy_scale));
-  return sum;
+double loss_of(double deviation) {
+  constexpr double squared = cauchy_scale * cauchy_scale;
+  return squared * std::log1p(deviation * deviation / squared);
+}
+
+Numbers deviations_at(const LeastSquaresProblem& problem, const Numbers& x) {
+  Numbers all;
+  problem.visit_deviations(x, [&](double deviation) {
+    all.push_back(deviation);
+    return true;
+  });
+  return all;
 }
 
 double cost_of_priors(const LeastSquaresProblem& problem, const Numbers& x) {
@@ -47,7 +54,7 @@ arma::vec slope_of(const LeastSquaresProblem& problem, const Numbers& x, const N
                    std::size_t place, double step) {
   Numbers beside = x;
   beside[place] += step;
-  arma::vec slope = (arma::vec(problem.deviations(beside)) - arma::vec(here)) / step;
+  arma::vec slope = (arma::vec(deviations_at(problem, beside)) - arma::vec(here)) / step;
   slope.transform([](double one) { return std::isfinite(one) ? one : 0; });
   return slope;
 }
@@ -75,7 +82,7 @@ struct Normal {
 
 Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
                  const std::vector<std::size_t>& places, Slope kind) {
-  const Numbers here = problem.deviations(x);
+  const Numbers here = deviations_at(problem, x);
   const arma::mat slope = slopes(problem, x, here, places, kind);
   const arma::vec deviations(here);
   arma::vec weights(deviations.n_elem);
@@ -110,8 +117,14 @@ Covariance covariance_of(const Normal& normal, const std::vector<std::size_t>& p
 
 }  // namespace
 
-double cost_of(const LeastSquaresProblem& problem, const Numbers& x) {
-  const double cost = cost_of_deviations(problem.deviations(x)) + cost_of_priors(problem, x);
+double cost_of(const LeastSquaresProblem& problem, const Numbers& x, double most) {
+  const double of_priors = cost_of_priors(problem, x);
+  double of_deviations = 0;
+  problem.visit_deviations(x, [&](double deviation) {
+    of_deviations += loss_of(deviation);
+    return !(of_deviations + of_priors > most);
+  });
+  const double cost = of_deviations + of_priors;
   return std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
 }
 
@@ -146,7 +159,7 @@ LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers&
     for (int tries = 0; tries < most_tries && fit.cost == cost_before; ++tries) {
       const auto x = stepped(normal, damping, fit.x, places);
       if (!x) return fit;
-      const double cost = cost_of(problem, *x);
+      const double cost = cost_of(problem, *x, fit.cost);
       const bool is_better = cost < fit.cost;
       damping *= is_better ? 0.2 : 5;
       if (is_better) fit = {*x, cost};

@@ -2,6 +2,7 @@
 // The most likely numbers of a problem of deviations that bend and jump: Levenberg and Marquardt's
 // way, with differences over steps that are wide enough to see what a jump hides, and Cauchy's loss
 // for what no number explains.
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -11,7 +12,8 @@
 namespace sim {
 
 struct LeastSquaresProblem {
-  std::function<Numbers(const Numbers&)> deviations;
+  /// Gives the deviations at numbers to a function, one after the other, until that says no.
+  std::function<void(const Numbers&, const std::function<bool(double)>&)> visit_deviations;
   std::vector<ParameterPrior> priors;
   std::vector<bool> is_free;
 };
@@ -33,7 +35,9 @@ struct LeastSquaresFit {
   double cost = 0;  // with the priors'
 };
 
-double cost_of(const LeastSquaresProblem& problem, const Numbers& x);
+/// Of all deviations, and of how far the numbers are from what is known before. Where it is beyond
+/// `most` it is only known to be: the deviations behind the one that tells it are not looked at.
+double cost_of(const LeastSquaresProblem& problem, const Numbers& x, double most = HUGE_VAL);
 
 LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers& start,
                               int iterations);

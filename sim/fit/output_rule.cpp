@@ -230,8 +230,9 @@ bool alike(const std::array<double, 7>& one, const std::array<double, 7>& other)
 
 }  // namespace
 
-void output_of_rule(const Plan& plan, const RuleConstants& constants,
-                    std::span<const double> amplitudes, std::vector<BurstOutput>& bursts) {
+bool output_of_rule(const Plan& plan, const RuleConstants& constants,
+                    std::span<const double> amplitudes, std::vector<BurstOutput>& bursts,
+                    const std::function<bool(std::size_t)>& look) {
   bursts.clear();
   OutputOfRule output(constants);
   for (std::size_t s = 0; s < plan.steps.size(); ++s) {
@@ -253,7 +254,9 @@ void output_of_rule(const Plan& plan, const RuleConstants& constants,
       }
       before = after;
     }
+    if (!look(s)) return false;
   }
+  return true;
 }
 
 }  // namespace sim

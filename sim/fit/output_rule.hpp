@@ -4,6 +4,7 @@
 // rule of channel/slow_agc.hpp and channel/demodulator.hpp in continuous time, from one event to
 // the next: twenty thousand bursts take some milliseconds, so a fit can try thousands of parts.
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,11 @@ struct BurstOutput {
   double share = 0;     // 1: reported, 0: not; between where half a cycle decides
 };
 
-/// The bursts of all steps, in order. `bursts` is emptied first: its memory is used again.
-void output_of_rule(const Plan& plan, const RuleConstants& constants,
-                    std::span<const double> amplitudes, std::vector<BurstOutput>& bursts);
+/// The bursts of all steps, in order. `bursts` is emptied first: its memory is used again. Each
+/// step is shown to `look` when its bursts are there; where that says no, the steps behind it are
+/// not played. Returns whether all were.
+bool output_of_rule(const Plan& plan, const RuleConstants& constants,
+                    std::span<const double> amplitudes, std::vector<BurstOutput>& bursts,
+                    const std::function<bool(std::size_t)>& look);
 
 }  // namespace sim

@@ -105,45 +105,57 @@ std::vector<double> PlanLikelihood::amplitudes(const Numbers& x) const {
   return all;
 }
 
-void PlanLikelihood::play(const Numbers& x, double more_hold_cycles, double more_db) const {
+void PlanLikelihood::play(const Played& played,
+                          const std::function<bool(std::size_t)>& look) const {
+  const Numbers& x = played.x;
   Numbers numbers = x;
-  numbers[place_of(RuleParameter::start)] = more_hold_cycles;
-  numbers[place_of(RuleParameter::clock)] = more_db;
+  numbers[place_of(RuleParameter::start)] = played.more_hold_cycles;
+  numbers[place_of(RuleParameter::clock)] = played.more_db;
   for (std::size_t k = 1; k < captures_.size(); ++k)
     numbers[place_of(CaptureNumber::start, k)] = numbers[place_of(CaptureNumber::clock, k)] = 0;
-  if (numbers == played_) return;
-  played_ = std::move(numbers);
+  if (numbers == played_) {
+    for (std::size_t s = 0; s < plan_.steps.size() && look(s);) ++s;
+    return;
+  }
   RuleConstants constants = constants_of(x);
-  constants.hold_s += more_hold_cycles / constants.centre_hz;
+  constants.hold_s += played.more_hold_cycles / constants.centre_hz;
   std::vector<double> light = amplitudes(x);
-  for (double& one : light) one *= std::pow(10, more_db / 20);
-  output_of_rule(plan_, constants, light, ruled_);
+  for (double& one : light) one *= std::pow(10, played.more_db / 20);
+  played_.clear();
+  if (output_of_rule(plan_, constants, light, ruled_, look)) played_ = std::move(numbers);
 }
 
-std::vector<double> PlanLikelihood::values(const Numbers& x, double more_hold_cycles,
-                                           double more_db, std::vector<Compared>* compared) const {
-  play(x, more_hold_cycles, more_db);
+PlanLikelihood::Compared PlanLikelihood::compared_step(const Numbers& x, std::size_t s) const {
+  const PlanStep& step = plan_.steps[s];
+  const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
+  Compared compared{features_of(step, recorded, ruled), features_of(step, ruled, recorded)};
   const double cycle_s = 1 / value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
-  std::vector<double> differences;
-  differences.reserve(plan_.steps.size() * n_feature_kinds);
-  for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
-    const PlanStep& step = plan_.steps[s];
-    const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
-    const StepFeatures was = features_of(step, recorded, ruled);
-    StepFeatures is = features_of(step, ruled, recorded);
-    const std::size_t capture = origin_[s].capture;
-    is.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +
-                  x[place_of(CaptureNumber::clock, capture)] * 1e-6 *
-                      (step.start_ms - captures_[capture].begin_ms) * 1e-3;
-    if (compared != nullptr) compared->push_back({was, is});
-    differences.push_back(is.reported - was.reported);
-    const bool both_low = was.with_low > 0 && is.with_low > 0;
-    differences.push_back(both_low ? (is.low_s - was.low_s) * step.carrier_hz : 0);
-    const bool both_start = was.with_start > 0 && is.with_start > 0;
-    differences.push_back(both_start ? (is.start_s - was.start_s) * step.carrier_hz : 0);
-    differences.push_back(is.first_run - was.first_run);
-  }
-  return differences;
+  const std::size_t capture = origin_[s].capture;
+  compared.ruled.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +
+                            x[place_of(CaptureNumber::clock, capture)] * 1e-6 *
+                                (step.start_ms - captures_[capture].begin_ms) * 1e-3;
+  return compared;
+}
+
+std::array<double, n_feature_kinds> PlanLikelihood::differences(const Compared& compared,
+                                                                std::size_t step) const {
+  const auto& [was, is] = compared;
+  const double carrier = plan_.steps[step].carrier_hz;
+  const bool both_low = was.with_low > 0 && is.with_low > 0;
+  const bool both_start = was.with_start > 0 && is.with_start > 0;
+  return {is.reported - was.reported, both_low ? (is.low_s - was.low_s) * carrier : 0,
+          both_start ? (is.start_s - was.start_s) * carrier : 0, is.first_run - was.first_run};
+}
+
+std::vector<double> PlanLikelihood::differences(const Played& played) const {
+  std::vector<double> all;
+  all.reserve(plan_.steps.size() * n_feature_kinds);
+  play(played, [&](std::size_t s) {
+    const auto of_step = differences(compared_step(played.x, s), s);
+    all.insert(all.end(), of_step.begin(), of_step.end());
+    return true;
+  });
+  return all;
 }
 
 void PlanLikelihood::take_wide_deviations() {
@@ -181,14 +193,13 @@ double PlanLikelihood::uncertain_cut(const Numbers& x, std::size_t step,
 }
 
 void PlanLikelihood::take_deviations_at(const Numbers& x) {
-  std::vector<Compared> compared;
-  const std::vector<double> here = values(x, 0, 0, &compared);
-  const std::vector<double> longer = values(x, cycles_uncertain, 0, nullptr);
-  const std::vector<double> shorter = values(x, -cycles_uncertain, 0, nullptr);
-  const std::vector<double> stronger = values(x, 0, uncertain_db, nullptr);
-  const std::vector<double> weaker = values(x, 0, -uncertain_db, nullptr);
+  const std::vector<Compared> here = compared(x);
+  const std::vector<double> longer = differences({x, cycles_uncertain, 0});
+  const std::vector<double> shorter = differences({x, -cycles_uncertain, 0});
+  const std::vector<double> stronger = differences({x, 0, uncertain_db});
+  const std::vector<double> weaker = differences({x, 0, -uncertain_db});
   sigma_.clear();
-  for (std::size_t i = 0; i < here.size(); ++i) {
+  for (std::size_t i = 0; i < longer.size(); ++i) {
     const PlanStep& step = plan_.steps[i / n_feature_kinds];
     const auto kind = static_cast<FeatureKind>(i % n_feature_kinds);
     const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
@@ -201,23 +212,39 @@ void PlanLikelihood::take_deviations_at(const Numbers& x) {
                          : is_long_carrier(step) ? carrier_s / on_s
                                                  : bursts + chaotic;
     const double cut = kind == FeatureKind::low
-                           ? uncertain_cut(x, i / n_feature_kinds, compared[i / n_feature_kinds])
+                           ? uncertain_cut(x, i / n_feature_kinds, here[i / n_feature_kinds])
                            : 0;
     sigma_.push_back(std::hypot(std::hypot(least, cut), (longer[i] - shorter[i]) / 2,
                                 (stronger[i] - weaker[i]) / 2));
   }
 }
 
+void PlanLikelihood::visit_deviations(const Numbers& x,
+                                      const std::function<bool(double)>& take) const {
+  play({x}, [&](std::size_t s) {
+    const auto of_step = differences(compared_step(x, s), s);
+    for (std::size_t kind = 0; kind < n_feature_kinds; ++kind)
+      if (!take(of_step[kind] / sigma_[s * n_feature_kinds + kind])) return false;
+    return true;
+  });
+}
+
 Numbers PlanLikelihood::deviations(const Numbers& x) const {
-  const std::vector<double> differences = values(x, 0, 0, nullptr);
-  Numbers all(differences.size());
-  for (std::size_t i = 0; i < differences.size(); ++i) all[i] = differences[i] / sigma_[i];
+  Numbers all;
+  all.reserve(sigma_.size());
+  visit_deviations(x, [&](double deviation) {
+    all.push_back(deviation);
+    return true;
+  });
   return all;
 }
 
 std::vector<PlanLikelihood::Compared> PlanLikelihood::compared(const Numbers& x) const {
   std::vector<Compared> all;
-  values(x, 0, 0, &all);
+  play({x}, [&](std::size_t s) {
+    all.push_back(compared_step(x, s));
+    return true;
+  });
   return all;
 }
 

@@ -3,7 +3,9 @@
 // deviations. Numbers beyond the constants of the rule are, of each capture behind the first one,
 // where it begins, its clock, and its light; and then the levels of the plans, in dB beside what
 // these say.
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -31,7 +33,9 @@ class PlanLikelihood {
   const std::vector<ParameterPrior>& priors() const { return priors_; }
   Numbers start() const;
 
-  /// Deviations of all features, a row of kinds a step; 0 where there is nothing to compare.
+  /// Gives the deviations of all features, a row of kinds a step, to `take`, until it says no; 0
+  /// where there is nothing to compare.
+  void visit_deviations(const Numbers& x, const std::function<bool(double)>& take) const;
   Numbers deviations(const Numbers& x) const;
   /// The same, and what was compared.
   struct Compared {
@@ -58,9 +62,17 @@ class PlanLikelihood {
   /// Of how many steps on this one's carrier the feature is alike.
   double alike(std::size_t step, FeatureKind kind) const;
   double uncertain_cut(const Numbers& x, std::size_t step, const Compared& compared) const;
-  void play(const Numbers& x, double more_hold_cycles, double more_db) const;
-  std::vector<double> values(const Numbers& x, double more_hold_cycles, double more_db,
-                             std::vector<Compared>* compared) const;
+  /// Numbers, and how else they may be.
+  struct Played {
+    const Numbers& x;
+    double more_hold_cycles = 0, more_db = 0;
+  };
+  /// Looks at each step when it was played, until `look` says no.
+  void play(const Played& played, const std::function<bool(std::size_t)>& look) const;
+  Compared compared_step(const Numbers& x, std::size_t step) const;
+  /// What a step's features differ by.
+  std::array<double, n_feature_kinds> differences(const Compared& compared, std::size_t step) const;
+  std::vector<double> differences(const Played& played) const;
 
   /// A level that may be wrong: of one plan.
   struct PlanLevel {
@@ -80,7 +92,7 @@ class PlanLikelihood {
   std::vector<ParameterPrior> priors_;
   std::vector<double> sigma_;
   mutable std::vector<BurstOutput> ruled_;
-  mutable std::vector<double> played_;  // numbers for which `ruled_` was
+  mutable std::vector<double> played_;  // numbers for which `ruled_` was, all of it
 };
 
 }  // namespace sim

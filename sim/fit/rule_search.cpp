@@ -221,7 +221,7 @@ class RuleSearch {
     const auto is_told = [&](double value) {
       Numbers at = x_;
       way.move(at, value);
-      return cost_of(problem, at) > most;
+      return cost_of(problem, at, most) > most;
     };
     const auto above = std::ranges::upper_bound(way.values, x_[place]);
     const auto up = std::find_if(above, way.values.end(), is_told);
