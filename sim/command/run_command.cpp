@@ -48,6 +48,12 @@ void make_output_folder(const RunRequest& request) {
                               request.output->string(), error.message()));
 }
 
+/// What is to be read again has to be a file that can be.
+void refuse_tables(const RunRequest& request, const fs::path& output) {
+  if (request.resume) check_read_back(output, "--resume");
+  if (request.shard != Shard{}) check_read_back(output, "--shard");
+}
+
 /// Two scenarios that would write one file are refused before any is run.
 void refuse_same_output(const RunRequest& request) {
   for (std::size_t i = 0; i < request.scenarios.size(); ++i) {
@@ -90,6 +96,7 @@ std::vector<Run> runs_of(const RunRequest& request) {
   std::vector<Run> runs;
   for (const fs::path& path : request.scenarios) {
     runs.push_back({load_with(request.options, path), output_of(request, path)});
+    refuse_tables(request, runs.back().output);
     const LoadedScenario& scenario = runs.back().scenario;
     engine_of(scenario).check_shard(scenario, request.shard);
   }

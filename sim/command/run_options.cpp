@@ -35,8 +35,8 @@ void add_run(CLI::App& app, RunRequest& request) {
       "run", "Run scenarios, single points or sweeps: table on stdout, counts in a result file");
   add_place(run, "SCENARIO", request.scenarios, "", "scenario files (.toml)")->required();
   add_place(run, "-o,--output", request.output, "OUT.h5|DIR/",
-            "result file (HDF5), or a folder that gets one for each scenario; if not given, the "
-            "scenario's name ending in .h5, in the current folder");
+            "result file: .h5 (HDF5), or a table in .csv or .json (JSON lines); or a folder for an "
+            ".h5 of each scenario; SCENARIO.h5 if not given");
   add_scenario_options(run, request.options);
   add_threads(run, request.threads);
   add_amount(run, request.options);
@@ -135,7 +135,8 @@ void add_find(CLI::App& app, FindRequest& request) {
       ->type_name("R")
       ->check(between(1e-9, 1));
   add_place(find, "-o,--output", request.output, "OUT.h5",
-            "result file (HDF5) of all points looked at; SCENARIO-find.h5 if not given");
+            "result file of all points looked at, .h5 (HDF5), or a table in .csv or .json (JSON "
+            "lines); SCENARIO-find.h5 if not given");
   add_scenario_options(find, request.options);
   add_threads(find, request.threads);
   add_amount(find, request.options);
@@ -147,7 +148,10 @@ void add_merge(CLI::App& app, MergeRequest& request) {
   auto& merge = *app.add_subcommand(
       "merge", "Add results of other trials of the same command up: those of run --shard");
   add_place(merge, "RESULT", request.results, "", "result files (.h5)")->required();
-  add_place(merge, "-o,--output", request.output, "OUT.h5", "result file to write")->required();
+  add_place(merge, "-o,--output", request.output, "OUT.h5",
+            "result file to write: .h5 (HDF5), or a table in .csv or .json (JSON lines); of one "
+            "RESULT, too")
+      ->required();
   merge.footer("Example: cosys-sim merge quickstart-1of2.h5 quickstart-2of2.h5 -o quickstart.h5");
 }
 

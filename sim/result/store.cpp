@@ -1,12 +1,15 @@
 #include "sim/result/store.hpp"
 
+#include <map>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "sim/failure.hpp"
 #include "sim/result/netcdf.hpp"
 #include "sim/result/netcdf_reader.hpp"
+#include "sim/result/result_table.hpp"
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/text/digest.hpp"
 #include "sim/text/new_file.hpp"
@@ -89,15 +92,52 @@ std::string image_of(const Dataset& data, const ProgramInfo& program) {
   return file.image();
 }
 
+std::string csv_of(const Dataset& data, const ProgramInfo&) { return result_as_csv(data); }
+
+std::string json_lines_of(const Dataset& data, const ProgramInfo&) {
+  return result_as_json_lines(data);
+}
+
+struct ResultFormat {
+  std::string (*contents)(const Dataset&, const ProgramInfo&);
+  OwnFiles own;
+  bool is_read_back;  // by --resume, merge, report and diff
+};
+
+constexpr const char* own_result = "a result of cosys-sim";
+
+/// By the ending of the name; HDF5 where it has none.
+const ResultFormat& result_format_of(const std::filesystem::path& path) {
+  static const std::map<std::string, ResultFormat> formats{
+      {"", {image_of, {is_result_of_run, own_result}, true}},
+      {".h5", {image_of, {is_result_of_run, own_result}, true}},
+      {".hdf5", {image_of, {is_result_of_run, own_result}, true}},
+      {".nc", {image_of, {is_result_of_run, own_result}, true}},
+      {".csv", {csv_of, {is_csv_of_result, own_result}, false}},
+      {".json", {json_lines_of, {are_json_lines_of_result, own_result}, false}}};
+  const auto found = formats.find(path.extension().string());
+  if (found == formats.end())
+    throw bad_input("cannot write a result into " + path.string(), "its ending names no format",
+                    "end the name in .h5, .csv or .json (JSON lines)");
+  return found->second;
+}
+
 }  // namespace
 
 void write_dataset(const std::filesystem::path& path, const Dataset& data,
                    const ProgramInfo& program) {
-  write_file(path, image_of(data, program));
+  write_file(path, result_format_of(path).contents(data, program));
 }
 
 void check_writable(const std::filesystem::path& path) {
-  check_place(path, {is_result_of_run, "a result of cosys-sim"});
+  check_place(path, result_format_of(path).own);
+}
+
+void check_read_back(const std::filesystem::path& path, const std::string& by) {
+  if (!result_format_of(path).is_read_back)
+    throw bad_input(by + " with " + path.string(), "a table keeps no trials to go on with",
+                    "write to a name that ends in .h5; cosys-sim merge FILE.h5 -o " +
+                        path.filename().string() + " makes a table of it");
 }
 
 }  // namespace sim

@@ -1,0 +1,180 @@
+#include "sim/result/result_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "sim/scenario/sweep.hpp"
+#include "sim/text/existing_file.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* csv_begin = "experiment,seed,point,";
+constexpr const char* json_begin = R"({"format_version":"1","experiment":)";
+
+/// Where a row is.
+struct Place {
+  std::size_t point, element;  // of the dimension that has rows; 0 without one
+};
+
+struct TableColumn {
+  std::string name;
+  std::function<Json(const Place&)> value;
+};
+
+Json number_json(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json value_of(const Dataset::Variable& variable, std::size_t cell) {
+  if (const auto* numbers = std::get_if<std::vector<double>>(&variable.values))
+    return number_json(numbers->at(cell));
+  const std::int64_t number = std::get<std::vector<std::int64_t>>(variable.values).at(cell);
+  if (!variable.is_choice) return number;
+  if (number == no_choice) return nullptr;
+  return variable.flags.at(static_cast<std::size_t>(number));
+}
+
+Json element_of(const Dataset::Dimension& dimension, std::size_t i) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&dimension.values))
+    return texts->at(i);
+  return number_json(std::get<std::vector<double>>(dimension.values).at(i));
+}
+
+/// The dimensions behind the axes of what each point has.
+std::vector<std::string> own_dimensions(const Dataset& data) {
+  std::vector<std::string> names;
+  for (const Dataset::Variable& variable : data.variables) {
+    if (!variable.on_axes) continue;
+    for (const std::string& name : variable.dimensions)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+class ResultTable {
+ public:
+  explicit ResultTable(const Dataset& data) : data_(data) {
+    const std::vector<std::string> own = own_dimensions(data);
+    if (own.size() == 1) rows_ = &dimension_named(data, own.front());
+    add_place();
+    for (const Dataset::Variable& variable : data.variables)
+      if (variable.on_axes) add(variable);
+  }
+
+  const std::vector<TableColumn>& columns() const { return columns_; }
+
+  void each_row(const std::function<void(const Place&)>& take) const {
+    const std::size_t points = count_points(data_.axes), elements = rows_ ? rows_->size() : 1;
+    for (std::size_t point = 0; point < points; ++point)
+      for (std::size_t element = 0; element < elements; ++element) take({point, element});
+  }
+
+ private:
+  void add_place() {
+    columns_.push_back({"experiment", [this](const Place&) { return Json(data_.experiment); }});
+    columns_.push_back({"seed", [this](const Place&) { return Json(data_.seed); }});
+    columns_.push_back({"point", [](const Place& at) { return Json(at.point); }});
+    for (std::size_t i = 0; i < data_.axes.size(); ++i)
+      columns_.push_back({dimension_name(data_.axes[i].key), [this, i](const Place& at) {
+                            const Axis& axis = data_.axes[i];
+                            const double value = point_coordinates(data_.axes, at.point)[i];
+                            return axis.is_text() ? Json(coordinate_text(axis, value))
+                                                  : number_json(value);
+                          }});
+    if (rows_)
+      columns_.push_back(
+          {rows_->facts.name, [this](const Place& at) { return element_of(*rows_, at.element); }});
+  }
+
+  void add(const Dataset::Variable& variable) {
+    const std::size_t cells = cells_a_point(data_, variable);
+    const bool has_rows = rows_ && !variable.dimensions.empty();
+    if (has_rows || variable.dimensions.empty()) {
+      columns_.push_back({variable.facts.name, [&variable, cells, has_rows](const Place& at) {
+                            return value_of(variable,
+                                            at.point * cells + (has_rows ? at.element : 0));
+                          }});
+      return;
+    }
+    for (std::size_t k = 0; k < cells; ++k)
+      columns_.push_back({name_of_cell(variable, k), [&variable, cells, k](const Place& at) {
+                            return value_of(variable, at.point * cells + k);
+                          }});
+  }
+
+  /// "n_outcomes[inside]"
+  std::string name_of_cell(const Dataset::Variable& variable, std::size_t cell) const {
+    std::string elements;
+    for (auto name = variable.dimensions.rbegin(); name != variable.dimensions.rend(); ++name) {
+      const Dataset::Dimension& dimension = dimension_named(data_, *name);
+      elements =
+          value_text(dimension, cell % dimension.size()) + (elements.empty() ? "" : "," + elements);
+      cell /= dimension.size();
+    }
+    return variable.facts.name + "[" + elements + "]";
+  }
+
+  const Dataset& data_;
+  const Dataset::Dimension* rows_ = nullptr;
+  std::vector<TableColumn> columns_;
+};
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_field(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return quoted(value.get<std::string>());
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
+  return value.dump();
+}
+
+}  // namespace
+
+std::string result_as_csv(const Dataset& data) {
+  const ResultTable table(data);
+  std::string text;
+  const auto end_line = [&] { text.back() = '\n'; };  // in place of the last comma
+  for (const TableColumn& column : table.columns()) text += quoted(column.name) + ',';
+  end_line();
+  table.each_row([&](const Place& at) {
+    for (const TableColumn& column : table.columns()) text += csv_field(column.value(at)) + ',';
+    end_line();
+  });
+  return text;
+}
+
+std::string result_as_json_lines(const Dataset& data) {
+  const ResultTable table(data);
+  std::string text;
+  table.each_row([&](const Place& at) {
+    Json row{{"format_version", "1"}};
+    for (const TableColumn& column : table.columns()) row[column.name] = column.value(at);
+    text += row.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  });
+  return text;
+}
+
+bool is_csv_of_result(const std::filesystem::path& path) {
+  const std::string begin = csv_begin;
+  return beginning_of(path, begin.size()) == begin;
+}
+
+bool are_json_lines_of_result(const std::filesystem::path& path) {
+  const std::string begin = json_begin;
+  return beginning_of(path, begin.size()) == begin;
+}
+
+}  // namespace sim

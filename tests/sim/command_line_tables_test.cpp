@@ -1,0 +1,70 @@
+// Results as tables: run, find and merge into .csv and .json.
+#include "program.hpp"
+
+namespace {
+
+class CommandLineTables : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    write_scenario("s.toml", "receiver.range_m = [1, 3]");
+  }
+
+  /// Frames, lost frames and digits of the distance, by Python's own readers.
+  std::string read_by_python(const std::string& rows, const std::string& file) const {
+    return tool("python3", {"-c", "import csv, json\nfor row in " + rows + "(open('" + file +
+                                      "')):\n  row = json.loads(row) if type(row) is str else row\n"
+                                      "  print(int(row['n_frames']), int(row['n_frames_lost']), "
+                                      "float(row['receiver_range_m']), row['stop_reason'])"});
+  }
+};
+
+TEST_F(CommandLineTables, AreReadByPython) {
+  ASSERT_EQ(program({"run", "s.toml", "-q", "-n", "8"}).code, 0);
+  for (const std::string file : {"t.csv", "t.json"}) {
+    const std::string reader = file.ends_with("csv") ? "csv.DictReader" : "list";
+    const std::string rows = "8 0 1.0 max_frames\n8 8 3.0 max_frames\n";
+    for (int time = 0; time < 2; ++time)  // the second replaces the first
+      EXPECT_EQ(program({"run", "s.toml", "-q", "-n", "8", "-o", file}).code, 0);
+    EXPECT_EQ(read_by_python(reader, file), rows);
+    EXPECT_EQ(program({"merge", "s.h5", "-o", "merged-" + file}).code, 0);
+    EXPECT_EQ(read_by_python(reader, "merged-" + file), rows);
+  }
+  EXPECT_EQ(
+      program({"find", "s.toml", "--over", "receiver.range_m=1:9", "-n", "200", "-o", "f.csv"})
+          .code,
+      0);
+  EXPECT_TRUE(read_by_python("csv.DictReader", "f.csv").starts_with("200 0 1.0 "));
+}
+
+TEST_F(CommandLineTables, AreNotGoneOnWith) {
+  for (const std::vector<std::string> option :
+       {std::vector<std::string>{"--resume"}, {"--shard", "1/2"}}) {
+    std::vector<std::string> arguments{"run", "s.toml", "-o", "t.csv"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const auto refused = program(arguments);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.err,
+              "cosys-sim: " + option[0] +
+                  " with t.csv (a table keeps no trials to go on with) write to a name that ends "
+                  "in .h5; cosys-sim merge FILE.h5 -o t.csv makes a table of it\n");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("t.csv")));
+}
+
+TEST_F(CommandLineTables, HaveAnEndingOfAFormatAndReplaceNoOtherFile) {
+  const auto unknown = program({"run", "s.toml", "-o", "t.foo"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.err,
+            "cosys-sim: cannot write a result into t.foo (its ending names no format) end the name "
+            "in .h5, .csv or .json (JSON lines)\n");
+  for (const std::string file : {"own.csv", "own.json"}) {
+    write(file, "[1, 2]\n");
+    const auto refused = program({"run", "s.toml", "-o", file});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("it exists and is not a result of cosys-sim"), std::string::npos);
+    EXPECT_EQ(content(path(file)), "[1, 2]\n");
+  }
+}
+
+}  // namespace
