@@ -28,9 +28,11 @@
 #include "sim/result/unfinished.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/method.hpp"
+#include "sim/scenario/scenario_key.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/quantity.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
 #include "sim/threads/worker_threads.hpp"
@@ -66,29 +68,30 @@ std::vector<double> swept_ends(const std::string& text, const LoadedScenario& sc
   return {low, high};
 }
 
-/// Those of "receiver.range_m=1:40".
-std::vector<double> given_ends(const std::string& text) {
-  const std::string_view range = std::string_view(text).substr(text.find('=') + 1);
+/// Those of "1:40".
+std::vector<double> given_ends(const std::string& text, const std::string& range, const Key& key) {
+  const std::string numbers = in_unit(range, key.facts.unit, "--over " + text);
   std::vector<double> ends;
-  for (const std::string_view end : split(range, ':'))
+  for (const std::string_view end : split(numbers, ':'))
     if (const auto value = parse_number(end); value && std::isfinite(*value))
       ends.push_back(*value);
-  if (ends.size() != 2 || std::ranges::count(text, ':') != 1)
+  if (ends.size() != 2 || std::ranges::count(numbers, ':') != 1)
     throw wrong_over(text, "not two numbers with a colon between");
   return ends;
 }
 
 Over over_of(const std::string& text, const LoadedScenario& scenario) {
-  const Key* key = find_key(text.substr(0, text.find('=')));
-  if (key == nullptr) throw wrong_over(text, "no such key");
-  if (key->name().starts_with("stop.") || key->name() == "simulation.seed")
+  const std::size_t equals = text.find('=');
+  const bool is_given = equals != std::string::npos;
+  const std::string range = is_given ? text.substr(equals + 1) : "";
+  const Key& key = scenario_key(text.substr(0, equals), range, "in --over");
+  if (key.name().starts_with("stop.") || key.name() == "simulation.seed")
     throw wrong_over(text, "no loss depends on it");
-  if (!key->is_number()) throw wrong_over(text, "its values are no numbers");
-  const bool is_given = text.find('=') != std::string::npos;
-  const auto ends = is_given ? given_ends(text) : swept_ends(text, scenario);
+  if (!key.is_number()) throw wrong_over(text, "its values are no numbers");
+  const auto ends = is_given ? given_ends(text, range, key) : swept_ends(text, scenario);
   const auto [low, high] = std::ranges::minmax(ends);
   if (!(low < high)) throw wrong_over(text, "both ends are the same");
-  return {key->name(), key->facts.type == KeyType::whole_number, low, high};
+  return {key.name(), key.facts.type == KeyType::whole_number, low, high};
 }
 
 /// What the search runs: the user's scenario, with points stopped as soon as their side is told.

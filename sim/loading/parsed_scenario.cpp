@@ -15,10 +15,12 @@
 #include "sim/scenario/key_check.hpp"
 #include "sim/scenario/named_key.hpp"
 #include "sim/scenario/placed_device_keys.hpp"
+#include "sim/scenario/scenario_key.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/scenario/text_axis.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
+#include "sim/text/quantity.hpp"
 #include "sim/text/spelling.hpp"
 
 namespace sim {
@@ -54,16 +56,6 @@ constexpr std::string_view sweep_prefix = "sweep.";
 constexpr std::string_view override_key = "override.set";
 constexpr std::string_view part_prefix = "part.";
 
-/// Names that could have been meant.
-std::vector<std::string> names_like(const std::string& name) {
-  std::vector<std::string> names;
-  if (const auto of = named_key("disturbance", name)) names = disturbance_key_names(of->name);
-  if (const auto of = named_key("devices", name))
-    for (const Key& key : placed_device_keys(of->name)) names.push_back(key.name());
-  for (const Key& key : scenario_keys()) names.push_back(key.name());
-  return names;
-}
-
 std::vector<std::string> table_names() {
   std::vector<std::string> tables{"sweep", "disturbance", "devices"};
   for (const Key& key : scenario_keys()) {
@@ -73,33 +65,8 @@ std::vector<std::string> table_names() {
   return tables;
 }
 
-/// A table that a user names, and what it is.
-struct NamedTable {
-  std::string table, one, example;
-};
-
-void check_table_name(const NamedTable& named, const std::string& key, const std::string& place) {
-  const auto of = named_key(named.table, key);
-  if (of && !is_table_name(of->name))
-    throw bad_input(key + " " + place, "no name of a " + named.one,
-                    "use letters, digits, - and _ for it");
-  if (!of && key.starts_with(named.table))
-    throw bad_input(key + " " + place, "a " + named.one + " has a name",
-                    fmt::format("write [{0}.NAME], such as [{0}.{1}]", named.table, named.example));
-}
-
-const Key& known_key(const std::string& name, const std::string& place) {
-  if (const Key* key = find_key(name)) return *key;
-  check_table_name({"disturbance", "disturbance", "lamp"}, name, place);
-  check_table_name({"devices", "device", "charger"}, name, place);
-  const std::string guess = nearest(name, names_like(name));
-  throw bad_input(
-      name + " " + place, "no such key",
-      is_near(name, guess) ? "did you mean " + guess + "?" : "scenarios/README.md lists all keys");
-}
-
 const Key& sweepable_key(const std::string& name, const std::string& place) {
-  const Key& key = known_key(name, place);
+  const Key& key = scenario_key(name, place);
   if (key.is_number() || is_sweepable_text(key)) return key;
   throw bad_input(name + " " + place, "text cannot be swept", "write one scenario for each text");
 }
@@ -149,6 +116,11 @@ double number_of(const Key& key, const Entry& entry) {
   if (flag && key.facts.type == KeyType::flag) return *flag ? 1 : 0;
   if (const auto* value = std::get_if<double>(&entry.value)) return *value;
   if (key.facts.type == KeyType::flag) return flag_in_quotes(key, entry);
+  const auto* text = std::get_if<std::string>(&entry.value);
+  if (text && has_unit(*text) && !is_range_or_list(*text)) {
+    const std::string problem = fmt::format("{} = \"{}\" {}", entry.key, *text, entry.place);
+    return parse_values(in_unit(*text, key.facts.unit, problem), problem).front();
+  }
   refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
 }
 
@@ -182,7 +154,7 @@ std::string text_of(const Key& key, const Entry& entry) {
 }
 
 void take_setting(ParsedScenario& parsed, const Entry& entry) {
-  const Key& key = known_key(entry.key, entry.place);
+  const Key& key = scenario_key(entry.key, entry.place);
   if (key.is_number()) {
     parsed.set_number(key, number_of(key, entry), entry.place);
   } else {
@@ -220,6 +192,12 @@ std::optional<std::vector<double>> swept_words(const Key& key, const Entry& entr
   return values;
 }
 
+std::vector<double> swept_numbers(const Key& key, const std::string& text,
+                                  const std::string& place) {
+  const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), text, place);
+  return parse_values(in_unit(text, key.facts.unit, problem), problem);
+}
+
 void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   const std::string name = entry.key.substr(sweep_prefix.size());
   const Key& key = sweepable_key(name, entry.place);
@@ -233,7 +211,7 @@ void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   else if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
     values = *list;
   else if (const auto* text = std::get_if<std::string>(&entry.value))
-    values = parse_values(*text, fmt::format("{} = \"{}\" {}", name, *text, entry.place));
+    values = swept_numbers(key, *text, entry.place);
   else
     refuse_kind(entry, "a range or list", "write \"1:1:20\" or [1, 2, 5]");
   parsed.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
@@ -258,7 +236,8 @@ void override_flag(ParsedScenario& parsed, const Key& key, const std::string& va
 void override_number(ParsedScenario& parsed, const Key& key, const std::string& value,
                      const std::string& place) {
   if (key.facts.type == KeyType::flag) return override_flag(parsed, key, value, place);
-  const auto values = parse_values(value, fmt::format("{} = {} {}", key.name(), value, place));
+  const std::string problem = fmt::format("{} = {} {}", key.name(), value, place);
+  const auto values = parse_values(in_unit(value, key.facts.unit, problem), problem);
   if (is_range_or_list(value)) return parsed.set_axis(make_axis(key, values, place), place);
   parsed.set_number(key, values.front(), place);
   parsed.drop_axis(key);
@@ -280,8 +259,8 @@ void take_override(ParsedScenario& parsed, const std::string& override, const st
   if (equals == 0)
     throw bad_input("\"" + override + "\" " + place,
                     "no key before the =", "write key=value, such as receiver.range_m=3");
-  const Key& key = known_key(override.substr(0, equals), place);
   const std::string value = override.substr(equals + 1);
+  const Key& key = scenario_key(override.substr(0, equals), value, place);
   if (key.is_number()) return override_number(parsed, key, value, place);
   override_text(parsed, key, value, place);
 }

@@ -22,7 +22,7 @@ TEST_F(Find, TellsWhereTheLossCrosses) {
 
 // What was looked at is a sweep: its own text, run again, gives the same counts.
 TEST_F(Find, IsASweepThatCanBeRepeated) {
-  ASSERT_EQ(program({"find", "s.toml", "--over", "receiver.range_m=1:5", "-t", "1", "--tolerance",
+  ASSERT_EQ(program({"find", "s.toml", "--over", "receiver.range=1:5m", "-t", "1", "--tolerance",
                      "0.1", "-n", "400"})
                 .code,
             0);
@@ -80,7 +80,10 @@ TEST_F(Find, RefusesInOneLine) {
     expect_refused({"find", "s.toml", "--over", over}, 2,
                    "--over " + over + " (" + why + ")" + how);
   };
-  refused("receiver.rang", "no such key");
+  expect_refused({"find", "s.toml", "--over", "receiver.rang"}, 2,
+                 "receiver.rang in --over (no such key) did you mean receiver.range_m?");
+  expect_refused({"find", "s.toml", "--over", "receiver.range=1s:2s"}, 2,
+                 "--over receiver.range=1s:2s (\"s\" is no m) write the number in m");
   refused("receiver.module", "its values are no numbers");
   refused("led.current_ma", "the scenario does not sweep it");
   refused("receiver.range_m=3", "not two numbers with a colon between");
