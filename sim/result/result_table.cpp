@@ -113,11 +113,12 @@ class ResultTable {
   /// "n_outcomes[inside]"
   std::string name_of_cell(const Dataset::Variable& variable, std::size_t cell) const {
     std::string elements;
-    for (auto name = variable.dimensions.rbegin(); name != variable.dimensions.rend(); ++name) {
-      const Dataset::Dimension& dimension = dimension_named(data_, *name);
-      elements =
-          value_text(dimension, cell % dimension.size()) + (elements.empty() ? "" : "," + elements);
-      cell /= dimension.size();
+    std::size_t cells = cells_a_point(data_, variable);  // of one element of the dimensions so far
+    for (const std::string& name : variable.dimensions) {
+      const Dataset::Dimension& dimension = dimension_named(data_, name);
+      cells /= dimension.size();
+      if (!elements.empty()) elements += ",";
+      elements += value_text(dimension, cell / cells % dimension.size());
     }
     return variable.facts.name + "[" + elements + "]";
   }
