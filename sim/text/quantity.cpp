@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/failure.hpp"
-#include "sim/text/letters.hpp"
+#include "sim/text/list_text.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {
