@@ -38,9 +38,9 @@ TEST_F(CommandLineTables, AreReadByPython) {
 }
 
 TEST_F(CommandLineTables, AreNotGoneOnWith) {
-  for (const std::vector<std::string> option :
-       {std::vector<std::string>{"--resume"}, {"--shard", "1/2"}}) {
-    std::vector<std::string> arguments{"run", "s.toml", "-o", "t.csv"};
+  const std::vector<Words> options{{"--resume"}, {"--shard", "1/2"}};
+  for (const Words& option : options) {
+    Words arguments{"run", "s.toml", "-o", "t.csv"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const auto refused = program(arguments);
     EXPECT_EQ(refused.code, 2);
