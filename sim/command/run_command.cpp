@@ -54,6 +54,16 @@ void refuse_tables(const RunRequest& request, const fs::path& output) {
   if (request.shard != Shard{}) check_read_back(output, "--shard");
 }
 
+void refuse_one_file_for_several(const RunRequest& request) {
+  std::error_code error;
+  if (request.scenarios.size() < 2 || !request.output || !ends_as_result(*request.output) ||
+      fs::is_directory(*request.output, error))
+    return;
+  throw bad_input(
+      fmt::format("-o {} with {} scenarios", request.output->string(), request.scenarios.size()),
+      "a file holds the result of one", "name a folder, such as -o results/");
+}
+
 /// Two scenarios that would write one file are refused before any is run.
 void refuse_same_output(const RunRequest& request) {
   for (std::size_t i = 0; i < request.scenarios.size(); ++i) {
@@ -92,6 +102,7 @@ Workers workers_of(const RunRequest& request) {
 
 /// Of all scenarios what can be refused before anything is counted or written.
 std::vector<Run> runs_of(const RunRequest& request) {
+  refuse_one_file_for_several(request);
   refuse_same_output(request);
   std::vector<Run> runs;
   for (const fs::path& path : request.scenarios) {

@@ -107,16 +107,21 @@ struct ResultFormat {
 constexpr const char* own_result = "a result of cosys-sim";
 
 /// By the ending of the name; HDF5 where it has none.
-const ResultFormat& result_format_of(const std::filesystem::path& path) {
-  static const std::map<std::string, ResultFormat> formats{
-      {"", {image_of, {is_result_of_run, own_result}, true}},
-      {".h5", {image_of, {is_result_of_run, own_result}, true}},
-      {".hdf5", {image_of, {is_result_of_run, own_result}, true}},
-      {".nc", {image_of, {is_result_of_run, own_result}, true}},
+const std::map<std::string, ResultFormat>& formats() {
+  static const ResultFormat hdf5{image_of, {is_result_of_run, own_result}, true};
+  static const std::map<std::string, ResultFormat> all{
+      {"", hdf5},
+      {".h5", hdf5},
+      {".hdf5", hdf5},
+      {".nc", hdf5},
       {".csv", {csv_of, {is_csv_of_result, own_result}, false}},
       {".json", {json_lines_of, {are_json_lines_of_result, own_result}, false}}};
-  const auto found = formats.find(path.extension().string());
-  if (found == formats.end())
+  return all;
+}
+
+const ResultFormat& result_format_of(const std::filesystem::path& path) {
+  const auto found = formats().find(path.extension().string());
+  if (found == formats().end())
     throw bad_input("cannot write a result into " + path.string(), "its ending names no format",
                     "end the name in .h5, .csv or .json (JSON lines)");
   return found->second;
@@ -131,6 +136,10 @@ void write_dataset(const std::filesystem::path& path, const Dataset& data,
 
 void check_writable(const std::filesystem::path& path) {
   check_place(path, result_format_of(path).own);
+}
+
+bool ends_as_result(const std::filesystem::path& path) {
+  return path.has_extension() && formats().contains(path.extension().string());
 }
 
 void check_read_back(const std::filesystem::path& path, const std::string& by) {

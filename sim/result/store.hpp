@@ -20,6 +20,9 @@ void write_dataset(const std::filesystem::path& path, const Dataset& data,
 /// result.
 void check_writable(const std::filesystem::path& path);
 
+/// Whether the name ends as that of a result: "x.csv".
+bool ends_as_result(const std::filesystem::path& path);
+
 /// Refuses a table where its result has to be read again; `by` is the option that would.
 void check_read_back(const std::filesystem::path& path, const std::string& by);
 

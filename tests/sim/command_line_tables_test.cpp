@@ -52,6 +52,15 @@ TEST_F(CommandLineTables, AreNotGoneOnWith) {
   EXPECT_FALSE(std::filesystem::exists(path("t.csv")));
 }
 
+TEST_F(CommandLineTables, AreOfOneScenario) {
+  write_scenario("other.toml", "receiver.range_m = 1");
+  for (const std::string file : {"t.csv", "t.h5"})
+    expect_refused({"run", "s.toml", "other.toml", "-o", file}, 2,
+                   "-o " + file +
+                       " with 2 scenarios (a file holds the result of one) name a folder, such as "
+                       "-o results/");
+}
+
 TEST_F(CommandLineTables, HaveAnEndingOfAFormatAndReplaceNoOtherFile) {
   const auto unknown = program({"run", "s.toml", "-o", "t.foo"});
   EXPECT_EQ(unknown.code, 2);
