@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/loading/load_scenario.hpp"
+#include "sim/location/location_keys.hpp"  // the kinds that some scenarios are of
 #include "sim/section/dataset_cells.hpp"
 #include "sim/section/dataset_charts.hpp"
 #include "sim/section/dataset_shares.hpp"

@@ -16,6 +16,7 @@
 #include "scenarios.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/loading/point_scenario.hpp"
+#include "sim/location/location_keys.hpp"  // the kinds that some scenarios are of
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/trial/trial.hpp"

@@ -7,6 +7,7 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/location/location_keys.hpp"  // the kinds that some scenarios are of
 #include "sim/scenario/key_reference.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/scenario.hpp"

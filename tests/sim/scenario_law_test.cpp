@@ -7,6 +7,7 @@
 #include "gtest/gtest.h"
 #include "scenarios.hpp"
 #include "sim/failure.hpp"
+#include "sim/location/location_keys.hpp"  // the kinds that some scenarios are of
 #include "sim/scenario/canonical_text.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/scenario/sweep.hpp"

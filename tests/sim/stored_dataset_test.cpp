@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scenario_text =
-    "title = \"µ\"\nexperiment = \"presence\"\n[sweep]\npresence.detector = [\"goertzel\", "
-    "\"dc-difference\"]\nreceiver.range_m = [1, 2, 3]\n";
+    "title = \"µ\"\nexperiment = \"listening\"\n[sweep]\nlistening.air = [\"cosys\", "
+    "\"remote\"]\nreceiver.range_m = [1, 2, 3]\n";
 constexpr std::int64_t rare_number = 0x1122334455667788;
 
 LoadedScenario scenario_from(const std::string& text) {
@@ -81,11 +81,11 @@ TEST_F(StoredDatasetTest, IsReadAsItWasWritten) {
   const Dataset& data = stored.data;
   EXPECT_EQ(data.title, "µ");
   EXPECT_EQ(data.command, "cosys-sim run x");
-  EXPECT_EQ(data.experiment, "presence");
+  EXPECT_EQ(data.experiment, "listening");
   EXPECT_EQ(data.scenario_toml, dataset().scenario_toml);
   EXPECT_EQ(data.axes.size(), 2U);
   EXPECT_EQ(data.n_runs, 35U);
-  EXPECT_EQ(stored.scenario.base.experiment, "presence");
+  EXPECT_EQ(stored.scenario.base.experiment, "listening");
   EXPECT_EQ(dimension_named(data, "device").values, dataset().dimensions[1].values);
   EXPECT_EQ(dimension_named(data, "false_alarm").values, dataset().dimensions[0].values);
   ASSERT_EQ(data.variables.size(), 5U);
@@ -108,7 +108,7 @@ TEST_F(StoredDatasetTest, IsReadAsItWasWritten) {
 }
 
 TEST_F(StoredDatasetTest, OfASinglePoint) {
-  Dataset data = dataset_of(scenario_from("experiment = \"presence\"\n"), "c");
+  Dataset data = dataset_of(scenario_from("experiment = \"listening\"\n"), "c");
   data.variables = {{{"n_trials", "1", "trials"}, true, {}, std::vector<std::int64_t>{9}}};
   write_dataset(file_, data, {"cosys-sim", "1", "c"});
   const StoredDataset stored = read_dataset(file_);
@@ -162,13 +162,13 @@ TEST_F(StoredDatasetTest, DamageToALinksIsToo) {
 class ForeignFile : public StoredDatasetTest {
  protected:
   void write_file(const std::vector<double>& ranges, const std::vector<std::string>& dimensions,
-                  std::size_t cells, const char* experiment = "presence",
+                  std::size_t cells, const char* experiment = "listening",
                   const char* counted = "n_runs") const {
     NetcdfFile file(experiment_result_type, {"cosys-sim", "1", "c"});
     const std::vector<double> heard(4, 1);
     const std::vector<std::int64_t> counts(cells, 1);
-    const std::vector<std::string> detectors{"goertzel", "dc-difference"};
-    file.add_dimension({"presence_detector", "", ""}, std::span<const std::string>(detectors));
+    const std::vector<std::string> airs{"cosys", "remote"};
+    file.add_dimension({"listening_air", "", ""}, std::span<const std::string>(airs));
     file.add_dimension({"receiver_range_m", "m", ""}, std::span<const double>(ranges));
     file.add_dimension({"heard", "", ""}, std::span<const double>(heard));
     file.add_variable({counted, "1", ""}, dimensions, std::span<const std::int64_t>(counts));
@@ -191,16 +191,16 @@ TEST_F(ForeignFile, WithoutDigestIsReadAsItIs) {
 TEST_F(ForeignFile, OnAxesThatAreNotTheScenariosIsRefused) {
   write_file({1, 2, 3}, {"receiver_range_m"}, 3);
   expect_refused("its variables do not fit its sweep: it is damaged");
-  write_file({1, 2, 3, 4}, {"presence_detector", "receiver_range_m"}, 8);
+  write_file({1, 2, 3, 4}, {"listening_air", "receiver_range_m"}, 8);
   expect_refused("it is damaged");
-  write_file({1, 2, 3}, {"presence_detector", "receiver_range_m"}, 6);
+  write_file({1, 2, 3}, {"listening_air", "receiver_range_m"}, 6);
   EXPECT_TRUE(read_dataset(file_).data.variables.at(0).on_axes);
 }
 
 TEST_F(ForeignFile, OfAnotherExperimentThanItsScenarioIsRefused) {
   write_file({1, 2, 3}, {"heard"}, 4, "arena");
   expect_refused("its scenario is of another experiment: it is damaged");
-  write_file({1, 2, 3}, {"heard"}, 4, "presence", "n_others");
+  write_file({1, 2, 3}, {"heard"}, 4, "listening", "n_others");
   expect_refused("it does not say how many runs it has: it is damaged");
 }
 
