@@ -111,6 +111,11 @@ double flag_in_quotes(const Key& key, const Entry& entry) {
   refuse_kind(entry, "true or false", "write true or false without quotes");
 }
 
+/// Of a text, a range or a list, with units or without; `problem` opens the error line.
+std::vector<double> values_of(const Key& key, const std::string& text, const std::string& problem) {
+  return parse_values(in_unit(text, key.facts.unit, problem), problem);
+}
+
 double number_of(const Key& key, const Entry& entry) {
   const auto* flag = std::get_if<bool>(&entry.value);
   if (flag && key.facts.type == KeyType::flag) return *flag ? 1 : 0;
@@ -118,8 +123,8 @@ double number_of(const Key& key, const Entry& entry) {
   if (key.facts.type == KeyType::flag) return flag_in_quotes(key, entry);
   const auto* text = std::get_if<std::string>(&entry.value);
   if (text && has_unit(*text) && !is_range_or_list(*text)) {
-    const std::string problem = fmt::format("{} = \"{}\" {}", entry.key, *text, entry.place);
-    return parse_values(in_unit(*text, key.facts.unit, problem), problem).front();
+    return values_of(key, *text, fmt::format("{} = \"{}\" {}", entry.key, *text, entry.place))
+        .front();
   }
   refuse_kind(entry, "a number", "write a number without quotes; sweep in [sweep]");
 }
@@ -192,12 +197,6 @@ std::optional<std::vector<double>> swept_words(const Key& key, const Entry& entr
   return values;
 }
 
-std::vector<double> swept_numbers(const Key& key, const std::string& text,
-                                  const std::string& place) {
-  const std::string problem = fmt::format("{} = \"{}\" {}", key.name(), text, place);
-  return parse_values(in_unit(text, key.facts.unit, problem), problem);
-}
-
 void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   const std::string name = entry.key.substr(sweep_prefix.size());
   const Key& key = sweepable_key(name, entry.place);
@@ -211,7 +210,7 @@ void take_sweep(ParsedScenario& parsed, const Entry& entry) {
   else if (const auto* list = std::get_if<std::vector<double>>(&entry.value))
     values = *list;
   else if (const auto* text = std::get_if<std::string>(&entry.value))
-    values = swept_numbers(key, *text, entry.place);
+    values = values_of(key, *text, fmt::format("{} = \"{}\" {}", name, *text, entry.place));
   else
     refuse_kind(entry, "a range or list", "write \"1:1:20\" or [1, 2, 5]");
   parsed.set_axis(make_axis(key, std::move(values), entry.place), entry.place);
@@ -236,8 +235,7 @@ void override_flag(ParsedScenario& parsed, const Key& key, const std::string& va
 void override_number(ParsedScenario& parsed, const Key& key, const std::string& value,
                      const std::string& place) {
   if (key.facts.type == KeyType::flag) return override_flag(parsed, key, value, place);
-  const std::string problem = fmt::format("{} = {} {}", key.name(), value, place);
-  const auto values = parse_values(in_unit(value, key.facts.unit, problem), problem);
+  const auto values = values_of(key, value, fmt::format("{} = {} {}", key.name(), value, place));
   if (is_range_or_list(value)) return parsed.set_axis(make_axis(key, values, place), place);
   parsed.set_number(key, values.front(), place);
   parsed.drop_axis(key);
