@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/check/check_report.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -82,7 +83,7 @@ std::string check_json(const CheckReport& report) {
                   {"asked_power", rule.power},
                   {"negligible", rule.negligible},
                   {"points", std::move(points)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_line(json);
 }
 
 }  // namespace sim

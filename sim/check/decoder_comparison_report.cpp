@@ -7,6 +7,7 @@
 #include "sim/check/decoder_comparison.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/counting/statistics.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -122,7 +123,7 @@ std::string decoder_comparison_json(const DecoderComparisonReport& report) {
   for (const DecoderComparisonPoint& point : report.points)
     points.push_back(comparison_point_json(report, point));
   const Json json{{"alpha", report.alpha}, {"points", std::move(points)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_line(json);
 }
 
 }  // namespace sim

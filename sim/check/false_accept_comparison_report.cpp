@@ -6,6 +6,7 @@
 #include "sim/check/false_accept_comparison.hpp"
 #include "sim/columns/estimate_text.hpp"
 #include "sim/columns/text_table.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -89,7 +90,7 @@ std::string false_accept_comparison_json(const FalseAcceptPoints& points,
     list.push_back({{"name", point.name}, {"decoders", std::move(of_point)}});
   }
   const Json json{{"ci_level", 0.95}, {"points", std::move(list)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_line(json);
 }
 
 }  // namespace sim

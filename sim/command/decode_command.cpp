@@ -7,6 +7,7 @@
 #include "sim/command/decoded_capture.hpp"
 #include "sim/command/reading_progress.hpp"
 #include "sim/text/escaped_text.hpp"
+#include "sim/text/json_answer.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -20,7 +21,7 @@ void print_message(const WireFrame& frame, bool json) {
   }
   nlohmann::json line = {{"outcome", frame.outcome}, {"message", message}};
   if (frame.start) line["time_s"] = frame.start->value;
-  print_json(line.dump() + "\n");
+  print_json(json_line(line));
 }
 
 void print_line(const DecodedCapture& decoded) {

@@ -6,6 +6,7 @@
 
 #include "sim/command/decoded_capture.hpp"
 #include "sim/text/escaped_text.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -91,10 +92,6 @@ nlohmann::json line_json(const DecodedCapture& decoded) {
   return line;
 }
 
-std::string json_text(const nlohmann::json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 double baud_error_ppm(const DecodedCapture& decoded) {
@@ -147,7 +144,7 @@ std::optional<std::string> doubt_about(const DecodedCapture& decoded) {
 }
 
 std::string line_as_json(const DecodedCapture& decoded) {
-  return json_text({{"line", line_json(decoded)}});
+  return json_line({{"line", line_json(decoded)}});
 }
 
 std::string outcome_as_json(const CaptureOutcome& outcome) {
@@ -158,7 +155,7 @@ std::string outcome_as_json(const CaptureOutcome& outcome) {
     json["line"] = line_json(decoded);
     json["messages"] = {{"accepted", decoded.accepted}, {"refused", decoded.refused}};
   }
-  return json_text(json);
+  return json_line(json);
 }
 
 }  // namespace sim

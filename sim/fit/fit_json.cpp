@@ -2,6 +2,7 @@
 
 #include "sim/fit/fit_report.hpp"
 #include "sim/fit/measured_part.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -79,7 +80,7 @@ std::string measured_json(const MeasuredModule& measured) {
   if (!measured.first_level_by.empty())
     json["first_level"] = {{"mw_per_m2", measured.first_level_mw_per_m2},
                            {"by", measured.first_level_by}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_line(json);
 }
 
 }  // namespace sim

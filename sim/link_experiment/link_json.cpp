@@ -13,6 +13,7 @@
 #include "sim/result/ranking.hpp"
 #include "sim/result/unit_spread_json.hpp"
 #include "sim/scenario/flags.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -99,7 +100,7 @@ std::string to_json(const LinkResult& result, const Dataset& data, const Ranking
     json["points"].push_back(json_point(result, data, i));
   json["crossings"] = json_crossings(result, ranking);
   if (const auto units = unit_spread(data)) json["units"] = json_units(*units);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json_page(json);
 }
 
 }  // namespace sim

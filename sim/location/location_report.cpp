@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/text/json_answer.hpp"
+
 namespace sim {
 namespace {
 
@@ -94,7 +96,7 @@ std::string location_json(const Location& location) {
                      {"degrees_of_freedom", location.degrees_of_freedom},
                      {"probability", location.probability},
                      {"places", places}};
-  return json.dump() + "\n";
+  return json_line(json);
 }
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/picture/chart.hpp"
+#include "sim/text/json_answer.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {
@@ -145,9 +146,7 @@ Json part_json(const PartSheet& part) {
           {"file", part.path.generic_string()}};
 }
 
-std::string dumped(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string dumped(const Json& json) { return json_page(json) + "\n"; }
 
 /// Null where the number is known.
 Json bounds_json(const SheetNumber& number) {
@@ -171,7 +170,7 @@ std::string parts_table(const std::vector<PartSheet>& parts) {
 std::string parts_json(const std::vector<PartSheet>& parts) {
   Json json = Json::array();
   for (const PartSheet& part : parts) json.push_back(part_json(part));
-  return dumped(json);
+  return dumped({{"parts", json}});
 }
 
 std::string sheet_text(const PartSheet& sheet) {

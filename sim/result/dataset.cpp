@@ -9,6 +9,7 @@
 #include "sim/result/axis_json.hpp"
 #include "sim/result/unit_spread_json.hpp"
 #include "sim/text/digest.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -123,7 +124,7 @@ std::string dataset_json(const Dataset& data) {
   for (const Dataset::Variable& v : data.variables)
     json["variables"][v.facts.name] = json_variable(data, v);
   if (const auto units = unit_spread(data)) json["units"] = json_units(*units);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json_page(json);
 }
 
 }  // namespace sim

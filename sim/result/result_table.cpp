@@ -12,6 +12,7 @@
 
 #include "sim/scenario/sweep.hpp"
 #include "sim/text/existing_file.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 namespace {
@@ -19,7 +20,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* csv_begin = "experiment,seed,point,";
-constexpr const char* json_begin = R"({"format_version":"1","experiment":)";
+std::string json_begin() {
+  return fmt::format(R"({{"format_version":"{}","experiment":)", json_format_version);
+}
 
 /// Where a row is.
 struct Place {
@@ -161,9 +164,9 @@ std::string result_as_json_lines(const Dataset& data) {
   const ResultTable table(data);
   std::string text;
   table.each_row([&](const Place& at) {
-    Json row{{"format_version", "1"}};
+    Json row;
     for (const TableColumn& column : table.columns()) row[column.name] = column.value(at);
-    text += row.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+    text += json_line(row);
   });
   return text;
 }
@@ -174,7 +177,7 @@ bool is_csv_of_result(const std::filesystem::path& path) {
 }
 
 bool are_json_lines_of_result(const std::filesystem::path& path) {
-  const std::string begin = json_begin;
+  const std::string begin = json_begin();
   return beginning_of(path, begin.size()) == begin;
 }
 

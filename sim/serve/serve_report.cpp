@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/text/escaped_text.hpp"
+#include "sim/text/json_answer.hpp"
 
 namespace sim {
 
@@ -20,9 +21,9 @@ std::string message_line(const LineMessage& message, dsp::Seconds origin,
       {"outcome", verdict.outcome},
       {"framing_errors", std::ranges::count(message.bytes, true, &LineByte::framing_error)},
       {"bytes_lost", bytes_lost}};
-  return line.dump() + "\n";
+  return json_line(line);
 }
 
-std::string lost_lines(std::uint64_t lines) { return Json{{"lost_lines", lines}}.dump() + "\n"; }
+std::string lost_lines(std::uint64_t lines) { return json_line({{"lost_lines", lines}}); }
 
 }  // namespace sim

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "decoded_line.hpp"
 #include "program.hpp"
 #include "protocol/cosys.hpp"
 
@@ -53,9 +54,7 @@ class CsvFile : public CommandLine {
     EXPECT_EQ(o.code, code) << o.err << text.substr(0, 200);
     EXPECT_NE(o.out.find("\"IND 011111 OK\",\"outcome\":\"ok\""), std::string::npos)
         << o.out << text.substr(0, 200);
-    const std::size_t last = o.out.rfind("{\"line\"");
-    if (last == std::string::npos) return {};
-    return nlohmann::json::parse(o.out.substr(last)).at("line");
+    return line_facts(o.out);
   }
 
   void expect_read(const std::string& text, const std::string& channel,

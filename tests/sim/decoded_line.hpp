@@ -1,6 +1,5 @@
 #pragma once
 // A line with one message on it, and what decode says of lines.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -17,8 +16,9 @@ inline dsp::LogicTrace message_line(double baud) {
 
 inline const std::string its_message = "   0.020000 s  ok              IND 011111 OK\n";
 
-/// The object that ends the output of decode --json.
+/// What the last line of decode --json says of the line; nothing where it failed.
 inline nlohmann::json line_facts(const std::string& out) {
-  const std::size_t at = out.rfind("{\"line\"");
-  return nlohmann::json::parse(out.substr(std::min(at, out.size()))).at("line");
+  const std::string rows = "\n" + out.substr(0, out.find_last_not_of('\n') + 1);
+  const auto last = nlohmann::json::parse(rows.substr(rows.rfind('\n')), nullptr, false);
+  return last.is_object() ? last.value("line", nlohmann::json()) : nlohmann::json();
 }

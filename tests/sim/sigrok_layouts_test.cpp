@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <random>
 
+#include "decoded_line.hpp"
 #include "program.hpp"
 #include "protocol/cosys.hpp"
 #include "sanitized.hpp"
@@ -87,7 +87,7 @@ class SigrokLayouts : public CommandLine {
     ASSERT_EQ(o.code, 0) << what;
     EXPECT_NE(o.out.find("\"" + sampled.message + "\",\"outcome\":\"ok\""), std::string::npos)
         << what;
-    const auto line = nlohmann::json::parse(o.out.substr(o.out.rfind("{\"line\""))).at("line");
+    const auto line = line_facts(o.out);
     EXPECT_EQ(line.at("baud"), baud) << what;
     EXPECT_EQ(line.at("polarity"), sampled.inverted ? "idle-low" : "idle-high") << what;
     std::filesystem::remove(path(file));
