@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/capture/capture_units.hpp"
 #include "sim/capture/csv_fields.hpp"
 
 namespace sim {
@@ -269,9 +270,16 @@ std::optional<std::vector<double>> CsvTable::read_row() {
     const auto word = word_in_row(fields, layout_.decimal_comma);
     if (word && fields.size() == layout_.first + layout_.count)
       fail("'" + shown(*word) + "'", "it is no number");
+    if (is_time_name(heading_of(fields.front()).name)) fail_at_second_head(*line);
     fail("'" + shown(*line) + "'", "not as many numbers as there are columns");
   }
   return std::nullopt;
+}
+
+/// What a logger had left over before it began anew.
+void CsvTable::fail_at_second_head(const std::string& line) const {
+  fail_at(at_line_, "'" + shown(line) + "'", "a head of columns stands below rows of numbers",
+          "leave out what is above it: --skip-rows " + std::to_string(at_line_ - 1));
 }
 
 std::optional<std::vector<double>> CsvTable::next() {

@@ -78,6 +78,7 @@ class CsvTable {
   static std::optional<Layout> layout_of(const std::string& line, char separator, bool comma);
   std::optional<std::vector<double>> row_of(std::string_view line) const;
   std::optional<std::vector<double>> read_row();
+  [[noreturn]] void fail_at_second_head(const std::string& line) const;
   std::optional<std::string> next_line();
 
   TextLines lines_;

@@ -147,6 +147,13 @@ TEST_F(CsvLayouts, RowsAreSkippedWhenTold) {
   expect_read("1,2\n3,4\nTime (us),rx\n" + changes(1e-6), "rx", {"--skip-rows", "2"});
 }
 
+TEST_F(CsvLayouts, WhatStandsAboveALateHeadIsToBeSkipped) {
+  write("late.csv", "0.1,0\n0.2,1\nTime (us),rx\n" + changes(1e-6));
+  expect_refused({"decode", "late.csv"}, 2,
+                 "'Time (us),rx' in late.csv:3 (a head of columns stands below rows of numbers) "
+                 "leave out what is above it: --skip-rows 2");
+}
+
 TEST_F(CsvLayouts, TwoLinesThatReadAsWellAreSaid) {
   std::string text = "Time [us],Channel 0,Channel 1\n";
   std::istringstream lines(changes(1e-6));
