@@ -23,6 +23,7 @@ struct NumberBounds {
   std::string number;  // its key in the part's file
   double low, high;
   Distribution distribution = Distribution::uniform;  // log-uniform: low is positive
+  bool is_measured = false;                           // of this very unit, as its source says
 };
 using AllBounds = std::vector<NumberBounds>;
 

@@ -206,9 +206,16 @@ class PartReader {
     const channel::NumberBounds bounds{.number = name,
                                        .low = number_at(number.facts, "low", remedy),
                                        .high = number_at(number.facts, "high", remedy),
-                                       .distribution = distribution_of(name)};
+                                       .distribution = distribution_of(name),
+                                       .is_measured = is_measured(name)};
     check_bounds(bounds, part.*number.member);
     part.bounds.push_back(bounds);
+  }
+
+  bool is_measured(const std::string& name) const {
+    const std::string source =
+        get<std::string>(name + ".source", "a text", "name document and page");
+    return source.starts_with("measured");
   }
 
   channel::Distribution distribution_of(const std::string& name) const {

@@ -1,5 +1,6 @@
 #include "sim/link_experiment/range_doubt.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -109,7 +110,8 @@ void add_doubts(Ranking& ranking, const LoadedScenario& scenario, const Workers&
     std::vector<UnitRange> ranges = ranges_of(line, workers);
     if (workers.interrupted()) return;
     row.doubt =
-        RangeDoubt{module.name, n_units, range_quantiles(std::move(ranges), line.from_above())};
+        RangeDoubt{module.name, n_units, range_quantiles(std::move(ranges), line.from_above()),
+                   std::ranges::any_of(module.bounds, &channel::NumberBounds::is_measured)};
   }
 }
 

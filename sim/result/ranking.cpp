@@ -179,9 +179,9 @@ std::string without_end_blanks(std::string line) {
 /// Below the only row.
 std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
   return fmt::format(
-      "as assumed; {} for 8 of 10 units, as not all of {} is known (--doubt says more; measure "
-      "yours: cosys-sim fit)\n",
-      span_words(axis, doubt.quantiles), doubt.part);
+      "as {}; {} for 8 of 10 units, as not all of {} is known (--doubt says more{})\n",
+      doubt.is_measured ? "measured" : "assumed", span_words(axis, doubt.quantiles), doubt.part,
+      doubt.is_measured ? "" : "; measure yours: cosys-sim fit");
 }
 
 /// Behind a row of several.

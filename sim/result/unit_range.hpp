@@ -27,6 +27,7 @@ struct RangeDoubt {
   std::string part;
   std::size_t units = 0;  // that were drawn
   RangeQuantiles quantiles{};
+  bool is_measured = false;  // the part, if not all of it
 };
 
 /// The same axis with its values in rising order.

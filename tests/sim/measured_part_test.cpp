@@ -81,7 +81,9 @@ TEST(MeasuredPart, IntervalsHoldWhatTheyHeld) {
     ASSERT_NE(bounds, nullptr) << number.key;
     EXPECT_LE(bounds->low, number.low);
     EXPECT_GE(bounds->high, number.high);
+    EXPECT_TRUE(bounds->is_measured) << number.key;
   }
+  EXPECT_FALSE(bounds_of(part, "agc_range_db")->is_measured) << "hardly told";
   EXPECT_EQ(bounds_of(part, "agc_attack_db_per_ms")->distribution,
             channel::Distribution::log_uniform);
   EXPECT_EQ(bounds_of(part, "centre_hz")->distribution, channel::Distribution::uniform);

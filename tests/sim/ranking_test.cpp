@@ -247,6 +247,11 @@ TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
             lines(result) +
                 "as assumed; 1 m to beyond 4 m for 8 of 10 units, as not all of A is known "
                 "(--doubt says more; measure yours: cosys-sim fit)\n");
+  ranking.rows[0].doubt->is_measured = true;
+  EXPECT_EQ(sim::ranking_lines(result, ranking),
+            lines(result) +
+                "as measured; 1 m to beyond 4 m for 8 of 10 units, as not all of A is "
+                "known (--doubt says more)\n");
 }
 
 TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
