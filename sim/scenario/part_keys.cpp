@@ -176,8 +176,8 @@ channel::AllBounds bounds_of_silence() {
       {"integrator_cycles", 5, 10},  // of the catalogue's parts, but for those for data
       {"atc_fraction", 0.3, 0.6},    // 0.4 and 0.5 are fitted to figures
       {"atc_release_ms", 3, 30, log_uniform},
-      // Least: Vishay's note on TSDP modules, 35 m at 1200 bit/s; most: the carrier of 120 ms of
-      // Vishay 82480 p. 5, of which some of the output must be left.
+      // Least: Vishay's note on TSDP modules, 35 m at 1200 bit/s; most: no faster than the IC of
+      // Vishay 82480 p. 5, which needs as much at least to tell 52 dB of level in 120 ms.
       {"agc_attack_db_per_ms", 0.05, 0.4, log_uniform},
       {"agc_margin_db", 0, 6},
       // Least: Vishay's circuit description of its modules; most: a strong carrier is suppressed.
