@@ -11,17 +11,18 @@
 #include "sim/fit/plan_schedule.hpp"
 #include "sim/fit/plan_text.hpp"
 #include "sim/fit/wiring_picture.hpp"
-#include "sim/picture/svg.hpp"
+#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct BenchFile {
-  std::filesystem::path place;
+  fs::path place;
   std::string text;
-  OwnFiles own;
 };
 
 constexpr const char* bench_led = "TSAL6200";
@@ -33,24 +34,27 @@ std::vector<BenchFile> bench_files(const FitRequest& request) {
   const channel::EmitterData led = load_led(bench_led, parts, bench_led).data;
   const BenchSchedule schedule = schedule_for(like, led, request.minutes);
   const double distance_m = bench_distance_m(like, led);
-  const std::filesystem::path& folder = *request.output;
+  const fs::path& folder = *request.output;
   return {{folder / "plan.txt",
-           plan_text(plan_of(schedule), bench_remarks(like.name, bench_first_level(like))),
-           {is_written_plan, "a plan of cosys-sim"}},
-          {folder / "sketch" / "sketch.ino",
-           arduino_sketch(schedule, like.name),
-           {is_written_sketch, "a sketch of cosys-sim"}},
-          {folder / "wiring.svg",
-           wiring_as_svg(like.name, distance_m),
-           {is_drawing, "a picture of cosys-sim"}},
-          {folder / "README.txt",
-           bench_notes(schedule, like.name, distance_m),
-           {is_written_notes, "of a bench of cosys-sim"}}};
+           plan_text(plan_of(schedule), bench_remarks(like.name, bench_first_level(like)))},
+          {folder / "sketch" / "sketch.ino", arduino_sketch(schedule, like.name)},
+          {folder / "wiring.svg", wiring_as_svg(like.name, distance_m)},
+          {folder / "README.txt", bench_notes(schedule, like.name, distance_m)}};
+}
+
+/// A plan is lost that something was recorded of, or a sketch that somebody has changed.
+void refuse_to_lose(const BenchFile& file) {
+  std::error_code error;
+  if (!fs::exists(file.place, error)) return;
+  if (fs::is_regular_file(file.place, error) && fs::file_size(file.place, error) == 0) return;
+  if (beginning_of(file.place, file.text.size() + 1) != file.text)
+    throw bad_input("cannot write " + file.place.string(), "another one is there",
+                    "choose another folder, or remove it");
 }
 
 /// All of them or none.
 void write_bench(const std::vector<BenchFile>& all) {
-  for (const BenchFile& file : all) refuse_to_lose(file.place, file.own);
+  for (const BenchFile& file : all) refuse_to_lose(file);
   for (const BenchFile& file : all) make_folder(file.place.parent_path());
   std::deque<NewFile> files;
   for (const BenchFile& file : all) files.emplace_back(file.place).write(file.text);

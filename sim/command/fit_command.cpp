@@ -36,6 +36,9 @@ void refuse_no_capture(const FitRequest& request) {
   if (!request.output)
     throw bad_input("fit --plan", "it has no folder to write to",
                     "write cosys-sim fit --plan -o FOLDER");
+  if (request.output->extension() == ".toml")
+    throw bad_input("--output " + request.output->string(), "it is to be a folder",
+                    "name one, such as bench");
 }
 
 /// `what`: "--plan"; `words`: "plans".

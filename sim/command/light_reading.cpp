@@ -50,7 +50,11 @@ void read_plan_file(const fs::path& place, LightReading& reading) {
   const std::string text = read_text_file(place, "plan", longest);
   reading.plan = plan_of_text(text, place.generic_string());
   reading.plan_words = "the plan " + escaped_name(place.generic_string());
-  if (is_written_plan_text(text)) reading.first_level_mw_per_m2 = first_level_in(text);
+  if (!is_written_plan_text(text)) return;
+  reading.first_level_mw_per_m2 = first_level_in(text);
+  if (const auto level = reading.first_level_mw_per_m2; level && !(*level > 0 && *level < 1e9))
+    throw bad_input(fmt::format("first level: {:g} in {}", *level, place.generic_string()),
+                    "it is no irradiance", "give mW/m2 above 0, or delete the line");
 }
 
 void refuse_pipe_of_two(const fs::path& capture) {

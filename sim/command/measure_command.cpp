@@ -17,6 +17,7 @@
 #include "sim/command/light_reading.hpp"
 #include "sim/components/parts.hpp"
 #include "sim/fit/fit_report.hpp"
+#include "sim/fit/fit_words.hpp"
 #include "sim/fit/fitted_module.hpp"
 #include "sim/fit/measured_part.hpp"
 #include "sim/fit/plan_schedule.hpp"
@@ -44,6 +45,15 @@ void refuse_places(const FitRequest& request) {
                     "choose another name");
   if (request.output) refuse_to_lose(*request.output, own_parts);
   if (request.page) check_place(*request.page, own_pages);
+}
+
+/// It would count as another recording, and make all intervals shorter.
+void refuse_one_twice(const std::vector<fs::path>& captures) {
+  std::error_code ignored;
+  for (std::size_t k = 0; k < captures.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      if (fs::equivalent(captures[i], captures[k], ignored))
+        throw bad_input(captures[k].string(), "it is named twice", "name each capture once");
 }
 
 /// Before the fit, which takes a while.
@@ -91,6 +101,7 @@ MeasuredModule measured_module(const FitRequest& request, const channel::ModuleD
   if (first_level)
     measured.first_level_by =
         request.irradiances_mw_per_m2.empty() ? readings.front().plan_words : "--irradiance";
+  measured.is_first_level_measured = !request.irradiances_mw_per_m2.empty();
   const std::vector<std::string> files = names_of_files(request.captures);
   std::vector<LightCapture> captures;
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -118,7 +129,7 @@ void write_measured(const FitRequest& request, const MeasuredModule& measured,
   if (request.output)
     files.emplace_back(*request.output)
         .write(measured_part_text(measured.fit, like, request.output->stem().string(),
-                                  files_in_words(measured.captures)));
+                                  files_in_words(measured.captures), level_sentence(measured)));
   if (request.page) files.emplace_back(*request.page).write(page_as_html(measured_page(measured)));
   take_places(files);
 }
@@ -146,6 +157,7 @@ ExitCode measure_command(const FitRequest& request) {
   const auto like = load_module(request.module, parts, "--module " + request.module);
   refuse_no_module(like.data);
   refuse_places(request);
+  refuse_one_twice(request.captures);
   std::vector<LightReading> readings;
   for (std::size_t which = 0; which < request.captures.size(); ++which)
     readings.push_back(read_light(request, which, like.data));

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sim/fit/sketch_program.hpp"
-#include "sim/text/existing_file.hpp"
 
 namespace sim {
 namespace {
@@ -44,10 +43,6 @@ std::string arduino_sketch(const BenchSchedule& schedule, const std::string& mod
   return text.append(sketch_program.substr(0, at))
       .append(rows_of(schedule))
       .append(sketch_program.substr(at + place_of_steps.size()));
-}
-
-bool is_written_sketch(const std::filesystem::path& path) {
-  return beginning_of(path, sketch_heading.size()) == sketch_heading;
 }
 
 }  // namespace sim

@@ -2,7 +2,6 @@
 // The schedule as a sketch for an Arduino Uno (ATmega328P at 16 MHz), which plays it, records the
 // module's output and sends each edge as a row of a CSV file that captures are read from. It uses
 // the registers alone, so it is built by the Arduino IDE and by avr-gcc without Arduino's core.
-#include <filesystem>
 #include <string>
 
 #include "sim/fit/bench_light.hpp"
@@ -15,8 +14,5 @@ inline constexpr int sketch_baud = 500000;
 /// `module` is named in its first lines. The schedule has at most 1500 steps, which fit into the
 /// flash, of numbers that fit into 16 bits (periods, gaps, repeats) and 32 (the rest).
 std::string arduino_sketch(const BenchSchedule& schedule, const std::string& module);
-
-/// Whether a file is such a sketch.
-bool is_written_sketch(const std::filesystem::path& path);
 
 }  // namespace sim

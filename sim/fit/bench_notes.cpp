@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim/fit/arduino_sketch.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 
@@ -66,10 +65,6 @@ More:    near.csv, the first minute from {4:.2f} m, and lamp.csv, the same at {1
       minutes_and_seconds(static_cast<double>(clocks_of(schedule)) / bench_clock_hz + 2),
       distance_m / 8);
   return text;
-}
-
-bool is_written_notes(const std::filesystem::path& path) {
-  return beginning_of(path, notes_heading.size()) == notes_heading;
 }
 
 }  // namespace sim

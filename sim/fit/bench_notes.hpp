@@ -1,7 +1,6 @@
 #pragma once
 // What somebody at the bench reads: the remarks at the head of the plan, and how to wire, set and
 // record.
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +20,5 @@ std::optional<double> first_level_in(std::string_view plan_text);
 /// README.txt.
 std::string bench_notes(const BenchSchedule& schedule, const std::string& module,
                         double distance_m);
-
-/// Whether a file is such a README.txt.
-bool is_written_notes(const std::filesystem::path& path);
 
 }  // namespace sim

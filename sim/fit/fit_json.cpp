@@ -74,7 +74,8 @@ std::string measured_json(const MeasuredModule& measured) {
             {"numbers", numbers_json(fit)},
             {"not_apart", fit.not_apart},
             {"misfits", misfits_json(fit)},
-            {"strongest_over_emin_db", fit.strongest_over_emin_db},
+            {"strongest_over_emin_db",
+             fit.strongest_over_emin_db ? Json(*fit.strongest_over_emin_db) : Json(nullptr)},
             {"usual_deviation", fit.usual_deviation},
             {"steps", steps_json(fit)}};
   if (!measured.first_level_by.empty())

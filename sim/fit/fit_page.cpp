@@ -50,52 +50,74 @@ QuantitySteps steps_of(const MeasuredModule& measured, const std::string& quanti
 }
 
 ChartAxis lower_axis(const QuantitySteps& all) {
-  if (all.by_level)
-    return {.label = "level [dB]", .words = "irradiance over that of the first step"};
+  if (all.by_level) return {.label = "light over the first step's [dB]"};
   return {.label = "step", .words = "place in the plan", .is_count = true};
 }
 
-/// What was recorded, with the interval that its deviation from the rule is measured in.
+/// What was recorded, with the interval that its deviation from the rule is measured in. Shares are
+/// within what there is.
 ChartPoint recorded_point(double x, const FittedStep& step) {
   const double sigma =
       step.deviation == 0 ? 0 : std::abs((step.recorded - step.fitted) / step.deviation);
-  return {x, step.recorded, step.recorded - sigmas_of_95 * sigma,
-          step.recorded + sigmas_of_95 * sigma};
+  const double low = step.recorded - sigmas_of_95 * sigma;
+  const double high = step.recorded + sigmas_of_95 * sigma;
+  if (step.unit != "%") return {x, step.recorded, low, high};
+  return {x, step.recorded, std::max(low, 0.0), std::min(high, 100.0)};
 }
 
-Chart fit_chart(const MeasuredModule& measured, const std::string& quantity) {
-  const QuantitySteps all = steps_of(measured, quantity);
-  ChartCurve recorded{.name = "recorded", .points = {}};
-  ChartCurve fitted{.name = "fitted", .points = {}, .kind = CurveKind::theory};
+/// Behind the kind of light, which the heading has: "length of the output [cycle]".
+std::string upright_label(const FittedStep& step) {
+  const std::size_t at = step.quantity.find(": ");
+  const std::string unit = bracketed_unit(step.unit);
+  return step.quantity.substr(at == std::string::npos ? 0 : at + 2) +
+         (unit.empty() ? "" : " " + unit);
+}
+
+/// Steps of one carrier: a module is deafer to others than its own.
+void add_curves(const MeasuredModule& measured, const QuantitySteps& all, double carrier_hz,
+                const std::string& of, std::vector<ChartCurve>& curves) {
+  ChartCurve recorded{.name = "recorded" + of, .points = {}};
+  ChartCurve fitted{.name = "fitted" + of, .points = {}, .kind = CurveKind::theory};
   for (const FittedStep& step : all.steps) {
+    if (step.carrier_hz != carrier_hz) continue;
     const double x = all.x(measured.captures, step);
     recorded.points.push_back(recorded_point(x, step));
     fitted.points.push_back({x, step.fitted, step.fitted, step.fitted});
   }
-  const std::string unit = bracketed_unit(all.steps.front().unit);
-  return {.title = "Recorded and fitted: " + quantity,
-          .description = quantity + ", as recorded and as the fitted module has it",
-          .x = lower_axis(all),
-          .y = {.label = quantity + (unit.empty() ? "" : " " + unit)},
-          .curves = {std::move(recorded), std::move(fitted)}};
+  curves.push_back(std::move(recorded));
+  curves.push_back(std::move(fitted));
 }
 
-/// Beside 0, where all are but for chance if the part follows the rule.
-Chart residual_chart(const MeasuredModule& measured, const std::string& quantity) {
+Chart fit_chart(const MeasuredModule& measured, const std::string& quantity) {
   const QuantitySteps all = steps_of(measured, quantity);
+  std::set<double> carriers;
+  for (const FittedStep& step : all.steps) carriers.insert(step.carrier_hz);
+  Chart chart{.title = "Recorded and fitted: " + quantity,
+              .description = quantity + ", as recorded and as the fitted module has it",
+              .x = lower_axis(all),
+              .y = {.label = upright_label(all.steps.front())},
+              .curves = {}};
+  for (const double carrier_hz : carriers)
+    add_curves(measured, all, carrier_hz,
+               carriers.size() == 1 ? "" : fmt::format(", {:.1f} kHz", carrier_hz / 1e3),
+               chart.curves);
+  return chart;
+}
+
+/// Of all steps in the order of the plan. Nearly all are within 2, if the part follows the rule.
+Chart residual_chart(const MeasuredModule& measured) {
+  QuantitySteps all{.steps = measured.fit.steps};
   ChartCurve residuals{.name = "recorded less fitted", .points = {}};
-  ChartCurve none{.name = "none", .points = {}, .kind = CurveKind::theory};
-  for (const FittedStep& step : all.steps) {
-    const double x = all.x(measured.captures, step);
+  for (const FittedStep& step : all.steps)
     residuals.points.push_back(
-        {x, step.deviation, step.deviation - sigmas_of_95, step.deviation + sigmas_of_95});
-    none.points.push_back({x, 0, 0, 0});
-  }
-  return {.title = "Residuals: " + quantity,
-          .description = "recorded less fitted, in standard deviations: " + quantity,
+        {all.x(measured.captures, step), step.deviation, step.deviation, step.deviation});
+  return {.title = "Residuals",
+          .description =
+              "recorded less fitted, in standard deviations, of all that the recording "
+              "has of each step",
           .x = lower_axis(all),
           .y = {.label = "residual [standard deviations]"},
-          .curves = {std::move(residuals), std::move(none)}};
+          .curves = {std::move(residuals)}};
 }
 
 PageSection constants_section(const MeasuredModule& measured) {
@@ -104,6 +126,12 @@ PageSection constants_section(const MeasuredModule& measured) {
       .text = "What is not told has in the part's file what fits best, with bounds that are wide.",
       .table = PageTable{
           .head = constants_head(measured), .rows = constants_rows(measured), .is_answer = true}};
+}
+
+std::string paragraphs_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + "\n";
+  return text;
 }
 
 PageSection misfits_section(const FittedModule& fit) {
@@ -116,16 +144,17 @@ PageSection misfits_section(const FittedModule& fit) {
 }  // namespace
 
 Page measured_page(const MeasuredModule& measured) {
+  const FittedModule& fit = measured.fit;
   Page page{.title = fmt::format("{}: a module like {}", files_in_words(measured.captures),
                                  measured.like.name),
-            .summary = {},
+            .summary = paragraphs_of(answer_sentences(measured)),
             .sections = {constants_section(measured)}};
-  for (const std::string& sentence : fit_sentences(measured)) page.summary += sentence + "\n";
-  if (!measured.fit.misfits.empty()) page.sections.push_back(misfits_section(measured.fit));
-  for (const std::string& quantity : quantities_of(measured.fit)) {
+  if (!fit.misfits.empty()) page.sections.push_back(misfits_section(fit));
+  page.sections.push_back({.heading = "What the recording says, and what not",
+                           .text = paragraphs_of(further_sentences(measured))});
+  for (const std::string& quantity : quantities_of(fit))
     page.sections.push_back(chart_section(fit_chart(measured, quantity)));
-    page.sections.push_back(chart_section(residual_chart(measured, quantity)));
-  }
+  if (!fit.steps.empty()) page.sections.push_back(chart_section(residual_chart(measured)));
   return page;
 }
 

@@ -27,8 +27,9 @@ struct MeasuredModule {
   FittedModule fit;
   channel::ModuleData like;
   std::vector<MeasuredCapture> captures;
-  double first_level_mw_per_m2 = 0;  // of the first step of the first capture
-  std::string first_level_by;        // where that is from: "--irradiance"; empty: not known
+  double first_level_mw_per_m2 = 0;      // of the first step of the first capture
+  std::string first_level_by;            // where that is from: "--irradiance"; empty: not known
+  bool is_first_level_measured = false;  // else it is that of a typical LED
 };
 
 /// "far.csv and near.csv".

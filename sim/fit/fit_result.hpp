@@ -2,6 +2,7 @@
 // What a fit finds: numbers of a part file, each with how sure it is, and what the recording has
 // beside what they make of the plan.
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct FittedStep {
   std::string quantity;             // "time until the output lets go"
   std::string unit;                 // "ms", "cycle", "1"
   bool is_of_first_bursts = false;  // of a train: chance does not move them
+  double carrier_hz = 0;
 };
 
 /// Where the part does not follow the rule.
@@ -51,9 +53,9 @@ struct FittedModule {
   std::vector<std::string> not_apart;  // sentences, without their full stop
   std::vector<FitMisfit> misfits;      // none: the part follows the rule
   std::vector<FittedCapture> captures;
-  double strongest_db = 0;  // level of the strongest light
-  double strongest_over_emin_db = 0;
-  double usual_deviation = 0;  // of all that was fitted, in standard deviations
+  double strongest_db = 0;                         // level of the strongest light
+  std::optional<double> strongest_over_emin_db{};  // nothing: the recording does not tell Emin
+  double usual_deviation = 0;                      // of all that was fitted, in standard deviations
 };
 
 }  // namespace sim

@@ -41,18 +41,6 @@ std::string value_of_like(const channel::ModuleData& like, const std::string& ke
   return "";
 }
 
-std::string level_sentence(const MeasuredModule& measured) {
-  if (!measured.first_level_by.empty())
-    return fmt::format(
-        "Emin is for {:.4g} mW/m2 at the module in the plan's first step, as {} says, and is "
-        "wrong by as much as that.",
-        measured.first_level_mw_per_m2, measured.first_level_by);
-  return fmt::format(
-      "Emin is that of {}, as the irradiance of the plan's first step is not known: measure it, "
-      "and say --irradiance.",
-      measured.like.name);
-}
-
 std::string clock_sentence(const FittedCapture& fitted) {
   const std::string begins =
       fmt::format("The plan begins at {:.4g} s of the recording", fitted.start_s);
@@ -110,9 +98,9 @@ std::vector<std::string> capture_sentences(const MeasuredModule& measured) {
 /// Light that is stronger than all that the module was shown, where it matters.
 std::optional<std::string> strongest_sentence(const MeasuredModule& measured) {
   const auto range = std::ranges::find(measured.fit.numbers, "agc_range_db", &FittedNumber::key);
-  if (range == measured.fit.numbers.end() || range->is_told) return std::nullopt;
-  std::string text = fmt::format("The strongest light was {:.0f} dB above Emin",
-                                 measured.fit.strongest_over_emin_db);
+  const auto over_emin_db = measured.fit.strongest_over_emin_db;
+  if (range == measured.fit.numbers.end() || range->is_told || !over_emin_db) return std::nullopt;
+  std::string text = fmt::format("The strongest light was {:.0f} dB above Emin", *over_emin_db);
   if (measured.first_level_by.empty()) return text + ": of stronger light nothing is told.";
   constexpr double led_mw_per_sr = 72;  // TSAL6200 at 100 mA, typical (Vishay 81010)
   const double strongest =
@@ -155,15 +143,25 @@ std::string lines_of_cells(const std::vector<std::vector<std::string>>& rows) {
 
 }  // namespace
 
-std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
+std::string level_sentence(const MeasuredModule& measured) {
+  if (!measured.first_level_by.empty())
+    return fmt::format(
+        "Emin is for {:.4g} mW/m2 at the module in the plan's first step, as {} "
+        "says, and is wrong by as much as that{}.",
+        measured.first_level_mw_per_m2, measured.first_level_by,
+        measured.is_first_level_measured
+            ? ""
+            : ": a TSAL6200 gives 0.55 to 2.8 times what a typical one does");
+  return fmt::format(
+      "Emin is that of {}, as the irradiance of the plan's first step is not known: measure it, "
+      "and say --irradiance.",
+      measured.like.name);
+}
+
+std::vector<std::string> answer_sentences(const MeasuredModule& measured) {
   const FittedModule& fit = measured.fit;
-  std::vector<std::string> sentences = capture_sentences(measured);
-  sentences.push_back(level_sentence(measured));
-  if (const auto strongest = strongest_sentence(measured)) sentences.push_back(*strongest);
-  for (const FittedNumber& number : fit.numbers)
-    if (!number.more.empty()) sentences.push_back(more_sentence(number));
-  for (const std::string& line : fit.not_apart)
-    sentences.push_back("Not told apart: " + line + ".");
+  std::vector<std::string> sentences{fmt::format(
+      "{} of {} constants are told.", number_names(fit, true).size(), fit.numbers.size())};
   for (const FitMisfit& misfit : fit.misfits)
     sentences.push_back("The part does not follow the rule: " + misfit_words(misfit) + ".");
   if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
@@ -172,6 +170,18 @@ std::vector<std::string> fit_sentences(const MeasuredModule& measured) {
       "whole.",
       fit.misfits.empty() ? "The part does what a gain control of this kind does" : "In all",
       fit.steps.size(), fit.usual_deviation));
+  return sentences;
+}
+
+std::vector<std::string> further_sentences(const MeasuredModule& measured) {
+  const FittedModule& fit = measured.fit;
+  std::vector<std::string> sentences = capture_sentences(measured);
+  sentences.push_back(level_sentence(measured));
+  if (const auto strongest = strongest_sentence(measured)) sentences.push_back(*strongest);
+  for (const FittedNumber& number : fit.numbers)
+    if (!number.more.empty()) sentences.push_back(more_sentence(number));
+  for (const std::string& line : fit.not_apart)
+    sentences.push_back("Not told apart: " + line + ".");
   return sentences;
 }
 
@@ -202,7 +212,8 @@ std::string measured_text(const MeasuredModule& measured) {
   std::vector<std::vector<std::string>> rows = constants_rows(measured);
   rows.insert(rows.begin(), constants_head(measured));
   std::string text = lines_of_cells(rows);
-  for (const std::string& sentence : fit_sentences(measured)) text += sentence + "\n";
+  for (const auto& sentences : {further_sentences(measured), answer_sentences(measured)})
+    for (const std::string& sentence : sentences) text += sentence + "\n";
   return text;
 }
 

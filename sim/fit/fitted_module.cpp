@@ -66,8 +66,9 @@ FittedModule fit_module(const std::vector<LightCapture>& captures,
   fitted.misfits = misfits_of(fitted.steps);
   fitted.captures = fitted_captures(fit, joined);
   fitted.strongest_db = strongest_db(fitted.steps, captures);
-  fitted.strongest_over_emin_db =
-      fitted.strongest_db - 20 * std::log10(module_of(fit.x, like, 1).emin_mw_per_m2);
+  if (is_threshold_told(fit, priors))
+    fitted.strongest_over_emin_db =
+        fitted.strongest_db - 20 * std::log10(module_of(fit.x, like, 1).emin_mw_per_m2);
   fitted.usual_deviation = usual_deviation_of(fitted.steps);
   return fitted;
 }

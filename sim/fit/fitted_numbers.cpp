@@ -93,13 +93,27 @@ double held_or_none(RuleParameter parameter, double value) {
   return parameter == dark_hold && value < none_ms ? 0 : value;
 }
 
+bool is_of_gain_control(RuleParameter parameter) {
+  return parameter >= attack && parameter <= range;
+}
+
+const ConstantNote& note_on(RuleParameter parameter) {
+  return *std::ranges::find(constant_notes, parameter, &ConstantNote::parameter);
+}
+
+/// Not where the output let go of nothing: that shuts out a few gain controls, and tells of none.
+bool tells_gain_control(const RuleFit& fit, const ParameterPriors& priors) {
+  return is_told(fit, priors, note_on(attack)) || is_told(fit, priors, note_on(duty));
+}
+
 FittedNumber number_of_part(const RuleFit& fit, const ParameterPriors& priors,
                             const ConstantNote& note) {
   const std::size_t place = place_of(note.parameter);
   const auto value = [&](double x) {
     return held_or_none(note.parameter, value_of(note.parameter, x));
   };
-  const bool told = is_told(fit, priors, note);
+  const bool told = is_told(fit, priors, note) &&
+                    (!is_of_gain_control(note.parameter) || tells_gain_control(fit, priors));
   const Reach interval = told ? reach_of(fit, note) : usual_reach(fit, priors[place], note);
   return {.key = std::string(priors[place].key),
           .value = value(fit.x[place]),
@@ -214,6 +228,10 @@ std::vector<FittedNumber> fitted_numbers(const RuleFit& fit, const ParameterPrio
   numbers.push_back(
       ambient_number(fit, light, *std::ranges::find(numbers, emin_key, &FittedNumber::key)));
   return numbers;
+}
+
+bool is_threshold_told(const RuleFit& fit, const ParameterPriors& priors) {
+  return is_told(fit, priors, note_on(threshold));
 }
 
 std::vector<std::string> pairs_not_apart(const RuleFit& fit, const ParameterPriors& priors) {

@@ -29,6 +29,9 @@ struct FittedLight {
 std::vector<FittedNumber> fitted_numbers(const RuleFit& fit, const ParameterPriors& priors,
                                          const FittedLight& light);
 
+/// Whether it is told how far light is above what the comparator needs.
+bool is_threshold_told(const RuleFit& fit, const ParameterPriors& priors);
+
 /// Sentences on numbers of which only a sum or the like is told.
 std::vector<std::string> pairs_not_apart(const RuleFit& fit, const ParameterPriors& priors);
 

@@ -56,8 +56,9 @@ ToldFeature told_feature(const PlanStep& step) {
             "time until the output lets go", "ms"};
   if (is_train(step))  // how many are reported behind the first ones is chaotic
     return {first_run, &StepFeatures::first_run, 1,
-            "bursts reported in a row, or below 0 not reported", "1"};
-  return {reported, &StepFeatures::reported, 1, "bursts reported", "1"};
+            "first run of bursts, lost below 0", "1"};
+  return {reported, &StepFeatures::reported, 100 / static_cast<double>(step.repeats),
+          "bursts reported", "%"};
 }
 
 /// Steps that are so far off, where there are so many of them, are a misfit. What chance does not
@@ -111,7 +112,8 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
                      .deviation = deviation(told.feature),
                      .quantity = fmt::format("{}: {}", light, told.words),
                      .unit = told.unit,
-                     .is_of_first_bursts = told.feature == FeatureKind::first_run});
+                     .is_of_first_bursts = told.feature == FeatureKind::first_run,
+                     .carrier_hz = step.carrier_hz});
     if (compared[s].recorded.with_low == 0 || compared[s].ruled.with_low == 0) continue;
     steps.push_back({.capture = origin.capture,
                      .step = origin.step,
@@ -121,7 +123,8 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
                      .deviation = deviation(FeatureKind::low),
                      .quantity = fmt::format("{}: length of the output", light),
                      .unit = "cycle",
-                     .is_of_first_bursts = false});
+                     .is_of_first_bursts = false,
+                     .carrier_hz = step.carrier_hz});
   }
   return steps;
 }

@@ -58,8 +58,8 @@ std::string comment_of(const std::string& text) {
   return lines + line + "\n";
 }
 
-std::string part_head(const FittedModule& fit, const std::string& like,
-                      const std::string& capture) {
+std::string part_head(const FittedModule& fit, const std::string& like, const std::string& capture,
+                      const std::string& remark) {
   const std::vector<std::string> told = number_names(fit, true), untold = number_names(fit, false);
   const std::string heading =
       fmt::format("{}a unit like {}, recorded in {}.", part_heading.substr(2), like, capture);
@@ -70,6 +70,7 @@ std::string part_head(const FittedModule& fit, const std::string& like,
   if (!untold.empty())
     text += comment_of("Hardly told, what fits best: " + list_in_words(untold) + ".");
   text += comment_of("All others are those of " + like + ".");
+  if (!remark.empty()) text += comment_of(remark);
   for (const std::string& line : fit.not_apart) text += comment_of("Not told apart: " + line + ".");
   for (const FitMisfit& misfit : fit.misfits)
     text += comment_of("The part does not follow the rule: " + misfit_words(misfit) + ".");
@@ -220,8 +221,9 @@ class MeasuredPartLines {
 }  // namespace
 
 std::string measured_part_text(const FittedModule& fit, const Part<ModuleData>& like,
-                               const std::string& name, const std::string& capture) {
-  return part_head(fit, like.data.name, capture) + "name = " + toml_string(name) + "\n\n" +
+                               const std::string& name, const std::string& capture,
+                               const std::string& remark) {
+  return part_head(fit, like.data.name, capture, remark) + "name = " + toml_string(name) + "\n\n" +
          MeasuredPartLines(fit, like, capture).all();
 }
 

@@ -9,10 +9,12 @@
 
 namespace sim {
 
-/// The text of modules/NAME.toml. `capture` is the name of the recording's file. Of one unit that
-/// was measured no spread of units is left: where Emin or the centre is told, none is given.
+/// The text of modules/NAME.toml. `capture` is the name of the recording's file, `remark` says
+/// which light Emin holds for. Of one unit that was measured no spread of units is left: where Emin
+/// or the centre is told, none is given.
 std::string measured_part_text(const FittedModule& fit, const Part<channel::ModuleData>& like,
-                               const std::string& name, const std::string& capture);
+                               const std::string& name, const std::string& capture,
+                               const std::string& remark = "");
 
 /// Whether a file is such a text.
 bool is_measured_part(const std::filesystem::path& path);

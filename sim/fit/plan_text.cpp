@@ -10,7 +10,6 @@
 #include "sim/capture/text_lines.hpp"
 #include "sim/capture/text_mark.hpp"
 #include "sim/failure.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/list_text.hpp"
 #include "sim/text/number_text.hpp"
 #include "sim/text/text_file.hpp"
@@ -184,9 +183,5 @@ Plan read_plan(const std::filesystem::path& path) {
 }
 
 bool is_written_plan_text(std::string_view text) { return text.starts_with(plan_heading); }
-
-bool is_written_plan(const std::filesystem::path& path) {
-  return is_written_plan_text(beginning_of(path, plan_heading.size()));
-}
 
 }  // namespace sim

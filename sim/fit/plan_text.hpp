@@ -51,7 +51,4 @@ Plan read_plan(const std::filesystem::path& path);
 /// Whether a text begins as plan_text() does.
 bool is_written_plan_text(std::string_view text);
 
-/// Whether a file is a plan that plan_text() wrote.
-bool is_written_plan(const std::filesystem::path& path);
-
 }  // namespace sim

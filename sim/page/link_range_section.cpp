@@ -60,7 +60,7 @@ std::string doubts_text(const Ranking& ranking) {
   if (!has_doubts(ranking)) return "";
   return "Ranges are those of the parts as assumed. Not all of them is known: 8 of 10 units, "
          "each with what nobody printed drawn within its bounds, end where the last column says. A "
-         "run with --doubt says more.";
+         "run with --doubt says more; cosys-sim fit measures yours.";
 }
 
 std::string link_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {

@@ -7,8 +7,19 @@
 
 #include "sim/columns/text_table.hpp"
 #include "sim/scenario/experiment_kind.hpp"
+#include "sim/scenario/sweep.hpp"
 
 namespace sim {
+
+namespace {
+
+/// Fewer than all where somebody interrupted it.
+std::string points_planned(std::size_t planned, std::size_t all) {
+  if (planned < all) return fmt::format("unfinished: {} of {} points", planned, all);
+  return fmt::format("{} point{}", planned, planned == 1 ? "" : "s");
+}
+
+}  // namespace
 
 std::string duration_text(double seconds) {
   constexpr double minute = 60, hour = 60 * minute, day = 24 * hour;
@@ -40,8 +51,9 @@ std::string plan_table(const LoadedScenario& scenario, const std::vector<RunPilo
     text += table_line(columns, texts);
     runs += expected_runs(pilot);
   }
-  return text + fmt::format("{} point{}: {}{:.0f} {}, {} on {} threads\n", pilots.size(),
-                            pilots.size() == 1 ? "" : "s", may_stop ? "about " : "", runs, unit,
+  return text + fmt::format("{}: {}{:.0f} {}, {} on {} threads\n",
+                            points_planned(pilots.size(), count_points(scenario.sweep)),
+                            may_stop ? "about " : "", runs, unit,
                             duration_text(expected_seconds(pilots)), threads);
 }
 

@@ -196,7 +196,7 @@ std::string doubt_note(const Ranking& ranking) {
   if (doubted == ranking.rows.end()) return "";
   return fmt::format(
       "as assumed; 8 of 10 units: of {} drawn within what is not known of a part (--doubt says "
-      "more)\n",
+      "more; measure yours: cosys-sim fit)\n",
       doubted->doubt->units);
 }
 

@@ -146,6 +146,20 @@ TEST(FitOfHiddenParts, SaysWhereAPartBreaksTheRule) {
   }
 }
 
+// Trains of one length of bursts tell how much dark each needs: of free cycles, of a hold, or of
+// some of both.
+TEST(FitOfHiddenParts, SaysWhatIsNotToldApart) {
+  const sim::Plan plan = short_plan();
+  HiddenPart part = usual_part(2, plan);
+  part.module.agc_hold_ms = 2;
+  const auto fitted = sim::fit_module({{plan, recording_in(part, plan, first_level), first_level}},
+                                      channel::ModuleData{});
+  ASSERT_EQ(fitted.not_apart.size(), 1U);
+  EXPECT_EQ(fitted.not_apart[0],
+            "agc_free_cycles and agc_hold_ms are told together only: what would part them is short "
+            "bursts behind a carrier, at gaps of 3 to 30 ms");
+}
+
 TEST(FitOfHiddenParts, RefusesAPlanWithoutEnd) {
   sim::Plan plan = short_plan();
   plan.steps.back().repeats = 1'000'000'000'000;

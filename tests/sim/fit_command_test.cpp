@@ -29,14 +29,30 @@ TEST_F(FitCommand, WritesABench) {
   EXPECT_NEAR(*first, 0.12 * std::pow(10, 54.0 / 20), 0.1) << "54 dB above Emin";
 }
 
-TEST_F(FitCommand, ReplacesItsOwnBenchByAnother) {
+// A recording that was made of its plan would be read by another one.
+TEST_F(FitCommand, LosesNoBenchByAnother) {
   ASSERT_EQ(program({"fit", "--plan", "-o", "bench"}).code, 0);
   const std::string before = content(path("bench/plan.txt"));
-  ASSERT_EQ(
-      program({"fit", "--plan", "-o", "bench", "--minutes", "1", "--module", "tsop38456"}).code, 0);
+  EXPECT_EQ(program({"fit", "--plan", "-o", "bench"}).code, 0) << "the same again";
+  expect_refused(
+      {"fit", "--plan", "-o", "bench", "--minutes", "1", "--module", "tsop38456"}, bad_input,
+      "cannot write bench/plan.txt (another one is there) choose another folder, or remove it");
   EXPECT_EQ(files(), bench);
-  EXPECT_NE(content(path("bench/plan.txt")), before);
-  EXPECT_NE(content(path("bench/wiring.svg")).find("TSOP38456"), std::string::npos);
+  EXPECT_EQ(content(path("bench/plan.txt")), before);
+  expect_refused({"fit", "--plan", "-o", "bench.toml"}, bad_input,
+                 "--output bench.toml (it is to be a folder) name one, such as bench");
+}
+
+TEST_F(FitCommand, ReplacesNoSketchThatSomebodyChanged) {
+  ASSERT_EQ(program({"fit", "--plan", "-o", "bench"}).code, 0);
+  std::string mine = content(path("bench/sketch/sketch.ino"));
+  const std::string pin = "running_pin = 1 << 5";
+  mine.replace(mine.find(pin), pin.size(), "running_pin = 1 << 4");
+  write("bench/sketch/sketch.ino", mine);
+  expect_refused({"fit", "--plan", "-o", "bench"}, bad_input,
+                 "cannot write bench/sketch/sketch.ino (another one is there) choose another "
+                 "folder, or remove it");
+  EXPECT_EQ(content(path("bench/sketch/sketch.ino")), mine);
 }
 
 TEST_F(FitCommand, TheDrawingIsWellFormed) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <sstream>
 
 #include "played_plan.hpp"
 #include "program.hpp"
@@ -64,6 +66,27 @@ class MeasureCommandMinute : public MeasureCommand {
  protected:
   MeasureCommandMinute() : MeasureCommand(1000) {}
 };
+
+/// Of the answer as JSON.
+nlohmann::json number_in(const Outcome& o, const std::string& key) {
+  const auto told = nlohmann::json::parse(o.out);
+  for (const nlohmann::json& number : told.at("numbers"))
+    if (number.at("name") == key) return number;
+  return {};
+}
+
+/// Rows of times in microseconds and the level of one wire.
+std::string as_vcd(const std::string& rows) {
+  std::string text = "$timescale 1 ns $end\n$var wire 1 ! rx $end\n$enddefinitions $end\n";
+  std::istringstream lines(rows);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    const std::size_t comma = line.find(',');
+    text += fmt::format("#{:.0f}\n{}!\n", 1e3 * std::stod(line), line.substr(comma + 1));
+  }
+  return text;
+}
 
 /// The fitted value of a line of the table; 0 where there is none.
 double value_in(const std::string& table, const std::string& constant) {
@@ -170,6 +193,43 @@ TEST_F(MeasureCommand, TakesARecordingOfMessages) {
                             "messages tell little: show it a plan of light"})
     EXPECT_NE(o.out.find(words), std::string::npos) << words << o.out;
   EXPECT_EQ(program({"fit", "far.csv", "--message", "two\nlines"}).code, bad_input);
+  const auto attack = number_in(measured({"far.csv", "--message", "IND 011111 OK", "--json"}),
+                                "agc_attack_db_per_ms");
+  EXPECT_LE(attack.at("low"), 0.3);
+  EXPECT_GE(attack.at("high"), 0.3);
+}
+
+// Where all bits are reported, few gain controls are shut out, and none is told.
+TEST_F(MeasureCommand, TellsNoGainControlOfAPartThatHasNone) {
+  std::filesystem::remove(path("plan.txt"));
+  bench_.module.agc_attack_db_per_ms = 0;
+  write("far.csv", recorded_messages(bench_.module, 5));
+  const Outcome o = measured({"far.csv", "--message", "IND 011111 OK", "--json"});
+  for (const char* key : {"agc_attack_db_per_ms", "agc_max_duty", "agc_hold_ms", "agc_margin_db"})
+    EXPECT_FALSE(number_in(o, key).at("is_told")) << key;
+}
+
+TEST_F(MeasureCommand, ReadsAChangeFileAsItReadsRows) {
+  write("capture.vcd", as_vcd(bench_.output));
+  const auto rows = nlohmann::json::parse(measured({"capture.csv", "--json"}).out).at("steps");
+  const auto changes = nlohmann::json::parse(measured({"capture.vcd", "--json"}).out).at("steps");
+  ASSERT_EQ(changes.size(), rows.size());
+  EXPECT_GE(rows.size(), few_steps);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_NEAR(changes[i].at("recorded"), rows[i].at("recorded").get<double>(), 1e-6) << i;
+}
+
+TEST_F(MeasureCommand, RefusesACaptureThatIsNamedTwice) {
+  expect_refused({"fit", "capture.csv", "./capture.csv"}, bad_input,
+                 "./capture.csv (it is named twice) name each capture once");
+}
+
+TEST_F(MeasureCommand, RefusesALightThatIsNone) {
+  write("plan.txt",
+        std::regex_replace(bench_.text, std::regex("first level: [0-9.]+"), "first level: nan"));
+  expect_refused({"fit", "capture.csv"}, bad_input,
+                 "first level: nan in plan.txt (it is no irradiance) give mW/m2 above 0, or delete "
+                 "the line");
 }
 
 TEST_F(MeasureCommand, TakesSeveralCaptures) {

@@ -35,6 +35,17 @@ RunPilot pilot_of(std::uint64_t lost, const StopRule& rule) {
   return pilot_of(lost_of_1000(lost), rule);
 }
 
+TEST(Plan, SaysOfSomePointsThatTheyAreNotAll) {
+  LoadedScenario scenario;
+  scenario.sweep = {{"receiver.range_m", "m", "distance along the floor", {1, 2, 3}}};
+  RunPilot pilot = pilot_of(100, {.max_frames = 500});
+  pilot.coordinates = {1};
+  const std::string some = plan_table(scenario, {pilot, pilot}, 2);
+  EXPECT_NE(some.find("\nunfinished: 2 of 3 points: "), std::string::npos) << some;
+  const std::string all = plan_table(scenario, {pilot, pilot, pilot}, 2);
+  EXPECT_NE(all.find("\n3 points: "), std::string::npos) << all;
+}
+
 TEST(Plan, ExpectsTheFramesThatTheRuleWillNeed) {
   EXPECT_EQ(expected_runs(pilot_of(0, {.max_frames = 500})), 500);
   EXPECT_NEAR(expected_runs(pilot_of(100, {.max_frames = 100000, .max_frame_errors = 50})), 500, 8);

@@ -265,7 +265,7 @@ TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
             "   1  B                beyond the sweep: at most 1 % lost in 1 .. 4 m\n"
             "   2  A                between 1 and 2 m; 8 of 10 units: 1 m to beyond 4 m\n"
             "as assumed; 8 of 10 units: of 16 drawn within what is not known of a part (--doubt "
-            "says more)\n");
+            "says more; measure yours: cosys-sim fit)\n");
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {
