@@ -2,6 +2,7 @@
 
 #include "sim/check/check_report.hpp"
 #include "sim/text/json_answer.hpp"
+#include "sim/text/row_table.hpp"
 
 namespace sim {
 namespace {
@@ -67,7 +68,35 @@ Json point_json(const PointCheck& c) {
           {"fault", fault_json(c.fault)}};
 }
 
+Json point_row(const PointCheck& c) {
+  return {{"name", c.point.name},
+          {"scenario", c.point.file.string()},
+          {"point", c.point.number},
+          {"verdict", name(c.verdict)},
+          {"pairing", name(c.pairing)},
+          {"baseline_n_frames", c.baseline.frames},
+          {"baseline_n_frames_lost", c.baseline.lost},
+          {"baseline_n_frames_undetected", c.baseline.undetected_error},
+          {"candidate_n_frames", c.candidate.frames},
+          {"candidate_n_frames_lost", c.candidate.lost},
+          {"candidate_n_frames_undetected", c.candidate.undetected_error},
+          {"p_lost", std::min(1.0, c.p_lost)},
+          {"p_undetected", std::min(1.0, c.p_undetected)},
+          {"power", number_or_null(c.power)},
+          {"fault", c.fault ? Json(name(c.fault->kind)) : Json(nullptr)}};
+}
+
 }  // namespace
+
+std::string check_table(const std::filesystem::path& place, const CheckReport& report) {
+  std::vector<Json> rows;
+  for (const PointCheck& check : report.checks) rows.push_back(point_row(check));
+  return row_table(place, rows);
+}
+
+bool is_check_table(const std::filesystem::path& path) {
+  return begins_as_csv(path, "name,scenario,point,verdict,") || begins_as_json_lines(path, "name");
+}
 
 std::string check_json(const CheckReport& report) {
   Json points = Json::array();

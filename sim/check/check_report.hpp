@@ -24,6 +24,9 @@ struct CheckReport {
 
 std::string check_text(const CheckReport& report);
 std::string check_json(const CheckReport& report);
+/// A row a point, for a file of that name (.csv, .json).
+std::string check_table(const std::filesystem::path& place, const CheckReport& report);
+bool is_check_table(const std::filesystem::path& path);
 /// A test case a point; valid by the schema of Jenkins' xunit plugin, junit-10.xsd.
 std::string check_junit(const CheckReport& report);
 /// Whether such a file was written by it.

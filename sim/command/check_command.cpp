@@ -13,6 +13,7 @@
 #include "sim/failure.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/text/new_file.hpp"
+#include "sim/text/row_table.hpp"
 #include "sim/text/shell_text.hpp"
 #include "sim/text/standard_output.hpp"
 #include "sim/threads/stop_signals.hpp"
@@ -154,6 +155,8 @@ ExitCode check_command(const CheckRequest& request) {
       request.decoder.empty() ? own_decoder(baseline) : request.decoder, request.program_settings);
   const auto again = make_built_in_decoder(baseline.decoder);
   if (request.junit) check_place(*request.junit, {is_check_junit, "a report of cosys-sim check"});
+  if (request.output)
+    check_row_table(*request.output, {is_check_table, "a table of cosys-sim check"});
   const CheckSetup setup{.rule = request.rule,
                          .frames = request.frames,
                          .candidate = *candidate,
@@ -173,10 +176,12 @@ ExitCode check_command(const CheckRequest& request) {
                            .options = repeated_options(request),
                            .scenario_options = scenario_options(request.options)};
   const auto answer = [&] { return request.json ? check_json(report) : check_text(report); };
-  if (request.junit)
+  const auto keep = [&](const fs::path& place, const std::string& text) {
     keep_finished(
-        *request.junit, [&](const fs::path& place) { write_file(place, check_junit(report)); },
-        answer);
+        place, [&](const fs::path& where) { write_file(where, text); }, answer);
+  };
+  if (request.junit) keep(*request.junit, check_junit(report));
+  if (request.output) keep(*request.output, check_table(*request.output, report));
   request.json ? print_json(answer()) : print(answer());
   return exit_code(verdict_of(checks));
 }

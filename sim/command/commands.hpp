@@ -170,7 +170,8 @@ struct CheckRequest {
   std::optional<std::uint32_t> explain;   // say what was sent, seen and read of it
   std::optional<std::uint32_t> minimise;  // look for the least that only the candidate loses it by
   std::optional<std::filesystem::path> junit;
-  int threads = 0;  // 0: one per processor
+  std::optional<std::filesystem::path> output;  // a table: .csv or .json
+  int threads = 0;                              // 0: one per processor
   bool quiet = false, json = false;
 };
 /// Whether a decoder is worse than its baseline: check_failed if it is, inconclusive if the frames
@@ -225,7 +226,8 @@ struct LocateRequest {
   double height_mm = 10;                    // of LED and receivers
   std::optional<std::vector<double>> area;  // x from, to, y from, to in metres
   bool intensity_unknown = false;
-  std::vector<std::string> given;  // names of all options that were: "--led"
+  std::vector<std::string> given;               // names of all options that were: "--led"
+  std::optional<std::filesystem::path> output;  // a table: .csv or .json
   bool json = false;
 };
 /// Where readings of light, measured or drawn, say that a device is; inconclusive if they leave it

@@ -124,6 +124,8 @@ void add_check(CLI::App& app, CheckRequest& request) {
       ->check(between(0, most_frames - 1))
       ->excludes(explain);
   add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to write");
+  add_place(check, "-o,--output", request.output, "FILE",
+            "table of points: .csv or .json (JSON lines)");
   add_scenario_options(check, request.options);
   add_threads(check, request.threads);
   check.add_flag("-q,--quiet", request.quiet, "no progress on stderr");

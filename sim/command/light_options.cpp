@@ -70,6 +70,8 @@ void add_locate(CLI::App& app, LocateRequest& request) {
       ->check(an_index)
       ->check(between(0, last_trial));
   add_scenario_options(locate, request.options);
+  add_place(locate, "-o,--output", request.output, "FILE",
+            "table of places: .csv or .json (JSON lines)");
   locate.add_flag("--json", request.json, "one JSON object on stdout, not text");
   locate.footer(
       "Exit code 4 if the readings leave it open. Example: cosys-sim locate "

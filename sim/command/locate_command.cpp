@@ -12,6 +12,8 @@
 #include "sim/location/location_report.hpp"
 #include "sim/location/location_settings.hpp"
 #include "sim/location/readings_file.hpp"
+#include "sim/text/new_file.hpp"
+#include "sim/text/row_table.hpp"
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -74,8 +76,11 @@ Location of_scenario(const LocateRequest& request) {
 }  // namespace
 
 ExitCode locate_command(const LocateRequest& request) {
+  if (request.output)
+    check_row_table(*request.output, {is_location_table, "a table of cosys-sim locate"});
   const bool is_scenario = request.readings.extension() == ".toml";
   const Location location = is_scenario ? of_scenario(request) : of_readings_file(request);
+  if (request.output) write_file(*request.output, location_table(*request.output, location));
   request.json ? print_json(location_json(location)) : print(location_text(location));
   return location.outcome == LocateOutcome::located ? ExitCode::done : ExitCode::inconclusive;
 }

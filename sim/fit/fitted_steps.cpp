@@ -55,8 +55,7 @@ ToldFeature told_feature(const PlanStep& step) {
             1e3 * static_cast<double>(step.cycles_on) / step.carrier_hz,
             "time until the output lets go", "ms"};
   if (is_train(step))  // how many are reported behind the first ones is chaotic
-    return {first_run, &StepFeatures::first_run, 1,
-            "first run of bursts, lost below 0", "1"};
+    return {first_run, &StepFeatures::first_run, 1, "first run of bursts, lost below 0", "1"};
   return {reported, &StepFeatures::reported, 100 / static_cast<double>(step.repeats),
           "bursts reported", "%"};
 }

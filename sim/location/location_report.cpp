@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "sim/text/json_answer.hpp"
+#include "sim/text/row_table.hpp"
 
 namespace sim {
 namespace {
@@ -71,7 +73,52 @@ const std::string& outcome_name(const Location& location) {
   return locate_outcome_names().at(static_cast<std::size_t>(location.outcome));
 }
 
+/// What belongs to a place is null.
+Json row_without_place(const Location& location) {
+  Json row{{"outcome", outcome_name(location)},
+           {"degrees_of_freedom", location.degrees_of_freedom},
+           {"probability", location.probability}};
+  for (const char* name : {"x_m", "y_m", "intensity", "chi_square", "covariance_xx_m2",
+                           "covariance_xy_m2", "covariance_yy_m2", "ellipse_x_m", "ellipse_y_m",
+                           "ellipse_semi_major_m", "ellipse_semi_minor_m", "ellipse_direction_deg"})
+    row[name] = nullptr;
+  return row;
+}
+
+Json place_row(const Location& location, const LocatedPlace& place) {
+  Json row = row_without_place(location);
+  row["x_m"] = place.at.at.x;
+  row["y_m"] = place.at.at.y;
+  row["intensity"] = place.at.intensity;
+  row["chi_square"] = place.chi_square;
+  if (place.covariance) {
+    row["covariance_xx_m2"] = place.covariance->xx;
+    row["covariance_xy_m2"] = place.covariance->xy;
+    row["covariance_yy_m2"] = place.covariance->yy;
+  }
+  if (!place.region) return row;
+  const auto& [outline, centre, ellipse] = *place.region;
+  row["ellipse_x_m"] = centre.x;
+  row["ellipse_y_m"] = centre.y;
+  row["ellipse_semi_major_m"] = ellipse.semi_major_m;
+  row["ellipse_semi_minor_m"] = ellipse.semi_minor_m;
+  row["ellipse_direction_deg"] = dsp::in_degrees(ellipse.direction);
+  return row;
+}
+
 }  // namespace
+
+std::string location_table(const std::filesystem::path& file, const Location& location) {
+  std::vector<Json> rows;
+  for (const LocatedPlace& place : location.places) rows.push_back(place_row(location, place));
+  if (rows.empty()) rows.push_back(row_without_place(location));
+  return row_table(file, rows);
+}
+
+bool is_location_table(const std::filesystem::path& path) {
+  return begins_as_csv(path, "outcome,degrees_of_freedom,probability,") ||
+         begins_as_json_lines(path, "outcome");
+}
 
 std::string location_text(const Location& location) {
   std::string text = fmt::format("{}: {}\n", outcome_name(location), meaning(location.outcome));

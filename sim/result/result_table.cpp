@@ -11,18 +11,13 @@
 #include <vector>
 
 #include "sim/scenario/sweep.hpp"
-#include "sim/text/existing_file.hpp"
 #include "sim/text/json_answer.hpp"
+#include "sim/text/row_table.hpp"
 
 namespace sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* csv_begin = "experiment,seed,point,";
-std::string json_begin() {
-  return fmt::format(R"({{"format_version":"{}","experiment":)", json_format_version);
-}
 
 /// Where a row is.
 struct Place {
@@ -72,15 +67,26 @@ class ResultTable {
       if (variable.on_axes) add(variable);
   }
 
-  const std::vector<TableColumn>& columns() const { return columns_; }
+  /// A row of which nothing is known.
+  Json names() const {
+    Json row;
+    for (const TableColumn& column : columns_) row[column.name] = nullptr;
+    return row;
+  }
 
-  void each_row(const std::function<void(const Place&)>& take) const {
+  void each_row(const std::function<void(const Json&)>& take) const {
     const std::size_t points = count_points(data_.axes), elements = rows_ ? rows_->size() : 1;
     for (std::size_t point = 0; point < points; ++point)
-      for (std::size_t element = 0; element < elements; ++element) take({point, element});
+      for (std::size_t element = 0; element < elements; ++element) take(row_at({point, element}));
   }
 
  private:
+  Json row_at(const Place& at) const {
+    Json row;
+    for (const TableColumn& column : columns_) row[column.name] = column.value(at);
+    return row;
+  }
+
   void add_place() {
     columns_.push_back({"experiment", [this](const Place&) { return Json(data_.experiment); }});
     columns_.push_back({"seed", [this](const Place&) { return Json(data_.seed); }});
@@ -131,54 +137,27 @@ class ResultTable {
   std::vector<TableColumn> columns_;
 };
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string csv_field(const Json& value) {
-  if (value.is_null()) return "";
-  if (value.is_string()) return quoted(value.get<std::string>());
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
-  return value.dump();
-}
-
 }  // namespace
 
 std::string result_as_csv(const Dataset& data) {
   const ResultTable table(data);
-  std::string text;
-  const auto end_line = [&] { text.back() = '\n'; };  // in place of the last comma
-  for (const TableColumn& column : table.columns()) text += quoted(column.name) + ',';
-  end_line();
-  table.each_row([&](const Place& at) {
-    for (const TableColumn& column : table.columns()) text += csv_field(column.value(at)) + ',';
-    end_line();
-  });
+  std::string text = csv_names(table.names());
+  table.each_row([&](const Json& row) { text += csv_line(row); });
   return text;
 }
 
 std::string result_as_json_lines(const Dataset& data) {
-  const ResultTable table(data);
   std::string text;
-  table.each_row([&](const Place& at) {
-    Json row;
-    for (const TableColumn& column : table.columns()) row[column.name] = column.value(at);
-    text += json_line(row);
-  });
+  ResultTable(data).each_row([&](const Json& row) { text += json_line(row); });
   return text;
 }
 
 bool is_csv_of_result(const std::filesystem::path& path) {
-  const std::string begin = csv_begin;
-  return beginning_of(path, begin.size()) == begin;
+  return begins_as_csv(path, "experiment,seed,point,");
 }
 
 bool are_json_lines_of_result(const std::filesystem::path& path) {
-  const std::string begin = json_begin();
-  return beginning_of(path, begin.size()) == begin;
+  return begins_as_json_lines(path, "experiment");
 }
 
 }  // namespace sim

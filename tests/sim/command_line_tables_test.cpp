@@ -1,4 +1,6 @@
-// Results as tables: run, find and merge into .csv and .json.
+// Results as tables: run, find, merge, check and locate into .csv and .json.
+#include <nlohmann/json.hpp>
+
 #include "program.hpp"
 
 namespace {
@@ -35,6 +37,44 @@ TEST_F(CommandLineTables, AreReadByPython) {
           .code,
       0);
   EXPECT_TRUE(read_by_python("csv.DictReader", "f.csv").starts_with("200 0 1.0 "));
+}
+
+TEST_F(CommandLineTables, HaveARowForEachPointOfACheck) {
+  ASSERT_EQ(program({"baseline", "s.toml", "-n", "16", "-q", "-o", "b.h5"}).code, 0);
+  for (const std::string file : {"c.csv", "c.json"})
+    for (int time = 0; time < 2; ++time)  // the second replaces the first
+      program({"check", "s.toml", "--baseline", "b.h5", "-q", "-o", file});
+  EXPECT_EQ(content(path("c.csv")).substr(0, 29), "name,scenario,point,verdict,p");
+  const std::string column = "import csv, json\nfor row in map(json.loads, open('c.json')):\n  ";
+  EXPECT_EQ(tool("python3", {"-c", column + "print(row['point'], row['candidate_n_frames_lost'])"}),
+            "0 0\n1 16\n");
+  EXPECT_EQ(tool("python3", {"-c",
+                             "import csv\nfor row in csv.DictReader(open('c.csv')):\n  "
+                             "print(row['point'], row['candidate_n_frames_lost'])"}),
+            "0 0\n1 16\n");
+  write("mine.csv", "x\n");
+  for (const auto& [name, why] :
+       {std::pair{"mine.csv",
+                  "cannot write mine.csv (it exists and is not a table of cosys-sim "
+                  "check) choose another name"},
+        {"c.txt",
+         "cannot write a table into c.txt (its ending names no format) end the name in "
+         ".csv or .json (JSON lines)"}})
+    expect_refused({"check", "s.toml", "--baseline", "b.h5", "-q", "-o", name}, 2, why);
+}
+
+TEST_F(CommandLineTables, HaveARowForEachPlaceOfReadings) {
+  write("l.toml", "experiment = \"location\"");
+  for (const std::string file : {"l.csv", "l.json"})
+    for (int time = 0; time < 2; ++time)
+      EXPECT_EQ(program({"locate", "l.toml", "-o", file}).code, 0);
+  const auto answer = nlohmann::json::parse(program({"locate", "l.toml", "--json"}).out);
+  const auto row = nlohmann::json::parse(content(path("l.json")));
+  EXPECT_EQ(row.at("outcome"), "located");
+  EXPECT_EQ(row.at("x_m"), answer.at("places")[0].at("x_m"));
+  EXPECT_EQ(row.at("ellipse_semi_major_m"),
+            answer.at("places")[0].at("ellipse_95").at("semi_major_m"));
+  EXPECT_TRUE(content(path("l.csv")).starts_with("outcome,degrees_of_freedom,probability,x_m,"));
 }
 
 TEST_F(CommandLineTables, AreNotGoneOnWith) {
