@@ -92,7 +92,8 @@ ToneDesign design_tone(const BallastLine& line, const FluorescentLight& lamp,
   const auto harmonic = static_cast<std::uint32_t>(line.harmonic);
   const std::uint32_t step = phase_word(lamp.ballast / sample_rate) * harmonic;
   const double turn = 2 * pi * step * 0x1p-32;
-  const double amplitude = line_amplitude(line, lamp.decibels_per_decade) * lamp.mean.value * 1e3;
+  const double amplitude =
+      lamp.ballast_share * line_amplitude(line, lamp.decibels_per_decade) * lamp.mean.value * 1e3;
   return {.step = step,
           .phase = phase_word(line.phase / (2 * pi)),
           .harmonic = harmonic,

@@ -50,6 +50,7 @@ struct FluorescentLight {
   /// The ballast's lines are printed in dB, without saying of what: 20 reads them as amplitudes, 10
   /// as powers, which the listing does. The line at twice the ballast's frequency is the same.
   double decibels_per_decade = 20;
+  double ballast_share = 1;  // of the model's lines of the ballast that there are
 };
 Disturbance design_fluorescent(const FluorescentLight& lamp, dsp::Hertz sample_rate);
 

@@ -11,6 +11,7 @@
 #include "protocol/cosys.hpp"
 #include "protocol/shared_link.hpp"
 #include "protocol/uart.hpp"
+#include "sim/scenario/disturbance_keys.hpp"
 
 namespace sim {
 namespace {
@@ -21,7 +22,20 @@ using dsp::Seconds;
 Seconds ms(double milliseconds) { return Seconds(milliseconds * 1e-3); }
 
 dsp::WattsPerSquareMetre irradiance(const DisturbanceSettings& d) {
-  return dsp::WattsPerSquareMetre(d.irradiance_w_per_m2);
+  const DisturbanceKind& kind = kind_of(d);
+  return kind.light_of_lux ? kind.light_of_lux(d.lux)
+                           : dsp::WattsPerSquareMetre(d.irradiance_w_per_m2);
+}
+
+/// Moreira's model as it is, of visible light; of a lamp by its lux the lines of the ballast are as
+/// deep as they are in the infrared.
+channel::FluorescentLight fluorescent_light(const DisturbanceSettings& d) {
+  const double line = channel::fluorescent_line(2, d.ballast_db_per_decade);
+  return {.mean = irradiance(d),
+          .mains = Hertz(d.mains_hz),
+          .ballast = Hertz(d.ballast_hz),
+          .decibels_per_decade = d.ballast_db_per_decade,
+          .ballast_share = kind_of(d).light_of_lux ? d.modulation_depth / line : 1};
 }
 
 void light_from(dsp::LogicTrace& drive, Seconds from, Seconds duration) {
@@ -130,9 +144,7 @@ bool sends_characters(const DisturbanceSettings& d) {
   return d.kind == "cosys" || d.kind == "sharedlink";
 }
 
-bool is_keyed(const DisturbanceSettings& d) {
-  return d.kind == "remote" || d.kind == "carrier" || sends_characters(d);
-}
+bool is_keyed(const DisturbanceSettings& d) { return kind_of(d).wave == LightWave::keyed; }
 
 dsp::WattsPerSquareMetre mean_of(const DisturbanceSettings& d) {
   return is_keyed(d) ? irradiance(d) * (d.carrier_duty * keyed_share(d)) : irradiance(d);
@@ -147,16 +159,18 @@ dsp::WattsPerSquareMetre ambient_of(const Scenario& s) {
 }
 
 channel::Disturbance design_disturbance(const DisturbanceSettings& d, Hertz rate) {
-  if (d.kind == "ripple")
-    return channel::design_ripple(irradiance(d), Hertz(d.mains_hz), d.modulation_depth, rate);
-  if (d.kind == "fluorescent")
-    return channel::design_fluorescent({.mean = irradiance(d),
-                                        .mains = Hertz(d.mains_hz),
-                                        .ballast = Hertz(d.ballast_hz),
-                                        .decibels_per_decade = d.ballast_db_per_decade},
-                                       rate);
-  if (d.kind == "pwm")
-    return channel::design_pwm(irradiance(d), Hertz(d.frequency_hz), d.duty, rate);
+  switch (kind_of(d).wave) {
+    case LightWave::steady:
+      return {};
+    case LightWave::ripple:
+      return channel::design_ripple(irradiance(d), Hertz(d.mains_hz), d.modulation_depth, rate);
+    case LightWave::fluorescent:
+      return channel::design_fluorescent(fluorescent_light(d), rate);
+    case LightWave::pulses:
+      return channel::design_pwm(irradiance(d), Hertz(d.frequency_hz), d.duty, rate);
+    case LightWave::keyed:
+      break;
+  }
   return channel::design_keyed_light(irradiance(d), Hertz(d.carrier_hz), d.carrier_duty, rate);
 }
 

@@ -11,6 +11,7 @@
 #include "protocol/uart.hpp"
 #include "sim/link/disturbance.hpp"
 #include "sim/link/theory.hpp"
+#include "sim/scenario/disturbance_keys.hpp"
 #include "sim/scenario/fidelity.hpp"
 
 namespace sim {
@@ -77,8 +78,9 @@ bool beyond_tail(const Scenario& s, const OperatingPoint& at) {
 bool disturbed_far_from_f0(const Scenario& s, const OperatingPoint&) {
   return std::ranges::any_of(s.disturbances, [&](const auto& named) {
     const DisturbanceSettings& d = named.second;
-    return is_keyed(d) ? is_far_from_f0(s, d.carrier_hz)
-                       : d.kind == "fluorescent" && is_far_from_f0(s, 2 * d.ballast_hz);
+    return is_keyed(d)
+               ? is_far_from_f0(s, d.carrier_hz)
+               : kind_of(d).wave == LightWave::fluorescent && is_far_from_f0(s, 2 * d.ballast_hz);
   });
 }
 

@@ -16,6 +16,7 @@
 #include "sim/page/frame_statistics.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/ranking.hpp"
+#include "sim/scenario/disturbance_keys.hpp"
 
 namespace sim {
 namespace {
@@ -66,7 +67,7 @@ std::vector<Trouble> troubles_of(const Scenario& s) {
       {"receiver.supply_ripple_mv=0"});
   for (const auto& [name, settings] : s.disturbances)
     add(true, fmt::format("without the disturbance {} ({})", name, settings.kind),
-        {fmt::format("disturbance.{}.irradiance_w_per_m2=0", name)});
+        {fmt::format("disturbance.{}.{}=0", name, kind_of(settings).numbers.front().facts.name)});
   return troubles;
 }
 

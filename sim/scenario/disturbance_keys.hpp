@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dsp/units.hpp"
 #include "sim/scenario/key.hpp"
 
 namespace sim {
@@ -15,11 +16,17 @@ struct DisturbanceNumber {
   double standard;
 };
 
+/// How a light moves in time.
+enum class LightWave { steady, ripple, fluorescent, pulses, keyed };
+
 struct DisturbanceKind {
-  std::string name;       // "fluorescent"
-  std::string long_name;  // "fluorescent lamp at an electronic ballast"
-  std::vector<DisturbanceNumber> numbers;
+  std::string name;                        // "fluorescent"
+  std::string long_name;                   // "fluorescent lamp at an electronic ballast"
+  std::vector<DisturbanceNumber> numbers;  // the first says how bright it is
+  LightWave wave = LightWave::keyed;
   bool has_message = false;
+  /// As if at 950 nm, of a lamp that is rated in lux.
+  dsp::WattsPerSquareMetre (*light_of_lux)(double lux) = nullptr;
 };
 
 const std::vector<DisturbanceKind>& disturbance_kinds();

@@ -1,6 +1,7 @@
 // What kinds of other light there are, with their numbers and defaults.
 #include <utility>
 
+#include "channel/ambient.hpp"
 #include "sim/scenario/disturbance_keys.hpp"
 
 namespace sim {
@@ -19,15 +20,23 @@ DisturbanceNumber mains() {
           50};
 }
 
+DisturbanceNumber depth(double standard) {
+  return {{"modulation_depth", "1", from(0, 1), "amplitude of the ripple over the mean",
+           "of its strongest line"},
+          &DisturbanceSettings::modulation_depth,
+          standard};
+}
+
 DisturbanceKind ripple_kind() {
-  return {"ripple",
-          "lamp at the mains",
-          {light_irradiance(1),
-           mains(),
-           {{"modulation_depth", "1", from(0, 1), "amplitude of the ripple over the mean",
-             "of incandescent lamps assumed: 0.05 to 0.1"},
-            &DisturbanceSettings::modulation_depth,
-            0.1}}};
+  return {
+      "ripple", "lamp at the mains", {light_irradiance(1), mains(), depth(0.1)}, LightWave::ripple};
+}
+
+DisturbanceNumber ballast(double standard) {
+  return {{"ballast_hz", "Hz", from(2e4, 1e5), "frequency of the ballast",
+           "the strongest line of the light is at twice that"},
+          &DisturbanceSettings::ballast_hz,
+          standard};
 }
 
 DisturbanceKind fluorescent_kind() {
@@ -35,27 +44,98 @@ DisturbanceKind fluorescent_kind() {
           "fluorescent lamp at an electronic ballast (Moreira's model)",
           {light_irradiance(0.03),
            mains(),
-           {{"ballast_hz", "Hz", from(2e4, 1e5), "frequency of the ballast",
-             "the strongest line of the light is at twice that"},
-            &DisturbanceSettings::ballast_hz,
-            37500},
+           ballast(37500),
            {{"ballast_db_per_decade", "1", from(10, 20), "dB that a decade of a ballast line is",
              "20: the model's dB are of amplitude; 10: of power, as in its program listing"},
             &DisturbanceSettings::ballast_db_per_decade,
-            20}}};
+            20}},
+          LightWave::fluorescent};
+}
+
+DisturbanceNumber pulses() {
+  return {{"frequency_hz", "Hz", from(50, 5e4), "frequency of the pulses", ""},
+          &DisturbanceSettings::frequency_hz,
+          1000};
+}
+
+DisturbanceNumber pulse_duty(double standard) {
+  return {{"duty", "1", from(0.01, 1), "lit fraction of a pulse's period", "1: not dimmed"},
+          &DisturbanceSettings::duty,
+          standard};
 }
 
 DisturbanceKind pwm_kind() {
   return {"pwm",
           "lamp dimmed by pulses",
-          {light_irradiance(0.1),
-           {{"frequency_hz", "Hz", from(50, 5e4), "frequency of the pulses", ""},
-            &DisturbanceSettings::frequency_hz,
-            1000},
-           {{"duty", "1", from(0.01, 0.99), "lit fraction of a pulse's period", ""},
-            &DisturbanceSettings::duty,
-            0.5}}};
+          {light_irradiance(0.1), pulses(), pulse_duty(0.5)},
+          LightWave::pulses};
 }
+
+// ---- lamps as they are bought ----
+
+DisturbanceNumber illuminance(double standard) {
+  return {{"lux", "lx", from(0, 200000), "illuminance of a lamp", "at the module"},
+          &DisturbanceSettings::lux,
+          standard};
+}
+
+/// 0.03 to 0.1: a filament's ripple, of which the eye sees 0.06 to 0.11, is 0.58 of that at 950 nm
+/// (Wien's law).
+DisturbanceKind incandescent_kind() {
+  return {"incandescent",
+          "incandescent lamp, 2856 K",
+          {illuminance(100), mains(), depth(0.05)},
+          LightWave::ripple,
+          false,
+          channel::tungsten_light};
+}
+
+/// Assumed, 0.02 to 0.08: thicker filaments.
+DisturbanceKind halogen_kind() {
+  return {"halogen",
+          "halogen lamp, 3000 K",
+          {illuminance(300), mains(), depth(0.04)},
+          LightWave::ripple,
+          false,
+          channel::halogen_light};
+}
+
+DisturbanceKind sun_kind() {
+  return {"sun", "sun and sky", {illuminance(10000)}, LightWave::steady, false, channel::daylight};
+}
+
+/// Assumed, 0.3 to 1: gas follows the current.
+DisturbanceKind magnetic_kind() {
+  return {"fluorescent_magnetic",
+          "fluorescent lamp at a magnetic ballast",
+          {illuminance(500), mains(), depth(0.8)},
+          LightWave::ripple,
+          false,
+          channel::fluorescent_light};
+}
+
+/// Of 1000 lx the test of IrDA links (Hewlett-Packard, HSDL-3201 sheet, p. 19) has a square wave of
+/// 0 to 3 mW/m2 between 850 and 900 nm, of which the fundamental is 0.17 of what a lamp has there;
+/// 0.03 to 0.5 are likely. Ballasts have 20 to 100 kHz, compact lamps more than 40 (ENERGY STAR).
+DisturbanceKind electronic_kind() {
+  return {"fluorescent_electronic",
+          "fluorescent lamp at an electronic ballast, in the infrared",
+          {illuminance(500), mains(), ballast(45000), depth(0.15)},
+          LightWave::fluorescent,
+          false,
+          channel::fluorescent_light};
+}
+
+DisturbanceKind led_panel_kind() {
+  return {"led_panel",
+          "white LEDs, dimmed by pulses or not",
+          {illuminance(500), pulses(), pulse_duty(1)},
+          LightWave::pulses,
+          false,
+          channel::white_led_light};
+}
+
+// ---- senders ----
 
 std::vector<DisturbanceNumber> keyed(double peak, double carrier_hz, double duty) {
   return {light_irradiance(peak),
@@ -126,8 +206,14 @@ std::vector<DisturbanceKind> make_kinds() {
   return {ripple_kind(),
           fluorescent_kind(),
           pwm_kind(),
+          incandescent_kind(),
+          halogen_kind(),
+          sun_kind(),
+          magnetic_kind(),
+          electronic_kind(),
+          led_panel_kind(),
           remote_kind(),
-          {"cosys", "another COSYS device", sender(), true},
+          {"cosys", "another COSYS device", sender(), LightWave::keyed, true},
           shared_link_kind(),
           {"carrier", "carrier without a pause, a jammer", keyed(0.001, 59e3, 0.5)}};
 }

@@ -77,6 +77,7 @@ struct DisturbanceSettings {
   std::string kind{};
   double irradiance_w_per_m2 = 0;  // mean of a lamp, peak of an on/off wave
   // Lamps.
+  double lux = 0;  // of those that are rated so, in place of the irradiance
   double mains_hz = 50, modulation_depth = 0;
   double ballast_hz = 0, ballast_db_per_decade = 20;
   double frequency_hz = 0, duty = 0.5;

@@ -49,6 +49,13 @@ TEST(Ambient, LuxOfTheDataSheet) {
   EXPECT_EQ(daylight(0).value + tungsten_light(0).value, 0);
 }
 
+// Planck's law at 950 nm, a lux: 5.2 of halogen's 3000 K for 6.2 of 2856 K.
+TEST(Ambient, LuxOfOtherLamps) {
+  EXPECT_NEAR(halogen_light(1000) / tungsten_light(1000), 5.2 / 6.2, 0.005);
+  EXPECT_DOUBLE_EQ(fluorescent_light(500).value, 0.01);
+  EXPECT_DOUBLE_EQ(white_led_light(500).value, 5e-4);
+}
+
 // I1: with a mean of 1 the line at twice the ballast's frequency is .476, whichever way the dB are
 // read, and the low part spans -.112 to +.149 (Ghassemlooy, Program 3.4).
 TEST(Fluorescent, CoefficientsOfTheModel) {

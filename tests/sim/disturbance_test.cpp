@@ -2,6 +2,7 @@
 // the link.
 #include "sim/link/disturbance.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "gtest/gtest.h"
@@ -63,17 +64,24 @@ TEST(DisturbanceKeys, TheKeptTextRepeatsTheRun) {
   EXPECT_EQ(again.sweep.at(0).values, first.sweep.at(0).values);
 }
 
+std::string kind_list(const std::string& between) {
+  std::string list;
+  for (const DisturbanceKind& kind : disturbance_kinds())
+    list += (list.empty() ? "" : between) + kind.name;
+  return list;
+}
+
 TEST(DisturbanceKeys, AreRefusedInOneLine) {
   EXPECT_EQ(refusal("[disturbance.a]\nkind = \"lamp\""),
             "disturbance.a.kind = \"lamp\" in x.toml:2 (the kind of another light is one of a "
-            "list) use ripple or fluorescent or pwm or remote or cosys or sharedlink "
-            "or carrier");
+            "list) use " +
+                kind_list(" or "));
   EXPECT_EQ(refusal("[disturbance.a]\nballast_hz = 30e3"),
-            "disturbance.a.ballast_hz in x.toml:2 (disturbance.a has no kind) add its kind: "
-            "ripple, fluorescent, pwm, remote, cosys, sharedlink, carrier");
-  EXPECT_EQ(refusal("", {"disturbance.a.duty=0.2,0.3"}),
-            "disturbance.a.duty in --set (disturbance.a has no kind) add its kind: "
-            "ripple, fluorescent, pwm, remote, cosys, sharedlink, carrier");
+            "disturbance.a.ballast_hz in x.toml:2 (disturbance.a has no kind) add its kind: " +
+                kind_list(", "));
+  EXPECT_EQ(
+      refusal("", {"disturbance.a.duty=0.2,0.3"}),
+      "disturbance.a.duty in --set (disturbance.a has no kind) add its kind: " + kind_list(", "));
   EXPECT_EQ(refusal("[disturbance.a]\nkind = \"carrier\"\nballast_hz = 30e3"),
             "disturbance.a.ballast_hz in x.toml:3 (no such key of kind carrier) it has "
             "irradiance_w_per_m2, carrier_hz, carrier_duty");
@@ -91,9 +99,10 @@ TEST(DisturbanceKeys, AreRefusedInOneLine) {
   EXPECT_EQ(refusal("[sweep]\ndisturbance.a.kind = [\"pwm\", \"ripple\"]"),
             "disturbance.a.kind in x.toml:2 (text cannot be swept) write one scenario for each "
             "text");
-  EXPECT_EQ(refusal("[disturbance.a]\nkind = \"pwm\"\nduty = 1"),
-            "disturbance.a.duty = 1 in x.toml:3 (lit fraction of a pulse's period must be at most "
-            "0.99) use a value 0.01 to 0.99");
+  EXPECT_EQ(
+      refusal("[disturbance.a]\nkind = \"pwm\"\nduty = 1.5"),
+      "disturbance.a.duty = 1.5 in x.toml:3 (lit fraction of a pulse's period must be at most "
+      "1) use a value 0.01 to 1");
 }
 
 TEST(DisturbanceKeys, ADisturbanceHasAName) {
@@ -137,6 +146,33 @@ TEST(Disturbance, AllSteadyLightIsAmbient) {
                              "disturbance.b.irradiance_w_per_m2=4"});
   EXPECT_DOUBLE_EQ(link.operating.ambient_w_per_m2, 5);
   EXPECT_EQ(link.chain.noise_dark, link_of({"ambient.irradiance_w_per_m2=5"}).chain.noise_dark);
+}
+
+// Vishay 82459 Fig. 6 for tungsten and day; of a fluorescent lamp 2e-5 W/m2 a lux, of LEDs 1e-6.
+TEST(Disturbance, LampsAreAsBrightAsTheirLux) {
+  const auto ambient = [](const std::string& kind, const std::string& lux) {
+    return link_of({"ambient.irradiance_w_per_m2=0", "disturbance.l.kind=" + kind,
+                    "disturbance.l.lux=" + lux})
+        .operating.ambient_w_per_m2;
+  };
+  EXPECT_DOUBLE_EQ(ambient("incandescent", "1400"), 10);
+  EXPECT_DOUBLE_EQ(ambient("halogen", "1400"), 8.4);
+  EXPECT_DOUBLE_EQ(ambient("sun", "8200"), 10);
+  EXPECT_DOUBLE_EQ(ambient("fluorescent_magnetic", "500"), 0.01);
+  EXPECT_DOUBLE_EQ(ambient("fluorescent_electronic", "500"), 0.01);
+  EXPECT_DOUBLE_EQ(ambient("led_panel", "500"), 5e-4);
+}
+
+// Of 500 lx the line at twice the ballast's frequency is 0.15 of 10 mW/m2.
+TEST(Disturbance, ABallastsLineIsAsDeepAsInTheInfrared) {
+  const auto tones = [](const std::vector<std::string>& set) {
+    return design_disturbance(loaded("", set).base.disturbances.at("l"), dsp::Hertz(600e3)).tones;
+  };
+  const auto lamp = tones({"disturbance.l.kind=fluorescent_electronic"});
+  const auto second = std::ranges::find(lamp, 2U, &channel::ToneDesign::harmonic);
+  ASSERT_NE(second, lamp.end());
+  EXPECT_NEAR(second->amplitude, 1.5, 1e-6);
+  EXPECT_EQ(tones({"disturbance.l.kind=sun"}).size(), 0U);
 }
 
 /// Share of time in which a drive wire is low.
@@ -255,6 +291,18 @@ TEST(Disturbance, BallastHitsHardestWhereItsSecondHarmonicPasses) {
   };
   EXPECT_EQ(at("29000"), 16u);
   EXPECT_EQ(at("37500"), 0u);
+}
+
+// Lamps of 500 lx: those that only follow the mains take nothing, and a ballast all where its
+// second line is in the pass-band.
+TEST(Disturbance, AnOfficeIsHeardWhereItsBallastIs) {
+  EXPECT_EQ(lost({"disturbance.l.kind=led_panel"}), 0u);
+  EXPECT_EQ(lost({"disturbance.l.kind=fluorescent_magnetic"}), 0u);
+  const auto at = [](const std::string& hertz) {
+    return lost({"disturbance.l.kind=fluorescent_electronic", "disturbance.l.ballast_hz=" + hertz});
+  };
+  EXPECT_EQ(at("29000"), 16u);
+  EXPECT_LT(at("45000"), 8u);
 }
 
 // A remote at 38 kHz, 18 dB down, still breaks the link at the light that it has from 1 m away.
