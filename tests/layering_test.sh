@@ -24,7 +24,7 @@ armadillo            sim/.*[.]cpp
 hdf5.*[.]h|H5.*[.]h  sim/result/(netcdf[.]cpp|hdf5_answers[.]cpp|hdf5_handle[.]hpp)
 toml[+][+]/.*        sim/scenario/entries[.]cpp
 CLI/.*               sim/command/(command_line|commands_added|read_usage|.*_options)[.].pp
-nlohmann/json_fwd[.]hpp      sim/result/(axis|unit_spread)_json[.]hpp
+nlohmann/json_fwd[.]hpp      sim/(result/(axis|unit_spread)_json|text/(json_answer|row_table))[.]hpp
 (fmt|nlohmann)/.*    sim/.*[.]cpp
 boost/.*             sim/.*[.]cpp
 cereal/.*            sim/engine/checkpoint_bytes[.]hpp

@@ -109,8 +109,10 @@ std::vector<std::string> disturbance_key_names(const std::string& name) {
   std::vector<std::string> names{disturbance_prefix + name + ".kind",
                                  disturbance_prefix + name + ".message"};
   for (const DisturbanceKind& kind : disturbance_kinds())
-    for (const DisturbanceNumber& number : kind.numbers)
-      names.push_back(disturbance_prefix + name + "." + number.facts.name);
+    for (const DisturbanceNumber& number : kind.numbers) {
+      const std::string key = disturbance_prefix + name + "." + number.facts.name;
+      if (std::ranges::find(names, key) == names.end()) names.push_back(key);
+    }
   return names;
 }
 

@@ -79,7 +79,8 @@ TEST_F(CommandLine, DecodesSharedLink) {
   EXPECT_NEAR(nlohmann::json::parse(line)["time_s"].get<double>(), 0.91, 1e-4);
   std::getline(lines, line);
   EXPECT_EQ(nlohmann::json::parse(line),
-            (nlohmann::json{{"outcome", "no bracket"}, {"message", ":AB|N0|D4"}}));
+            (nlohmann::json{
+                {"format_version", "1"}, {"outcome", "no bracket"}, {"message", ":AB|N0|D4"}}));
   EXPECT_EQ(program({"decode", "t.vcd"}).out.find(" ok "), std::string::npos);
 }
 

@@ -86,7 +86,7 @@ TEST_F(PartsCommand, JsonHasTheSame) {
   EXPECT_NEAR(json["figures"][0]["model"][1], 10, 1e-9);
   EXPECT_NEAR(json["figures"][0]["rms_deviation"], 0.25 / std::sqrt(3), 1e-9);
   const auto list = nlohmann::json::parse(program({"parts", "--parts", "mine", "--json"}).out);
-  EXPECT_GT(list.size(), 20u);
+  EXPECT_GT(list.at("parts").size(), 20u);
 }
 
 TEST_F(PartsCommand, RefusesFiguresThatAreNot) {

@@ -82,7 +82,7 @@ TEST_F(Serve, BeginsWhenSomebodyComes) {
   const PortReader reader(path("ttyCOSYS"));
   EXPECT_TRUE(reader.read(message.size()).starts_with(message));
   const Outcome o = line->finish(SIGTERM);
-  EXPECT_TRUE(o.out.starts_with("{\"message\":0,")) << o.out;
+  EXPECT_TRUE(o.out.starts_with("{\"format_version\":\"1\",\"message\":0,")) << o.out;
   EXPECT_EQ(sum_of(o.out, "bytes_lost"), 0U);
   EXPECT_NE(o.err.find("ttyCOSYS; it starts when somebody opens it\n"), std::string::npos) << o.err;
 }
