@@ -37,7 +37,7 @@ openssl/.*           sim/(page|trace)/.*[.]cpp
 
 # Files in sim itself are known to all, but main.cpp, which knows all.
 sim_order='threads text picture noise counting scenario components link loading trial result engine columns section
-           link_experiment false_accepts arena guard capture shared_link location trace report page serial check node
+           link_experiment false_accepts capture arena guard shared_link location trace report page serial check node
            serve fit command'
 
 # shellcheck disable=SC2016 # the $ are those of awk

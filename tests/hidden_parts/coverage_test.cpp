@@ -19,8 +19,8 @@
 namespace hidden {
 namespace {
 
-constexpr double first_level = 60;  // mW/m2
-constexpr std::uint64_t seed = 21;  // none that the fit was made by
+constexpr double level_of_many = 60;  // mW/m2
+constexpr std::uint64_t seed = 21;    // none that the fit was made by
 
 std::uint32_t wanted_parts(std::uint32_t usual) {
   const char* told = std::getenv("COSYS_HIDDEN_PARTS");
@@ -47,9 +47,9 @@ std::vector<Fitted> fitted_parts(const PartDraw& draw, std::uint32_t wanted) {
     std::vector<HiddenPart> parts;
     for (std::uint32_t k = first; k < std::min<std::uint32_t>(wanted, first + most_parts); ++k)
       parts.push_back(draw_part(draw, k, plan));
-    const auto recordings = recordings_of(plan, parts, first_level);
+    const auto recordings = recordings_of(plan, parts, level_of_many);
     for (std::size_t i = 0; i < parts.size(); ++i)
-      all.push_back({parts[i], sim::fit_module({{plan, recordings[i], first_level}}, {})});
+      all.push_back({parts[i], sim::fit_module({{plan, recordings[i], level_of_many}}, {})});
   }
   return all;
 }
