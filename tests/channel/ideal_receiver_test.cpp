@@ -143,9 +143,9 @@ void expect_full_amplitude(double carrier_hz, double rate_hz, Statistic statisti
 }
 
 TEST(IdealReceiver, SampleRateDoesNotMoveTheAmplitude) {
-  for (const double rate : {2.5e5, 3e5, 5e5, 6e5, 1e6, 2.4e6})
+  for (const double sample_rate : {2.5e5, 3e5, 5e5, 6e5, 1e6, 2.4e6})
     for (const auto statistic : {Statistic::in_phase, Statistic::envelope})
-      expect_full_amplitude(59e3, rate, statistic);
+      expect_full_amplitude(59e3, sample_rate, statistic);
 }
 
 // 57 600 and 58 800 Hz are 96 and 98 cycles a bit of 600 Bd, the others no whole number.
