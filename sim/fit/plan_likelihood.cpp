@@ -53,7 +53,8 @@ PlanLikelihood::PlanLikelihood(const JoinedLight& light, const std::vector<std::
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) add_level(s, level_error_db);
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
     const auto bursts = bursts_of(recorded_, first_, s);
-    heard_.push_back(features_of(plan_.steps[s], bursts, bursts));
+    heard_.push_back(features_of(plan_.steps[s], bursts));
+    take_means(plan_.steps[s], bursts, bursts, heard_.back());
   }
 }
 
@@ -128,7 +129,9 @@ void PlanLikelihood::play(const Played& played,
 PlanLikelihood::Compared PlanLikelihood::compared_step(const Numbers& x, std::size_t s) const {
   const PlanStep& step = plan_.steps[s];
   const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
-  Compared compared{features_of(step, recorded, ruled), features_of(step, ruled, recorded)};
+  Compared compared{heard_[s], features_of(step, ruled)};
+  take_means(step, recorded, ruled, compared.recorded);
+  take_means(step, ruled, recorded, compared.ruled);
   const double cycle_s = 1 / value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
   const std::size_t capture = origin_[s].capture;
   compared.ruled.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +

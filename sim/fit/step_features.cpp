@@ -50,11 +50,11 @@ double first_run_of(std::span<const BurstOutput> bursts) {
 double reported_of(const PlanStep& step, std::span<const BurstOutput> bursts) {
   constexpr double least_share = 0.6;
   const double on = static_cast<double>(step.cycles_on) / step.carrier_hz;
+  if (is_long_carrier(step)) return bursts.empty() ? 0 : bursts.front().low_s / on;
+  const double a_second = 1 / (least_share * on);
   double reported = 0;
   for (const BurstOutput& burst : bursts)
-    reported += is_long_carrier(step)
-                    ? burst.low_s / on
-                    : burst.share * std::min(1.0, burst.low_s / (least_share * on));
+    reported += burst.share * std::min(1.0, burst.low_s * a_second);
   return reported;
 }
 
@@ -130,29 +130,33 @@ std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& r
   return bursts;
 }
 
-StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts,
-                         std::span<const BurstOutput> others) {
+StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts) {
   StepFeatures features;
   features.reported = reported_of(step, bursts);
   if (is_train(step)) features.first_run = first_run_of(bursts);
-  const bool is_carrier = is_long_carrier(step);
+  return features;
+}
+
+void take_means(const PlanStep& step, std::span<const BurstOutput> bursts,
+                std::span<const BurstOutput> others, StepFeatures& features) {
+  const bool is_of_train = is_train(step), is_carrier = is_long_carrier(step);
   const auto both = [&](std::size_t i) {
     return i < bursts.size() && bursts[i].share >= 0.5 && others[i].share >= 0.5;
   };
   double low = 0, start = 0;
+  features.with_low = features.with_start = 0;
   for (std::size_t i = 0; i < bursts.size(); ++i) {
     if (!both(i)) {
-      if (is_train(step) && features.with_low > 0) break;
+      if (is_of_train && features.with_low > 0) break;
       continue;
     }
     const bool is_last = bursts.size() > 1 && !both(i + 1);
     if (!is_carrier && !is_last) low += bursts[i].low_s, ++features.with_low;
-    if (!is_train(step) && bursts[i].begins && others[i].begins)
+    if (!is_of_train && bursts[i].begins && others[i].begins)
       start += bursts[i].start_s, ++features.with_start;
   }
-  if (features.with_low > 0) features.low_s = low / features.with_low;
-  if (features.with_start > 0) features.start_s = start / features.with_start;
-  return features;
+  features.low_s = features.with_low > 0 ? low / features.with_low : 0;
+  features.start_s = features.with_start > 0 ? start / features.with_start : 0;
 }
 
 }  // namespace sim

@@ -41,9 +41,12 @@ std::vector<BurstOutput> recorded_bursts(const Plan& plan, const PinRecording& r
 /// Bursts that come so often that the gain may let go of them.
 bool is_train(const PlanStep& step);
 
-/// Of one step. Means are over the bursts that both report, of a train over the first of them that
+/// Of one step, but for the means.
+StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts);
+
+/// Takes the means anew, over the bursts that both report, of a train over the first of them that
 /// follow each other.
-StepFeatures features_of(const PlanStep& step, std::span<const BurstOutput> bursts,
-                         std::span<const BurstOutput> others);
+void take_means(const PlanStep& step, std::span<const BurstOutput> bursts,
+                std::span<const BurstOutput> others, StepFeatures& features);
 
 }  // namespace sim
