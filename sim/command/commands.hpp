@@ -47,6 +47,7 @@ struct RunRequest {
   bool quiet = false, json = false;
   bool resume = false;  // go on with what the result files have
   Shard shard;
+  bool table = false;        // a row for each point, however many there are
   bool plot = false;         // draw the ratios as characters
   bool profile = false;      // say where the time went
   bool plan = false;         // say what the run would take, and run nothing else
@@ -137,7 +138,8 @@ struct MergeRequest {
 /// Adds shards of one experiment up.
 ExitCode merge_command(const MergeRequest& request);
 
-/// For each picture of a report by itself; nothing where none of the kind are wanted.
+/// For each picture of a report by itself; nothing where none of the kind are wanted. A `pdf` that
+/// ends in .pdf is a file, the report for print.
 struct PictureFolders {
   std::optional<std::filesystem::path> svg, png, pdf;
 };

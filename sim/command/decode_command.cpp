@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -42,7 +41,7 @@ void print_line(const DecodedCapture& decoded) {
 
 ExitCode decode_one(const DecodeRequest& request) {
   ReadingProgress progress("reading " + escaped_name(request.captures.front().string()),
-                           ::isatty(STDOUT_FILENO) == 0);
+                           !is_terminal());
   DecodeListener listener;
   listener.chosen = [&](const DecodedCapture& decoded) {
     if (!request.json) print(reading_line(decoded));

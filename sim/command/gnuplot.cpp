@@ -53,8 +53,9 @@ void require_gnuplot(PaperFormat format) {
                             format == PaperFormat::png ? "png" : "pdf", fault));
 }
 
-std::optional<std::string> drawn_by_gnuplot(const std::string& svg, PaperFormat format) {
-  Answer answer = answer_to(gnuplot_script(svg, format));
+std::optional<std::string> drawn_by_gnuplot(const std::vector<std::string>& drawings,
+                                            PaperFormat format) {
+  Answer answer = answer_to(gnuplot_script(drawings, format));
   if (answer.waited == Waited::stopped) return std::nullopt;
   std::optional<std::string> file = marked_as_own(std::move(answer.bytes), format);
   if (answer.fault.empty() && file) return file;

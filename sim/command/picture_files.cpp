@@ -7,6 +7,7 @@
 
 #include "sim/command/gnuplot.hpp"
 #include "sim/failure.hpp"
+#include "sim/page/paper.hpp"
 #include "sim/picture/image_provenance.hpp"
 #include "sim/picture/svg.hpp"
 #include "sim/text/new_file.hpp"
@@ -29,6 +30,12 @@ const std::array kinds{PictureKind{&PictureFolders::svg, ".svg", is_drawing, std
 
 using PlacedPictures = std::map<fs::path, const PagePicture*>;
 
+/// Whether the report for print is asked for, not a folder.
+bool is_paper(const PictureKind& kind, const fs::path& place) {
+  return kind.drawn_as == PaperFormat::pdf && place.extension() == ".pdf" &&
+         !fs::is_directory(place);
+}
+
 const PagePicture* picture_in(const PageSection& section) {
   if (section.trial) return &section.trial->still;
   return section.picture ? &*section.picture : nullptr;
@@ -49,7 +56,8 @@ PlacedPictures places_of(const Page& page, const fs::path& folder, const char* e
 }
 
 std::optional<std::string> drawn(const PagePicture& picture, const PictureKind& kind) {
-  return kind.drawn_as ? drawn_by_gnuplot(picture.svg, *kind.drawn_as) : always_light(picture.svg);
+  return kind.drawn_as ? drawn_by_gnuplot({picture.svg}, *kind.drawn_as)
+                       : always_light(picture.svg);
 }
 
 }  // namespace
@@ -64,7 +72,15 @@ std::optional<std::vector<PictureFile>> picture_files(const Page& page,
   std::vector<PictureFile> files;
   for (const PictureKind& kind : kinds) {
     if (!(folders.*kind.folder)) continue;
-    const PlacedPictures places = places_of(page, *(folders.*kind.folder), kind.ending);
+    const fs::path& folder = *(folders.*kind.folder);
+    if (is_paper(kind, folder)) {
+      refuse_to_lose(folder, {kind.is_own, "a PDF of cosys-sim"});
+      std::optional<std::string> bytes = drawn_by_gnuplot(paper_pages(page), PaperFormat::pdf);
+      if (!bytes) return std::nullopt;
+      files.push_back({folder, std::move(*bytes)});
+      continue;
+    }
+    const PlacedPictures places = places_of(page, folder, kind.ending);
     for (const auto& [place, picture] : places)
       refuse_to_lose(place, {kind.is_own, "a picture of cosys-sim"});
     for (const auto& [place, picture] : places) {
@@ -78,7 +94,7 @@ std::optional<std::vector<PictureFile>> picture_files(const Page& page,
 
 void make_folders(const PictureFolders& folders) {
   for (const PictureKind& kind : kinds) {
-    if (!(folders.*kind.folder)) continue;
+    if (!(folders.*kind.folder) || is_paper(kind, *(folders.*kind.folder))) continue;
     const fs::path& folder = *(folders.*kind.folder);
     std::error_code error;
     fs::create_directories(folder, error);

@@ -128,6 +128,7 @@ std::unique_ptr<ReadyRun> ready_run(const RunRequest& request, Run run, ProcessG
                        .processes = processes,
                        .json = request.json,
                        .quiet = request.quiet,
+                       .table = request.table,
                        .plot = request.plot,
                        .profile = request.profile,
                        .counted_in = goes_on ? std::vector{run.output} : std::vector<fs::path>{},

@@ -74,6 +74,10 @@ void add_run(CLI::App& app, RunRequest& request) {
       ->excludes("--resume")
       ->excludes("--shard")
       ->excludes(plan);
+  run.add_flag(
+      "--table", request.table,
+      "print a row for each point also of more than 40 on a terminal, which otherwise sees "
+      "where the columns are least and greatest");
   run.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   run.add_flag("--json", request.json, "one JSON object a scenario on stdout, not the table")
       ->excludes(plan)
@@ -164,7 +168,8 @@ void add_report(CLI::App& app, ReportRequest& request) {
   add_place(report, "--svg", request.pictures.svg, "DIR", "put each picture there too, as SVG");
   add_place(report, "--png", request.pictures.png, "DIR",
             "as PNG, two pixels for each of the SVG's; needs gnuplot");
-  add_place(report, "--pdf", request.pictures.pdf, "DIR", "as PDF; needs gnuplot");
+  add_place(report, "--pdf", request.pictures.pdf, "OUT.pdf|DIR",
+            "for print: at most four A4 pages; or in a folder each picture as PDF; needs gnuplot");
   add_threads(report, request.threads);
   report.footer("Example: cosys-sim report quickstart.h5 -o report.html");
 }

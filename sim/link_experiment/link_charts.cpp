@@ -46,8 +46,8 @@ Estimate bit_errors_of(const LinkPoint& point, double level) {
 }
 
 constexpr Ratio ratios[] = {
-    {"Bit errors", "bit error ratio (BER)", {}, bit_errors_of, &OperatingPoint::ber_theory},
-    {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_of, nullptr}};
+    {"Frame loss", "frame loss ratio (FLR)", 0.01, frame_loss_of, nullptr},
+    {"Bit errors", "bit error ratio (BER)", {}, bit_errors_of, &OperatingPoint::ber_theory}};
 
 Chart chart_of(const LinkResult& result, std::size_t over, const Ratio& ratio) {
   Chart chart{.title = ratio.title,

@@ -108,7 +108,8 @@ Estimate stored_loss(const Point& p) {
 }
 
 void add_losses(Columns<Point>& columns) {
-  columns.ratio({"flr", "1", "frame loss ratio"}, stored_loss);
+  columns.ratio({"flr", "1", "frame loss ratio"}, stored_loss)
+      .drawn({"Frame loss", "frame loss ratio (FLR)", true});
   columns.count({}, [](const Point& p) { return p.tally.n_frames_lost; }).called("frames lost");
   columns.ratio({}, [](const Point& p) { return frame_loss_of(p, ci_level); })
       .headed({{"", "frame loss ratio", "[interval]"}, -estimate_width});

@@ -9,6 +9,7 @@
 #include "sim/columns/closing_lines.hpp"
 #include "sim/counting/statistics.hpp"
 #include "sim/link/validity.hpp"
+#include "sim/link_experiment/answer_text.hpp"
 #include "sim/result/alarms.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
@@ -109,7 +110,8 @@ std::string loss_reasons(const LinkResult& result) {
 
 std::string link_notes(const LinkResult& result, const Ranking& ranking) {
   const std::string notes = mark_notes(result) + loss_reasons(result);
-  return has_units(result.axes) ? notes : notes + ranking_lines(result, ranking);
+  if (has_units(result.axes)) return notes;
+  return notes + ranking_lines(result, ranking) + answer_sentence(result, ranking);
 }
 
 std::string missing_lines(const LinkResult& result) {

@@ -143,7 +143,7 @@ bool goes_one_way(const Ranking& ranking, const LinkResult& result, const LinkPo
     });
   };
   const bool is_known =
-      axis.key == "receiver.range_m" || count({Kind::fitted, Kind::jump, Kind::bracketed}) > 0;
+      axis.key == distance_key || count({Kind::fitted, Kind::jump, Kind::bracketed}) > 0;
   return is_known && count({Kind::not_monotone, Kind::unclear}) == 0;
 }
 

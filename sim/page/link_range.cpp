@@ -7,6 +7,8 @@
 #include <functional>
 #include <utility>
 
+#include "sim/result/ranking.hpp"
+
 namespace sim {
 namespace {
 
@@ -43,7 +45,7 @@ std::string ends_of(std::vector<LinkRange> ranges) {
 }  // namespace
 
 std::string link_range_heading(const std::string& along) {
-  return along == "receiver.range_m" ? "How far each reaches" : "Where each fails";
+  return along == distance_key ? "How far each reaches" : "Where each fails";
 }
 
 std::string link_range_line(const std::vector<LinkRange>& ranges,

@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/columns/validity_column.hpp"
 #include "sim/link/validity.hpp"
+#include "sim/link_experiment/answer_text.hpp"
+#include "sim/page/link_range.hpp"
 #include "sim/page/numbers_section.hpp"
+#include "sim/picture/reach_bars.hpp"
 #include "sim/result/crossing_text.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/scenario/flags.hpp"
@@ -63,6 +68,56 @@ std::string doubts_text(const Ranking& ranking) {
          "run with --doubt says more; cosys-sim fit measures yours.";
 }
 
+std::string heading_of(const LinkResult& result, const Ranking& ranking) {
+  const std::string along = result.axes[ranking.abscissa].key;
+  if (ranking.rows.size() > 1) return link_range_heading(along);
+  return along == distance_key ? "How far it reaches" : "Where it fails";
+}
+
+/// Where a bar ends, and its interval; nothing of what is not told.
+void set_reach(ReachBar& bar, const Crossing& c, bool more_is_better) {
+  using Kind = Crossing::Kind;
+  const bool is_beyond = c.kind == (more_is_better ? Kind::all_above : Kind::all_below);
+  bar.at = bar.low = bar.high = is_beyond ? HUGE_VAL : -HUGE_VAL;
+  if (c.kind != Kind::fitted && c.kind != Kind::jump && c.kind != Kind::bracketed) return;
+  bar.at = c.at;
+  bar.low = c.low;
+  bar.high = c.high;
+}
+
+ReachBars bars_of(const LinkResult& result, const Ranking& ranking) {
+  const Axis& along = result.axes[ranking.abscissa];
+  const auto [least, most] = std::ranges::minmax(along.values);
+  ReachBars bars{.title = heading_of(result, ranking),
+                 .description = fmt::format("Where frame loss passes {:g} % along {}, a bar a link",
+                                            100 * ranking.flr, along.key),
+                 .axis = axis_name(along),
+                 .from = along.key == distance_key ? 0 : least,
+                 .to = most,
+                 .bars = {}};
+  for (const RowCrossing& row : ranking.rows) {
+    const bool is_only = ranking.rows.size() == 1 && row.doubt;
+    ReachBar bar{is_only ? row.doubt->part : link_words(result, ranking, row),
+                 short_crossing_words(along, row.crossing, ranking.more_is_better)};
+    set_reach(bar, row.crossing, ranking.more_is_better);
+    if (row.doubt) {
+      const UnitRange span = span_of(row.doubt->quantiles);
+      bar.units = {span.low, span.high};
+    }
+    bars.bars.push_back(std::move(bar));
+  }
+  return bars;
+}
+
+/// Of so many that each is seen.
+std::optional<PagePicture> reach_picture(const LinkResult& result, const Ranking& ranking) {
+  constexpr std::size_t most_bars = 40;
+  if (ranking.rows.size() > most_bars) return std::nullopt;
+  const ReachBars bars = bars_of(result, ranking);
+  if (bars.to <= bars.from) return std::nullopt;
+  return PagePicture{picture_name(bars.title), bars.description, reach_bars_as_svg(bars)};
+}
+
 std::string link_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
   std::vector<Axis> axes;
   for (const std::size_t axis : ranking.others) axes.push_back(result.axes[axis]);
@@ -91,8 +146,9 @@ PageSection link_range_section(const LinkResult& result, const Ranking& ranking)
     if (has_doubts(ranking)) cells.push_back(doubt_of(result, ranking, row));
     table.rows.push_back(std::move(cells));
   }
-  return {.heading = link_range_heading(result.axes[ranking.abscissa].key),
+  return {.heading = heading_of(result, ranking),
           .text = doubts_text(ranking),
+          .picture = reach_picture(result, ranking),
           .table = std::move(table)};
 }
 

@@ -10,7 +10,7 @@ namespace sim {
 /// One for each of the ranking's rows, in its order.
 std::vector<LinkRange> link_ranges_of(const LinkResult& result, const Ranking& ranking);
 
-/// As a table with a column for each swept key; at least one row.
+/// A bar a link, and a table with a column for each swept key; at least one row.
 PageSection link_range_section(const LinkResult& result, const Ranking& ranking);
 
 }  // namespace sim

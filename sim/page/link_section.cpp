@@ -96,7 +96,9 @@ void add_maps(ReportSection& report, const LinkResult& result) {
 
 void add_ranking(ReportSection& report, const LinkResult& result, const Ranking& ranking) {
   report.link_ranges = link_ranges_of(result, ranking);
-  if (ranking.rows.size() > 1) report.first.push_back(link_range_section(result, ranking));
+  const bool is_known = ranking.rows.size() == 1 && !ranking.rows.front().doubt;
+  if (!ranking.rows.empty() && !is_known)
+    report.first.push_back(link_range_section(result, ranking));
 }
 
 void add_units(ReportSection& report, const UnitSpread& spread,
@@ -152,9 +154,8 @@ void add_shown_trial(ReportSection& report, const LinkResult& result, const Show
 ReportSection link_section(const LinkReport& link) {
   const LinkResult& result = link.result;
   ReportSection report{link.name, result.title,
-                       setup_words(link.settings) +
-                           summary_of(result, link.ranking, link.ablations) +
-                           marked_points(result)};
+                       answer_of(result, link.ranking) + setup_words(link.settings) +
+                           summary_of(result, link.ablations) + marked_points(result)};
   report.settings = link.settings;
   report.scenario = scenario_section(result.command, result.scenario_toml);
   if (const auto units = unit_spread(result))

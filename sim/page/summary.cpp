@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 
 #include "sim/columns/estimate_text.hpp"
 #include "sim/columns/unit_spread_text.hpp"
 #include "sim/counting/statistics.hpp"
+#include "sim/link_experiment/answer_text.hpp"
 #include "sim/link_experiment/link_notes.hpp"
-#include "sim/page/link_range_section.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
@@ -26,11 +27,13 @@ std::string sentence(std::string text) {
   return text;
 }
 
-/// Lines that end as sentences do.
-std::string ended(std::string lines) {
-  for (auto at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 2))
-    if (at > 0 && lines[at - 1] != '.') lines.insert(at, ".");
-  return lines;
+/// Each line as a sentence.
+std::string sentences(const std::string& lines) {
+  std::string text;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) text += sentence(line) + (line.ends_with('.') ? "\n" : ".\n");
+  return text;
 }
 
 /// Of several points together the ratio means nothing.
@@ -48,34 +51,6 @@ std::string size_of(const LinkResult& result) {
   return fmt::format("{} frames were simulated{}; {} of them were lost{}.\n", all.n_frames,
                      points > 1 ? fmt::format(" at {} points", points) : "", all.n_frames_lost,
                      more);
-}
-
-/// "TSSP4056 (between 12 and 14 m)": those that reach farthest, where all are compared with each
-/// other.
-std::vector<std::string> best_of(const LinkResult& result, const Ranking& ranking,
-                                 const std::vector<LinkRange>& link_ranges) {
-  std::vector<std::string> names;
-  const auto is_text = [&](std::size_t axis) { return result.axes[axis].is_text(); };
-  if (!ranking.best_first || !std::ranges::all_of(ranking.others, is_text)) return names;
-  for (std::size_t place = 0; place < ranking.rows.size(); ++place) {
-    const RowCrossing& row = ranking.rows[place];
-    if (row.place != 1) continue;
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < ranking.others.size(); ++i)
-      texts.push_back(coordinate_text(result.axes[ranking.others[i]], row.others[i]));
-    names.push_back(fmt::format("{} ({})", fmt::join(texts, " with "), link_ranges[place].words));
-  }
-  return names;
-}
-
-/// Where there are many rows they have a section of their own.
-std::string reach_of(const LinkResult& result, const Ranking& ranking) {
-  if (const auto units = unit_spread(result)) return ended(sentence(range_lines(*units)));
-  if (ranking.rows.size() <= 1) return ended(sentence(ranking_lines(result, ranking)));
-  const std::vector<LinkRange> link_ranges = link_ranges_of(result, ranking);
-  std::vector<std::string> best = best_of(result, ranking, link_ranges);
-  if (best.size() == ranking.rows.size()) best.clear();
-  return link_range_line(link_ranges, best);
 }
 
 /// "1.5 [0.3, 4.3] %"
@@ -152,10 +127,15 @@ std::string without_estimate(const LinkResult& result) {
 
 }  // namespace
 
-std::string summary_of(const LinkResult& result, const Ranking& ranking,
-                       const Ablations& ablations) {
-  return ended(sentence(missing_lines(result))) + size_of(result) + without_estimate(result) +
-         reach_of(result, ranking) + where_it_fails(result) + what_limits(ablations);
+std::string answer_of(const LinkResult& result, const Ranking& ranking) {
+  if (const auto units = unit_spread(result)) return sentences(range_lines(*units));
+  if (ranking.rows.size() <= 1) return sentences(ranking_lines(result, ranking));
+  return answer_sentence(result, ranking);
+}
+
+std::string summary_of(const LinkResult& result, const Ablations& ablations) {
+  return sentences(missing_lines(result)) + size_of(result) + without_estimate(result) +
+         where_it_fails(result) + what_limits(ablations);
 }
 
 }  // namespace sim

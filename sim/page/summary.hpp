@@ -8,9 +8,12 @@
 
 namespace sim {
 
-/// A sentence a line: how much was simulated, how far the link reaches at 1 % frame loss, what it
-/// is like where it fails, what limits it there, what is missing.
-std::string summary_of(const LinkResult& result, const Ranking& ranking,
-                       const Ablations& ablations);
+/// What a reader came for: how far the links reach at 1 % frame loss, which of several furthest, how
+/// many units carry. Empty of weighted results, and where nothing was swept.
+std::string answer_of(const LinkResult& result, const Ranking& ranking);
+
+/// A sentence a line: what is missing, how much was simulated, what the link is like where it
+/// fails, what limits it there.
+std::string summary_of(const LinkResult& result, const Ablations& ablations);
 
 }  // namespace sim

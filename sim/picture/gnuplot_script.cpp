@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <pugixml.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -62,33 +64,59 @@ std::string colour(const SvgInk& ink) {
   return fmt::format("rgb '#{:02x}{:06x}'", std::lround(255 * (1 - ink.opacity)), ink.rgb);
 }
 
+/// Where a drawing stands in another.
+struct Placement {
+  SvgPoint corner{};
+  double scale = 1;
+
+  SvgPoint operator()(const SvgPoint& point) const {
+    return {corner.x + scale * point.x, corner.y + scale * point.y};
+  }
+};
+
 class Script {
  public:
   Script(PaperFormat format, double width, double height, const SvgInk& paper)
-      : terminal_(terminal_of(format)) {
+      : terminal_(terminal_of(format)), width_(width), height_(height) {
     set_terminal(format, std::ceil(width * terminal_.scale), std::ceil(height * terminal_.scale),
                  paper);
-    fill({{0, 0}, {width, 0}, {width, height}, {0, height}}, paper);  // there must be some plot
+    begin_page(paper);
   }
 
-  void draw(const std::vector<Polyline>& lines, const SvgLook& look) {
+  void begin_page(const SvgInk& paper) {  // there must be some plot
+    fill({{0, 0}, {width_, 0}, {width_, height_}, {0, height_}}, paper);
+  }
+
+  void end_page() {
+    finished_ += settings_ + fmt::format("plot {}\n", fmt::join(plots_, ", ")) + data_;
+    settings_ = "unset label\n";
+    plots_.clear();
+    data_.clear();
+  }
+
+  void draw(std::vector<Polyline> lines, const Placement& place, SvgLook look) {
+    for (Polyline& line : lines)
+      for (SvgPoint& point : line) point = place(point);
+    look.stroke_width *= place.scale;
+    for (double& dash : look.dashes) dash *= place.scale;
     if (look.fill)
       for (const Polyline& line : lines) fill(line, *look.fill);
     if (look.stroke && !lines.empty()) stroke(lines, look);
   }
 
-  void write(SvgPoint at, std::string_view words, const SvgLook& look) {
+  void write(SvgPoint in_drawing, std::string_view words, const Placement& place,
+             const SvgLook& look) {
+    const SvgPoint at = place(in_drawing);
+    const double font_size = place.scale * look.font_size;
     if (words.empty() || !look.fill) return;
     const char* side = look.anchor == "middle" ? "center" : look.anchor == "end" ? "right" : "left";
     settings_ += fmt::format(
         "set label {} noenhanced at {},{} {} front font '{}{},{}' textcolor {}\n",
-        in_quotes(on_one_line(words)), at.x, at.y - raised * look.font_size, side, look.font_family,
-        look.is_bold ? ":Bold" : "", look.font_size * 72 / 96, colour(*look.fill));
+        in_quotes(on_one_line(words)), at.x, at.y - raised * font_size, side, look.font_family,
+        look.is_bold ? ":Bold" : "", font_size * 72 / 96, colour(*look.fill));
   }
 
-  std::string finished() const {
-    return settings_ + fmt::format("plot {}\n", fmt::join(plots_, ", ")) + data_;
-  }
+  const std::string& finished() const { return finished_; }
 
  private:
   /// Whole units across and down, as gnuplot has no others.
@@ -144,6 +172,8 @@ class Script {
   }
 
   const Terminal terminal_;
+  const double width_, height_;
+  std::string finished_;
   std::string settings_;
   std::vector<std::string> plots_;
   std::string data_;  // of the plots in turn
@@ -163,16 +193,16 @@ Polyline outline_of(pugi::xml_node rectangle) {
           from};
 }
 
-void add_element(Script& script, pugi::xml_node node, const SvgLook& look) {
+void add_element(Script& script, pugi::xml_node node, const Placement& place, const SvgLook& look) {
   const std::string_view name = node.name();
   if (name == "line")
-    script.draw({{point_of(node, "x1", "y1"), point_of(node, "x2", "y2")}}, look);
+    script.draw({{point_of(node, "x1", "y1"), point_of(node, "x2", "y2")}}, place, look);
   else if (name == "rect")
-    script.draw({outline_of(node)}, look);
+    script.draw({outline_of(node)}, place, look);
   else if (name == "path")
-    script.draw(polylines_of(node.attribute("d").value()), look);
+    script.draw(polylines_of(node.attribute("d").value()), place, look);
   else if (name == "text")
-    script.write(point_of(node, "x", "y"), node.text().get(), look);
+    script.write(point_of(node, "x", "y"), node.text().get(), place, look);
   else
     throw std::logic_error(fmt::format("a drawing has <{}>", name));
 }
@@ -181,24 +211,50 @@ bool is_drawn(std::string_view name) {
   return name != "title" && name != "desc" && name != "style";
 }
 
+/// "translate(48.00 90.00) scale(0.8000)", as SvgDrawing::place() writes it.
+Placement placement_of(pugi::xml_node group) {
+  std::string numbers = group.attribute("transform").value();
+  std::ranges::replace_if(
+      numbers, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '.'; },
+      ' ');
+  Placement place;
+  std::istringstream in(numbers);
+  in >> place.corner.x >> place.corner.y >> place.scale;
+  return place;
+}
+
+void add_elements(Script& script, pugi::xml_node drawing, const Placement& place,
+                  const StyleSheet& sheet) {
+  for (const pugi::xml_node node : drawing.children())
+    if (std::string_view(node.name()) == "g")
+      add_elements(script, node, placement_of(node), sheet);
+    else if (is_drawn(node.name()))
+      add_element(script, node, place, sheet.look_of(node.name(), node.attribute("class").value()));
+}
+
 }  // namespace
 
 const char* terminal_name(PaperFormat format) {
   return format == PaperFormat::png ? "pngcairo" : "pdfcairo";
 }
 
-std::string gnuplot_script(const std::string& svg, PaperFormat format) {
-  pugi::xml_document document;
-  if (!document.load_buffer(svg.data(), svg.size()))
-    throw std::logic_error("a drawing is not whole");
-  const pugi::xml_node drawing = document.child("svg");
-  const StyleSheet sheet(drawing.child_value("style"));
-  Script script(format, drawing.attribute("width").as_double(),
-                drawing.attribute("height").as_double(), sheet.paper());
-  for (const pugi::xml_node node : drawing.children())
-    if (is_drawn(node.name()))
-      add_element(script, node, sheet.look_of(node.name(), node.attribute("class").value()));
-  return script.finished();
+std::string gnuplot_script(const std::vector<std::string>& drawings, PaperFormat format) {
+  std::optional<Script> script;
+  for (const std::string& svg : drawings) {
+    pugi::xml_document document;
+    if (!document.load_buffer(svg.data(), svg.size()))
+      throw std::logic_error("a drawing is not whole");
+    const pugi::xml_node drawing = document.child("svg");
+    const StyleSheet sheet(drawing.child_value("style"));
+    if (script)
+      script->begin_page(sheet.paper());
+    else
+      script.emplace(format, drawing.attribute("width").as_double(),
+                     drawing.attribute("height").as_double(), sheet.paper());
+    add_elements(*script, drawing, {}, sheet);
+    script->end_page();
+  }
+  return script.value().finished();
 }
 
 }  // namespace sim

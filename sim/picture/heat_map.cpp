@@ -27,7 +27,7 @@ struct Shade {
 constexpr std::array shades{Shade{0, "heat0", "none seen"}, Shade{1e-3, "heat1", "to 0.1 %"},
                             Shade{1e-2, "heat2", "to 1 %"}, Shade{3e-2, "heat3", "to 3 %"},
                             Shade{0.1, "heat4", "to 10 %"}, Shade{0.3, "heat5", "to 30 %"},
-                            Shade{0.9, "heat6", "to 90 %"}, Shade{2, "heat7", "more"}};
+                            Shade{0.9, "heat6", "to 90 %"}, Shade{2, "heat7", "over 90 %"}};
 constexpr double contour = 1e-2;
 
 const Shade& shade_of(double ratio) {

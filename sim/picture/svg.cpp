@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "sim/text/existing_file.hpp"
 
 namespace sim {
@@ -40,13 +42,13 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .fill7 { fill: #f0e442; }
 .fill8 { fill: #222; }
 .heat0 { fill: #999; fill-opacity: .15; }
-.heat1 { fill: #46327e; }
-.heat2 { fill: #365c8d; }
-.heat3 { fill: #277f8e; }
+.heat1 { fill: #fde725; }
+.heat2 { fill: #a0da39; }
+.heat3 { fill: #4ac16d; }
 .heat4 { fill: #1fa187; }
-.heat5 { fill: #4ac16d; }
-.heat6 { fill: #a0da39; }
-.heat7 { fill: #fde725; }
+.heat5 { fill: #277f8e; }
+.heat6 { fill: #365c8d; }
+.heat7 { fill: #46327e; }
 .contour { stroke-width: 3; stroke: #d55e00; }
 .threshold { stroke: #e69f00; stroke-width: 2; }
 .eye { stroke: #0072b2; stroke-opacity: .25; }
@@ -61,6 +63,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .small { fill-opacity: .75; }
 .middle, .wrong { text-anchor: middle; }
 .end { text-anchor: end; }
+.listing { font: 10px monospace; }
 .character { text-anchor: middle; font: 13px monospace; }
 .wrong { font: bold 13px monospace; fill: #cc3311; }
 )";
@@ -81,6 +84,8 @@ constexpr std::string_view in_the_dark = R"(@media (prefers-color-scheme: dark) 
   .wrong { fill: #ff7766; }
 }
 )";
+
+constexpr std::string_view drawing_end = "</svg>\n";
 
 constexpr const char* on_paper = R"(@media print { svg { background: #fff; color: #000; } }
 </style>
@@ -143,6 +148,21 @@ void SvgDrawing::rectangle(SvgPoint corner, double width, double height, std::st
 void SvgDrawing::text(SvgPoint at, std::string_view words, std::string_view style) {
   text_ += fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", style, at.x,
                        at.y, xml_escaped(words));
+}
+
+void SvgDrawing::place(std::string_view drawing, SvgPoint corner, double scale) {
+  const std::size_t from = drawing.find(on_paper) + std::string_view(on_paper).size();
+  text_ +=
+      fmt::format("<g transform=\"translate({:.2f} {:.2f}) scale({:.4f})\">\n{}</g>\n", corner.x,
+                  corner.y, scale, drawing.substr(from, drawing.rfind(drawing_end) - from));
+}
+
+SvgPoint size_of_drawing(std::string_view drawing) {
+  constexpr std::string_view before = "viewBox=\"0 0 ";
+  std::istringstream sizes(std::string(drawing.substr(drawing.find(before) + before.size(), 40)));
+  SvgPoint size;
+  sizes >> size.x >> size.y;
+  return size;
 }
 
 std::string always_light(std::string drawing) {

@@ -34,12 +34,17 @@ class SvgDrawing {
   void path(std::string_view data, std::string_view style);
   void rectangle(SvgPoint corner, double width, double height, std::string_view style);
   void text(SvgPoint at, std::string_view words, std::string_view style);
+  /// Another finished drawing, so many times as large, from this corner on.
+  void place(std::string_view drawing, SvgPoint corner, double scale);
 
   std::string finished() const { return text_ + "</svg>\n"; }
 
  private:
   std::string text_;
 };
+
+/// Width and height of a finished drawing.
+SvgPoint size_of_drawing(std::string_view drawing);
 
 /// The same for paper, which is light wherever it is looked at.
 std::string always_light(std::string drawing);

@@ -22,6 +22,11 @@ void Rows::check() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
+bool are_too_many_rows(const ExperimentRun& run, std::size_t points) {
+  constexpr std::size_t most = 40;
+  return !run.table && points > most && is_terminal();
+}
+
 void say_left_as_it_was(const ExperimentRun& run) {
   say(fmt::format("{}: nothing was finished, the file is left as it was\n", run.output.string()));
 }
@@ -36,7 +41,7 @@ void conclude(const ExperimentRun& run, const Rows& rows, const Dataset& data,
   rows.check();
   if (run.json) return print_json(texts.json() + "\n");
   if (run.plot) print(texts.plots());
-  print(texts.missing + shards_note(data.shards) + texts.notes());
+  print(texts.overview + texts.missing + shards_note(data.shards) + texts.notes());
   if (const std::string details = texts.details(); !details.empty()) print("\n" + details);
   print(kept_line(run.output, dataset_digest(data)));
 }

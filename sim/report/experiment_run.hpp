@@ -26,7 +26,7 @@ struct ExperimentRun {
   Workers workers{};
   ProcessGroup* processes =
       nullptr;  // each of whose members runs the same; the first speaks for all
-  bool json = false, quiet = false, plot = false, profile = false;
+  bool json = false, quiet = false, table = false, plot = false, profile = false;
   /// Results of the same scenario, program and shards, whose counts it goes on with or adds up.
   std::vector<std::filesystem::path> counted_in{};
   std::vector<Shard> shards{{}};
@@ -68,6 +68,9 @@ struct ExperimentEngine {
   std::vector<ColumnFacts> (*columns)();
 };
 
+/// Whether a terminal is spared the rows: it would show the last of them alone.
+bool are_too_many_rows(const ExperimentRun& run, std::size_t points);
+
 /// Prints rows of points while they are measured; nothing as JSON. Where they cannot be printed any
 /// more, what is measured is not given up: the failure waits for the result to be written.
 class Rows {
@@ -91,6 +94,7 @@ struct ResultTexts {
   std::function<std::string()> json;
   std::function<std::string()> plots;  // if they are asked for
   std::string missing;                 // what was not counted
+  std::string overview;                // in place of rows that a terminal was spared
   std::function<std::string()> notes, details;
 };
 

@@ -28,6 +28,7 @@
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/section/dataset_charts.hpp"
+#include "sim/section/dataset_words.hpp"
 #include "sim/text/digest.hpp"
 #include "sim/threads/stopwatch.hpp"
 
@@ -42,8 +43,9 @@ class PointRun : public ReadyRun {
         report_(report),
         counting_(kind, run_.scenario, run_.shards),
         table_(report.columns(), run_.scenario, counting_.points().front()),
+        are_too_many_(!run_.json && are_too_many_rows(run_, counting_.points().size())),
         // a table of hundreds of units would hide what they say together
-        rows_(run_.json || !run_.speaks() || has_units(run_.scenario.sweep)),
+        rows_(run_.json || are_too_many_ || !run_.speaks() || has_units(run_.scenario.sweep)),
         progress_(!run_.quiet && run_.speaks()) {
     for (const std::filesystem::path& path : run_.counted_in) counting_.add(read_checkpoint(path));
   }
@@ -109,6 +111,7 @@ class PointRun : public ReadyRun {
              },
          .plots = [&] { return charts_as_text(charts(data)); },
          .missing = missing,
+         .overview = are_too_many_ ? overview(data) : "",
          .notes =
              [&] {
                return unit_spread_lines(data) + unit_value_lines(data, report_.columns().facts()) +
@@ -153,6 +156,11 @@ class PointRun : public ReadyRun {
     return charts;
   }
 
+  std::string overview(const Dataset& data) const {
+    return std::to_string(counting_.points().size()) + " points; --table prints a row for each\n" +
+           extremes_of(data, report_.columns().facts());
+  }
+
   std::string details() const {
     const std::vector<Point>& points = counting_.points();
     const bool single = report_.details != nullptr && points.size() == 1 && points[0].reached();
@@ -173,6 +181,7 @@ class PointRun : public ReadyRun {
   const PointReport<Point> report_;
   RunCounting<Setup, Tally, Point> counting_;
   PointTable<Point> table_;
+  const bool are_too_many_;
   Rows rows_;
   ProgressLine progress_;
   Checkpointer checkpointer_;

@@ -27,10 +27,15 @@ std::string span_text(const Crossing& c) {
   return c.low == c.high ? fmt::format("{:g}", c.low) : fmt::format("{:g} .. {:g}", c.low, c.high);
 }
 
-/// With two digits of the margin, the ends rounded outwards.
-std::string fitted_text(const Crossing& c) {
+/// Of a fitted crossing: so many that two digits of its margin are seen.
+int places_of(const Crossing& c) {
   const double margin = std::max((c.high - c.low) / 2, 1e-12);
-  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(margin))));
+  return std::max(0, 1 - static_cast<int>(std::floor(std::log10(margin))));
+}
+
+/// The ends rounded outwards.
+std::string fitted_text(const Crossing& c) {
+  const int places = places_of(c);
   return fmt::format("{} [{}, {}]", fixed_text(c.at, places),
                      fixed_text(c.low, places, Rounding::down),
                      fixed_text(c.high, places, Rounding::up));
@@ -53,6 +58,11 @@ std::string not_told(const Axis& axis, const Crossing& c) {
 
 std::string too_few(const Crossing& c) {
   return fmt::format(": too few frames to tell how far {}", open_side(c));
+}
+
+/// What lies on one side of an end.
+std::string open_words(const Axis& axis, double end, bool is_more) {
+  return (is_more ? "more than " : "less than ") + with_unit(fmt::format("{:g}", end), axis.unit);
 }
 
 std::string value_words(const Axis& axis, double value) {
@@ -88,6 +98,28 @@ std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
       break;
   }
   return fmt::format("unclear: too few frames to tell its side of {:g} %", percent);
+}
+
+std::string short_crossing_words(const Axis& axis, const Crossing& c, bool more_is_better) {
+  switch (c.kind) {
+    case Kind::all_below:
+      return open_words(axis, more_is_better ? c.low : c.high, !more_is_better);
+    case Kind::all_above:
+      return open_words(axis, more_is_better ? c.high : c.low, more_is_better);
+    case Kind::fitted:
+      return with_unit(fixed_text(c.at, places_of(c)), axis.unit);
+    case Kind::jump:
+    case Kind::bracketed:
+      if (std::isinf(c.low)) return open_words(axis, c.high, false);
+      if (std::isinf(c.high)) return open_words(axis, c.low, true);
+      return with_unit(fmt::format("{:g} to {:g}", c.low, c.high), axis.unit);
+    case Kind::not_monotone:
+      return "no single value, as loss rises and falls";
+    case Kind::unfinished:
+    case Kind::unclear:
+      break;
+  }
+  return "not told by so few frames";
 }
 
 std::string crossing_sentence(const Axis& axis, const Crossing& c, double level) {

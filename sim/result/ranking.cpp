@@ -224,7 +224,7 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
 }  // namespace
 
 std::optional<bool> known_direction(const std::string& key) {
-  if (key == "receiver.range_m") return false;
+  if (key == distance_key) return false;
   if (key == "led.current_ma" || key == "receiver.ebn0_db") return true;
   return std::nullopt;
 }
@@ -232,7 +232,7 @@ std::optional<bool> known_direction(const std::string& key) {
 std::size_t abscissa_of(const std::vector<Axis>& axes, const std::string& named) {
   std::size_t abscissa = Ranking::none;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i].key == (named.empty() ? "receiver.range_m" : named)) return i;
+    if (axes[i].key == (named.empty() ? distance_key : named)) return i;
     if (!axes[i].is_text() && axes[i].key != unit_key) abscissa = i;
   }
   return abscissa;

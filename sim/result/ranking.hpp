@@ -13,6 +13,9 @@
 
 namespace sim {
 
+/// The key along which users ask how far.
+inline constexpr const char* distance_key = "receiver.range_m";
+
 /// One line across the grid: the other axes stand still.
 struct RowCrossing {
   std::vector<double> others;  // their coordinates, in the order of Ranking::others
@@ -26,7 +29,7 @@ struct RowCrossing {
 /// What is asked: along which axis the loss passes which level.
 struct CrossingQuestion {
   double flr = 0.01;
-  std::string along{};  // its key; empty: receiver.range_m, or else the last axis of numbers
+  std::string along{};  // its key; empty: distance_key, or else the last axis of numbers
 };
 
 struct Ranking {

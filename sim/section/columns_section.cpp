@@ -8,7 +8,6 @@
 #include "sim/result/place_text.hpp"
 #include "sim/section/dataset_words.hpp"
 #include "sim/section/experiment_section.hpp"
-#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -53,10 +52,7 @@ std::string heading_of(const Dataset& data, const std::vector<std::string>& dime
 
 void add_drawn(ReportSection& report, const Dataset& data, const ColumnFacts& column) {
   if (!column.is_stored() || !column.drawing) return;
-  const std::string unit = unit_text(column.facts.unit);
-  if (column.over.empty())
-    report.summary +=
-        extremes(data, column.facts.name, column.drawing->title, unit.empty() ? "" : " " + unit);
+  report.summary += extremes_of(data, {column});
   add_chart(report, swept_chart(data, {column.facts.name, *column.drawing}));
 }
 

@@ -10,6 +10,7 @@
 #include "sim/scenario/experiment_kind.hpp"
 #include "sim/scenario/sweep.hpp"
 #include "sim/section/dataset_cells.hpp"
+#include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
@@ -112,6 +113,17 @@ std::string extremes(const Dataset& data, const std::string& name, const std::st
                      places_of(data, known, cells, *least), cells.text(*least), unit,
                      places_of(data, known, cells, *greatest), cells.text(*greatest), unit,
                      cells.are_apart(*least, *greatest) ? "" : ", which is no clear difference");
+}
+
+std::string extremes_of(const Dataset& data, const std::vector<ColumnFacts>& columns) {
+  std::string lines;
+  for (const ColumnFacts& column : columns) {
+    if (!column.is_stored() || !column.drawing || !column.over.empty()) continue;
+    const std::string unit = unit_text(column.facts.unit);
+    lines +=
+        extremes(data, column.facts.name, column.drawing->title, unit.empty() ? "" : " " + unit);
+  }
+  return lines;
 }
 
 std::string missing_points(const StoredDataset& stored) {

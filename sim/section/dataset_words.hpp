@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/columns/column.hpp"
 #include "sim/result/dataset.hpp"
 #include "sim/result/place_text.hpp"
 #include "sim/result/stored_dataset.hpp"
@@ -26,6 +27,9 @@ std::string runs_text(const Dataset& data);
 /// behind the numbers.
 std::string extremes(const Dataset& data, const std::string& name, const std::string& what,
                      const std::string& unit = "");
+
+/// The same of each drawn column that has one cell a point, a line each.
+std::string extremes_of(const Dataset& data, const std::vector<ColumnFacts>& columns);
 
 /// How many points were not finished, as they have fewer runs or trials than the scenario asks for.
 std::string missing_points(const StoredDataset& stored);

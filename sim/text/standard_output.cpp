@@ -1,6 +1,7 @@
 #include "sim/text/standard_output.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -63,5 +64,7 @@ void print_bytes(std::string_view bytes) {
 void say(std::string_view text) { draw(shown(text)); }
 
 void draw(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 
 }  // namespace sim

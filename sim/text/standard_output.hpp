@@ -26,4 +26,7 @@ void say(std::string_view text);
 /// The same where it moves the cursor of a terminal, and names nothing that a user named.
 void draw(std::string_view text);
 
+/// Whether somebody looks at it: it is a terminal, no file and no pipe.
+bool is_terminal();
+
 }  // namespace sim

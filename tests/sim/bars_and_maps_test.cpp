@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "occurrences.hpp"
+#include "sim/picture/reach_bars.hpp"
 #include "sim/section/picture_sections.hpp"
 
 namespace sim {
@@ -46,6 +48,30 @@ TEST(ShareBars, BeginBehindTheLongestLabel) {
       << "33 letters; two bars and the legend\n"
       << svg;
   EXPECT_EQ(occurrences(svg, "viewBox=\"0 0 792.5"), 1U) << svg.substr(0, 400);
+}
+
+ReachBars reach_of(std::vector<ReachBar> bars) {
+  return {
+      .title = "t", .description = "d", .axis = "x", .from = 0, .to = 10, .bars = std::move(bars)};
+}
+
+// 400 pixels for 10, behind a margin of 20, 8 beside a label, and 6.5 a letter.
+TEST(ReachBars, EndWhereLinksDo) {
+  const std::string svg = reach_bars_as_svg(
+      reach_of({{"ab", "2.5", 2.5, 2, 3, std::pair{1.0, 5.0}}, {"c", "0", -HUGE_VAL, 0, 0}}));
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill1\" x=\"41.00\" y=\"48.00\" width=\"100.00\""), 1U);
+  EXPECT_EQ(occurrences(svg, "class=\"fill1\""), 1U) << "none of one that does not reach";
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill0\" x=\"81.00\" y=\"44.00\" width=\"160.00\""), 1U);
+  EXPECT_EQ(occurrences(svg, "x1=\"121.00\" y1=\"52.00\" x2=\"161.00\" y2=\"52.00\""), 1U);
+  EXPECT_EQ(occurrences(svg, "8 of 10 units"), 1U);
+}
+
+TEST(ReachBars, GoNoFurtherThanTheSweep) {
+  const std::string svg = reach_bars_as_svg(
+      reach_of({{"", "more than 10", HUGE_VAL, HUGE_VAL, HUGE_VAL}, {"", "9", 9, 8, HUGE_VAL}}));
+  EXPECT_EQ(occurrences(svg, "<rect class=\"fill1\" x=\"28.00\" y=\"48.00\" width=\"400.00\""), 1U);
+  EXPECT_EQ(occurrences(svg, "x1=\"348.00\" y1=\"76.00\" x2=\"428.00\""), 1U) << "the interval";
+  EXPECT_EQ(occurrences(svg, "8 of 10 units"), 0U);
 }
 
 HeatMap map_of(const std::vector<std::string>& rows,

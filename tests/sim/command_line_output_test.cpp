@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <sys/inotify.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "program.hpp"
@@ -145,6 +146,26 @@ TEST_F(CommandLineOutput, TheWrapperSaysThatItsFolderIsGone) {
   const std::string line =
       "cosys-sim: cannot run here (the folder that you are in was deleted) change to another\n";
   EXPECT_TRUE(o.err.ends_with(line)) << o.err;
+}
+
+// Of many rows a terminal would show the last alone; a file or a pipe has them all.
+TEST_F(CommandLineOutput, ATerminalIsSparedManyRows) {
+  write_scenario(
+      "s.toml",
+      "simulation.fidelity = \"decision\"\nreceiver.module = \"ideal-coherent\"\n"
+      "receiver.ebn0_db = [1, 2, 3, 4, 5, 6, 7, 8, 9]\nled.current_ma = [1, 2, 3, 4, 5]");
+  const std::string run = " run s.toml -q -n 8";
+  const std::string terminal = script("script -qec \"$P" + run + "\" /dev/null");
+  EXPECT_EQ(terminal.find("45 points; --table prints a row for each\r\nFrame loss is least at "),
+            0U)
+      << terminal;
+  EXPECT_LT(std::ranges::count(terminal, '\n'), 20);
+  EXPECT_NE(terminal.find("s.h5: digest "), std::string::npos);
+  for (const std::string& all :
+       {script("$P" + run), script("script -qec \"$P" + run + " --table\" /dev/null")}) {
+    EXPECT_GT(std::ranges::count(all, '\n'), 45);
+    EXPECT_EQ(all.find("--table"), std::string::npos);
+  }
 }
 
 }  // namespace

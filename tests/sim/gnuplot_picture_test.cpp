@@ -22,7 +22,7 @@ class GnuplotPicture : public CommandLine {
   }
 
   void draw(const SvgDrawing& drawing, PaperFormat format, const std::string& name) const {
-    const auto bytes = drawn_by_gnuplot(drawing.finished(), format);
+    const auto bytes = drawn_by_gnuplot({drawing.finished()}, format);
     ASSERT_TRUE(bytes);
     write(name, *bytes);
   }
@@ -98,8 +98,8 @@ TEST_F(GnuplotPicture, HasTheColoursOfTheSheetAtTheirPlaces) {
                     {"199,119", "#ffffff"},
                     {"24,30", "#0072b2"},
                     {"16,30", "#ffffff"},
-                    {"56,30", "#fde725"},
-                    {"86,30", "#fde725"},
+                    {"56,30", "#46327e"},
+                    {"86,30", "#46327e"},
                     {"93,30", "#ffffff"},
                     {"140,30", "#ffffff"},
                     {"60,77", "#ffffff"},

@@ -161,7 +161,7 @@ TEST(PathData, PassesNothingOver) {
 std::string script_of(const std::string& words) {
   SvgDrawing drawing(100, 60, words, words);
   drawing.text({10, 20}, words, "heading");
-  return gnuplot_script(drawing.finished(), PaperFormat::png);
+  return gnuplot_script({drawing.finished()}, PaperFormat::png);
 }
 
 TEST(GnuplotScript, SaysNothingThatGnuplotCouldObey) {
@@ -187,7 +187,7 @@ TEST(GnuplotScript, LeavesNoDigitBehindANumber) {
 }
 
 TEST(GnuplotScript, PassesNothingOver) {
-  EXPECT_THROW(gnuplot_script("<svg><style></style><circle r=\"1\"/></svg>", PaperFormat::png),
+  EXPECT_THROW(gnuplot_script({"<svg><style></style><circle r=\"1\"/></svg>"}, PaperFormat::png),
                std::logic_error);
 }
 

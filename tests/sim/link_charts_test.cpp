@@ -56,19 +56,19 @@ TEST(ResultCharts, HaveLimitsTheoryAndNoPointThatWasNeverReached) {
   result.points[0].operating.ber_theory = 0.04;
   const std::vector<Chart> charts = result_charts(result);
   ASSERT_EQ(charts.size(), 2U);
-  EXPECT_EQ(charts[0].title, "Bit errors");
-  EXPECT_EQ(charts[1].title, "Frame loss");
-  EXPECT_EQ(charts[0].x.label, "receiver.ebn0_db [dB]");
-  EXPECT_EQ(title_of(charts[0].x), "energy, receiver.ebn0_db [dB]");
-  EXPECT_FALSE(charts[0].y.level);
-  EXPECT_EQ(charts[1].y.level, 0.01);
-  EXPECT_FALSE(charts[0].x.logarithmic);
-  ASSERT_EQ(charts[0].curves.size(), 2U);
-  EXPECT_EQ(charts[0].curves[1].name, "theory");
-  EXPECT_EQ(charts[0].curves[1].kind, CurveKind::theory);
-  EXPECT_EQ(charts[0].curves[1].points.front().y, 0.04);
-  ASSERT_EQ(charts[1].curves.size(), 1U);
-  const std::vector<ChartPoint>& loss = charts[1].curves[0].points;
+  EXPECT_EQ(charts[1].title, "Bit errors");
+  EXPECT_EQ(charts[0].title, "Frame loss");
+  EXPECT_EQ(charts[1].x.label, "receiver.ebn0_db [dB]");
+  EXPECT_EQ(title_of(charts[1].x), "energy, receiver.ebn0_db [dB]");
+  EXPECT_FALSE(charts[1].y.level);
+  EXPECT_EQ(charts[0].y.level, 0.01);
+  EXPECT_FALSE(charts[1].x.logarithmic);
+  ASSERT_EQ(charts[1].curves.size(), 2U);
+  EXPECT_EQ(charts[1].curves[1].name, "theory");
+  EXPECT_EQ(charts[1].curves[1].kind, CurveKind::theory);
+  EXPECT_EQ(charts[1].curves[1].points.front().y, 0.04);
+  ASSERT_EQ(charts[0].curves.size(), 1U);
+  const std::vector<ChartPoint>& loss = charts[0].curves[0].points;
   ASSERT_EQ(loss.size(), 2U) << "the third was never reached";
   EXPECT_EQ(loss[0].y, 0.5);
   EXPECT_FALSE(loss[0].is_limit);
@@ -120,7 +120,7 @@ TEST(ResultCharts, TheoryStandsBehindItsOwnCurve) {
       result.points.push_back(charted_point({interval, ebn0}, 10, 5));
       if (interval == 200 || ebn0 == 10) result.points.back().operating.ber_theory = 0.04;
     }
-  const Chart chart = result_charts(result)[0];
+  const Chart chart = result_charts(result)[1];
   ASSERT_EQ(chart.curves.size(), 4U);
   for (const std::size_t theory : {1U, 3U}) {
     EXPECT_EQ(chart.curves[theory].kind, CurveKind::theory);

@@ -24,7 +24,7 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
-  EXPECT_EQ(headings, (std::vector<std::string>{"The scenario", "Bit errors", "Frame loss",
+  EXPECT_EQ(headings, (std::vector<std::string>{"The scenario", "Frame loss", "Bit errors",
                                                 "What became of the frames", "All numbers"}));
   const PageTable& fates = *page.sections[3].table;
   EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
@@ -36,7 +36,7 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
 TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
   const LinkReport link =
       link_report_of("file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}));
-  const PageTable alone = *page_of({link_section(link)}).sections[2].table;
+  const PageTable alone = *page_of({link_section(link)}).sections[1].table;
   EXPECT_EQ(alone.head,
             (std::vector<std::string>{"receiver.range_m [m]", "frame loss ratio (FLR)"}));
   EXPECT_EQ(alone.rows[1][0], "2");

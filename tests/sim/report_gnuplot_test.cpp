@@ -92,17 +92,12 @@ TEST_F(ReportGnuplot, DrawsEveryPicture) {
   const Outcome o = program({"report", "near.h5", "--svg", "p", "--png", "p", "--pdf", "d"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(o.err, "");
-  const Words names{"bit-errors",
-                    "bursts-of-wrong-bits",
-                    "delay-of-edges",
-                    "eye",
-                    "fates",
-                    "frame-loss",
-                    "frame-loss-map",
-                    "spectrum",
-                    "trial",
-                    "wrong-bits",
-                    "wrong-bits-since-the-message-began"};
+  const Words names{"bit-errors",     "bursts-of-wrong-bits",
+                    "delay-of-edges", "eye",
+                    "fates",          "frame-loss",
+                    "frame-loss-map", "how-far-each-reaches",
+                    "spectrum",       "trial",
+                    "wrong-bits",     "wrong-bits-since-the-message-began"};
   std::set<std::string> printed{"report.html"},
       there{"near.toml", "near.h5", "report.html", "p", "d"};
   for (const std::string& name : names) {
@@ -122,6 +117,27 @@ TEST_F(ReportGnuplot, DrawsEveryPicture) {
   for (std::string line; std::getline(lines, line);) said.insert(line);
   EXPECT_EQ(said, printed);
   EXPECT_EQ(files(), there);
+}
+
+TEST_F(ReportGnuplot, PrintsTheReportOnAtMostFourPages) {
+  if (!can_be_read()) GTEST_SKIP() << "needs gnuplot and pdftotext";
+  run("near", "receiver.range_m = [1, 2, 3, 4, 11]\nled.current_ma = [20, 50, 70, 100]");
+  const Outcome o = program({"report", "near.h5", "--pdf", "paper.pdf"});
+  EXPECT_EQ(o.out, "report.html\npaper.pdf\n") << o.err;
+  const std::string facts = tool("pdfinfo", {"paper.pdf"});
+  EXPECT_NE(facts.find("(A4)"), std::string::npos) << facts;
+  const std::size_t pages = facts.find("\nPages:");
+  ASSERT_NE(pages, std::string::npos) << facts;
+  EXPECT_LE(std::stoi(facts.substr(pages + 7)), 4);
+  const std::string words = tool("pdftotext", {"-layout", "paper.pdf", "-"});
+  EXPECT_LT(words.find(" reaches furthest: "), words.find("hears \"IND 011111 OK\""));
+  for (const char* there : {"How far each reaches", "Frame loss", "All numbers",
+                            "To repeat it: ", "receiver.range_m = [1, 2, 3, 4, 11]", "page 1"})
+    EXPECT_NE(words.find(there), std::string::npos) << there;
+  write("paper.pdf", "mine");
+  expect_refused({"report", "near.h5", "--pdf", "paper.pdf"}, 2,
+                 "cannot write paper.pdf (it exists and is not a PDF of cosys-sim) choose another name");
+  EXPECT_EQ(content(path("paper.pdf")), "mine");
 }
 
 TEST_F(ReportGnuplot, ShowsTextsOfUsersAsTheyAre) {
