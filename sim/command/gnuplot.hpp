@@ -12,8 +12,8 @@ namespace sim {
 /// Throws Failure(environment) where it is not installed, or was built without what draws them.
 void require_gnuplot(PaperFormat format);
 
-/// The bytes of a file that is_own_png() or is_own_pdf() knows, a PDF with a page a drawing; nothing
-/// if a signal stopped it. Throws Failure(environment) where gnuplot fails.
+/// The bytes of a file that is_own_png() or is_own_pdf() knows, a PDF with a page a drawing;
+/// nothing if a signal stopped it. Throws Failure(environment) where gnuplot fails.
 std::optional<std::string> drawn_by_gnuplot(const std::vector<std::string>& drawings,
                                             PaperFormat format);
 

@@ -109,9 +109,10 @@ std::string loss_reasons(const LinkResult& result) {
 }
 
 std::string link_notes(const LinkResult& result, const Ranking& ranking) {
-  const std::string notes = mark_notes(result) + loss_reasons(result);
-  if (has_units(result.axes)) return notes;
-  return notes + ranking_lines(result, ranking) + answer_sentence(result, ranking);
+  std::string notes = mark_notes(result) + loss_reasons(result);
+  if (!has_units(result.axes))
+    notes += ranking_lines(result, ranking) + answer_sentence(result, ranking);
+  return notes;
 }
 
 std::string missing_lines(const LinkResult& result) {

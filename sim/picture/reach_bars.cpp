@@ -32,7 +32,7 @@ void draw_span(SvgDrawing& drawing, const Scale& across, std::pair<double, doubl
   if (to > from) drawing.rectangle({from, middle - height / 2}, to - from, height, style);
 }
 
-void draw_interval(SvgDrawing& drawing, const Scale& across, const ReachBar& bar, double middle) {
+void draw_whisker(SvgDrawing& drawing, const Scale& across, const ReachBar& bar, double middle) {
   const double low = across(std::clamp(bar.low, across.from, across.to));
   const double high = across(std::clamp(bar.high, across.from, across.to));
   if (high <= low) return;
@@ -45,7 +45,7 @@ void draw_reach(SvgDrawing& drawing, const Scale& across, const ReachBar& bar, d
   drawing.text({across.at_from - reach_beside, middle + 4}, bar.label, "end");
   if (bar.units) draw_span(drawing, across, *bar.units, middle, units_height, units_style);
   draw_span(drawing, across, {across.from, bar.at}, middle, reach_height, reach_style);
-  draw_interval(drawing, across, bar, middle);
+  draw_whisker(drawing, across, bar, middle);
   drawing.text({across.at_to + reach_beside, middle + 4}, bar.words, "");
 }
 

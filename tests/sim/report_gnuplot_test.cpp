@@ -135,8 +135,9 @@ TEST_F(ReportGnuplot, PrintsTheReportOnAtMostFourPages) {
                             "To repeat it: ", "receiver.range_m = [1, 2, 3, 4, 11]", "page 1"})
     EXPECT_NE(words.find(there), std::string::npos) << there;
   write("paper.pdf", "mine");
-  expect_refused({"report", "near.h5", "--pdf", "paper.pdf"}, 2,
-                 "cannot write paper.pdf (it exists and is not a PDF of cosys-sim) choose another name");
+  expect_refused(
+      {"report", "near.h5", "--pdf", "paper.pdf"}, 2,
+      "cannot write paper.pdf (it exists and is not a PDF of cosys-sim) choose another name");
   EXPECT_EQ(content(path("paper.pdf")), "mine");
 }
 

@@ -14,14 +14,14 @@
 namespace sim {
 namespace {
 
-std::string words_of(const LinkResult& result, const Ablations& ablations) {
+std::string top_of(const LinkResult& result, const Ablations& ablations) {
   return answer_of(result, rank(result)) + summary_of(result, ablations);
 }
 
 TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
-  const std::string words = words_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
-                                               point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
-                                     {});
+  const std::string words = top_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
+                                             point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
+                                   {});
   EXPECT_EQ(words.find("Frame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two "
                        "neighbours in the sweep.\n4000 frames were simulated at 4 points; 1200 of "
                        "them were lost.\n"),
@@ -35,14 +35,14 @@ TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
 }
 
 TEST(Summary, OfNoLossNamesNone) {
-  const std::string words = words_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
+  const std::string words = top_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0)}), {});
   EXPECT_NE(words.find("2000 frames were simulated at 2 points; 0 of them were lost.\n"),
             std::string::npos);
   EXPECT_EQ(words.find("frames are lost;"), std::string::npos) << words;
 }
 
 TEST(Summary, OfOnePointGivesTheLossItsInterval) {
-  const std::string words = words_of(sweep_of({point_of(1, 48, 0)}), {});
+  const std::string words = top_of(sweep_of({point_of(1, 48, 0)}), {});
   EXPECT_NE(
       words.find("\n48 frames were simulated; 0 of them were lost: frame loss ratio < 7.4e-2.\n"),
       std::string::npos)
@@ -55,17 +55,17 @@ TEST(Summary, SaysHowManyPointsHaveNoEstimate) {
     point.tally.weighted.n_groups = 6;
     point.tally.weighted.bit_errors = {1, 1, 1, 1};
   }
-  const std::string words = words_of(result, {});
+  const std::string words = top_of(result, {});
   EXPECT_NE(words.find("\n3 of 3 points have no estimate and are missing in the curves.\n"),
             std::string::npos)
       << words;
-  EXPECT_EQ(words_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
+  EXPECT_EQ(top_of(sweep_of({point_of(1, 48, 20)}), {}).find("estimate"), std::string::npos);
 }
 
 TEST(Summary, SaysOnWhichSideOfTheSignalNoiseIs) {
   LinkResult result = sweep_of({point_of(1, 1000, 1000)});
   result.points[0].operating.snr_db = -32;
-  EXPECT_NE(words_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
+  EXPECT_NE(top_of(result, {}).find("; noise is 32 dB above the signal "), std::string::npos);
 }
 
 /// Modules A, B and so on, each with the loss at 1, 2 and 3 m.
@@ -89,7 +89,7 @@ LinkResult modules_of(const std::vector<std::array<std::uint64_t, 3>>& losses) {
 constexpr std::array<std::uint64_t, 3> near{0, 1000, 1000}, far{0, 0, 1000}, dead{1000, 1000, 1000};
 
 TEST(Summary, BeginsWithTheLinkThatReachesFurthest) {
-  const std::string words = words_of(modules_of({near, far, dead}), {});
+  const std::string words = top_of(modules_of({near, far, dead}), {});
   EXPECT_EQ(words.find("B reaches furthest: 2 to 3 m at 1 % frame loss; next A, 1 to 2 m; last C, "
                        "less than 1 m.\n9000 frames were simulated"),
             0U)
@@ -110,7 +110,7 @@ LinkResult counted_before(std::size_t first, LinkResult result) {
 }
 
 void expect_says(const LinkResult& result, const std::string& line) {
-  const std::string words = words_of(result, {});
+  const std::string words = top_of(result, {});
   EXPECT_EQ(words.find(line), 0U) << words;
 }
 
@@ -186,16 +186,16 @@ TEST(Summary, SaysHowMuchFartherTheLinkWouldGo) {
   ablations.ablations[3].half = HalfLoss{HalfLoss::Kind::not_yet, 64};
   EXPECT_EQ(limit_names(ablations), (std::vector<std::string>{"without gain", "without the lamp"}))
       << "what carries farthest comes first";
-  EXPECT_NE(words_of(result, ablations)
+  EXPECT_NE(top_of(result, ablations)
                 .find("of 100 frames sent again 90 are lost, 5 without gain, 3 without the lamp.\n"
                       "Half of the frames are lost at about receiver.range_m = 180 m as it is, "
                       "beyond 64 m without gain, 290 m without the lamp.\n"),
             std::string::npos)
-      << words_of(result, ablations);
+      << top_of(result, ablations);
   ablations.ablations[2].half.reset();
-  EXPECT_NE(words_of(result, ablations).find("= 180 m as it is, beyond 64 m without gain.\n"),
+  EXPECT_NE(top_of(result, ablations).find("= 180 m as it is, beyond 64 m without gain.\n"),
             std::string::npos)
-      << words_of(result, ablations);
+      << top_of(result, ablations);
   const ReportSection part = link_section(link_report_of("file", result, ablations));
   const auto section = std::ranges::find(part.sections, "What limits it", &PageSection::heading);
   ASSERT_NE(section, part.sections.end());
@@ -210,14 +210,14 @@ TEST(Summary, NamesWhatTheLossIsClearlyLessWithout) {
                        {ablation("", 90), ablation("without noise", 85),
                         ablation("without the lamp", 3), ablation("without gain", 60)}};
   EXPECT_EQ(limit_names(some), (std::vector<std::string>{"without the lamp", "without gain"}));
-  EXPECT_NE(words_of(result, some)
+  EXPECT_NE(top_of(result, some)
                 .find("\nWhat limits it there: of 100 frames sent again 90 are "
                       "lost, 3 without the lamp, 60 without gain.\n"),
             std::string::npos);
   const Ablations none{
       "", {ablation("", 90), ablation("without noise", 85), ablation("without gain", 90)}};
   EXPECT_NE(
-      words_of(result, none)
+      top_of(result, none)
           .find("\nWhat limits it there: nothing alone. Run again without noise, or without gain, "
                 "it does not clearly lose less: it is several together, or light too weak for what "
                 "the receiver needs.\n"),
