@@ -4,7 +4,8 @@
 In a block of ```console a line that begins with "$ " is a command, for bash, in one folder a page; what stands below it
 is what it prints on stdout. With --write the pages get what is printed now.
 
-Usage: roads_test.py PROGRAM SOURCES [--write]; exits 1 saying what is otherwise.
+Usage: roads_test.py PROGRAM SOURCES [--write]; exits 1 saying what is otherwise, 77 (skipped)
+without xarray.
 """
 import difflib
 import os
@@ -36,7 +37,14 @@ def page_now(page, program, sources):
         return BLOCK.sub(lambda block: done(block.group(), folder), page.read_text())
 
 
+def skip_without_xarray():
+    if subprocess.run(["/usr/bin/python3", "-c", "import xarray"], check=False, stderr=subprocess.DEVNULL).returncode:
+        script = pathlib.Path(__file__).parent / "skip.sh"
+        sys.exit(subprocess.run([script, "roads", "needs xarray (Debian: python3-xarray)"], check=False).returncode)
+
+
 def main(program, sources, *options):
+    skip_without_xarray()
     sources = pathlib.Path(sources).resolve()
     pages = sorted((sources / "scenarios" / "roads").glob("*.md"))
     differ = not pages
