@@ -25,6 +25,10 @@ std::string with_and(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(names.begin(), last, ", "), *last);
 }
 
+bool is_told(const Crossing& c) {
+  return c.kind != Kind::unfinished && c.kind != Kind::unclear && c.kind != Kind::not_monotone;
+}
+
 /// Rows whose links stand equal.
 using Rows = std::vector<const RowCrossing*>;
 
@@ -33,14 +37,14 @@ class Answer {
   Answer(const LinkResult& result, const Ranking& ranking)
       : result_(result), ranking_(ranking), axis_(result.axes[ranking.abscissa]) {
     for (const RowCrossing& row : ranking.rows)
-      if (row.crossing.kind != Kind::unfinished) told_.push_back(&row);
+      if (is_told(row.crossing)) told_.push_back(&row);
     std::ranges::stable_sort(told_, std::greater<>(), &RowCrossing::merit);
   }
 
   std::string sentence() const {
     if (told_.empty()) return "";
     const Rows best = equals_at(0);
-    if (best.size() == told_.size()) return all_alike() + untold();
+    if (best.size() == told_.size()) return all_alike(best) + untold();
     std::string text =
         fmt::format("{} {} {}: {}", names_of(best), best.size() == 1 ? verb() : verb_of_many(),
                     superlative(), reach_at_level(best));
@@ -103,15 +107,19 @@ class Answer {
 
   std::string entry_of(const Rows& rows) const { return names_of(rows) + ", " + reach_of(rows); }
 
-  std::string all_alike() const {
-    return fmt::format("All {} links {} {}{}.\n", told_.size(), verb_of_many(),
-                       is_distance() ? "" : axis_.key + " ", reach_at_level(told_));
+  std::string all_alike(const Rows& rows) const {
+    const std::string all = rows.size() == 1
+                                ? names_of(rows) + " " + verb()
+                                : fmt::format("All {} links {}", rows.size(), verb_of_many());
+    return fmt::format("{} {}{}.\n", all, is_distance() ? "" : axis_.key + " ",
+                       reach_at_level(rows));
   }
 
   std::string untold() const {
     const std::size_t others = ranking_.rows.size() - told_.size();
     if (others == 0) return "";
-    return fmt::format("Of {} more links too little is counted to tell.\n", others);
+    return fmt::format("Of {} more {} this cannot be told.\n", others,
+                       others == 1 ? "link" : "links");
   }
 
   const LinkResult& result_;

@@ -44,25 +44,22 @@ std::string ends_of(std::vector<LinkRange> ranges) {
 
 }  // namespace
 
-std::string link_range_heading(const std::string& along) {
-  return along == distance_key ? "How far each reaches" : "Where each fails";
+std::string link_range_heading(const std::string& along, std::size_t links) {
+  const char* one = links == 1 ? "it" : "each";
+  return along == distance_key ? fmt::format("How far {} reaches", one)
+                               : fmt::format("Where {} fails", one);
 }
 
-std::string link_range_line(const std::vector<LinkRange>& ranges,
-                            const std::vector<std::string>& first) {
+std::string link_range_line(const std::vector<LinkRange>& ranges) {
   const std::string along = ranges.front().along;
   if (ranges.size() <= few) {
     std::vector<std::string> each;
     for (const LinkRange& range : ranges) each.push_back(range.link + ": " + range.words);
     return fmt::format("Frame loss passes 1 % along {} at: {}.\n", along, fmt::join(each, "; "));
   }
-  const std::string listed = link_range_heading(along) + " is listed below.\n";
-  if (first.empty()) {
-    const std::string ends = ends_of(ranges);
-    return (ends.empty() ? fmt::format("{} links. ", ranges.size()) : ends) + listed;
-  }
-  return fmt::format("Of {} {} come{} first. {}", links_of(ranges), fmt::join(first, ", "),
-                     first.size() == 1 ? "s" : "", listed);
+  const std::string ends = ends_of(ranges);
+  return (ends.empty() ? fmt::format("{} links. ", ranges.size()) : ends) +
+         link_range_heading(along, ranges.size()) + " is listed below.\n";
 }
 
 PageSection link_range_section(std::vector<LinkRange> ranges) {
@@ -72,7 +69,7 @@ PageSection link_range_section(std::vector<LinkRange> ranges) {
       .head = {"link", "frame loss passes 1 % at " + along}, .rows = {}, .is_answer = true};
   for (LinkRange& range : ranges)
     table.rows.push_back({std::move(range.link), std::move(range.words)});
-  return {.heading = link_range_heading(along), .table = std::move(table)};
+  return {.heading = link_range_heading(along, ranges.size()), .table = std::move(table)};
 }
 
 }  // namespace sim

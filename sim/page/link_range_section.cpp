@@ -69,9 +69,7 @@ std::string doubts_text(const Ranking& ranking) {
 }
 
 std::string heading_of(const LinkResult& result, const Ranking& ranking) {
-  const std::string along = result.axes[ranking.abscissa].key;
-  if (ranking.rows.size() > 1) return link_range_heading(along);
-  return along == distance_key ? "How far it reaches" : "Where it fails";
+  return link_range_heading(result.axes[ranking.abscissa].key, ranking.rows.size());
 }
 
 /// Where a bar ends, and its interval; nothing of what is not told.

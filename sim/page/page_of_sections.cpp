@@ -103,7 +103,7 @@ std::vector<LinkRange> compared_ranges(const std::vector<ReportSection>& reports
 
 void compare(Page& page, const std::vector<ReportSection>& reports) {
   if (std::vector<LinkRange> link_ranges = compared_ranges(reports); !link_ranges.empty()) {
-    page.summary += link_range_line(link_ranges, {});
+    page.summary += link_range_line(link_ranges);
     page.sections.push_back(link_range_section(std::move(link_ranges)));
   }
   page.sections.push_back(differences_section(named_settings(reports)));

@@ -128,14 +128,19 @@ std::string without_estimate(const LinkResult& result) {
 }  // namespace
 
 std::string answer_of(const LinkResult& result, const Ranking& ranking) {
-  if (const auto units = unit_spread(result)) return sentences(range_lines(*units));
-  if (ranking.rows.size() <= 1) return sentences(ranking_lines(result, ranking));
-  return answer_sentence(result, ranking);
+  std::string answer = sentences(missing_lines(result));
+  if (const auto units = unit_spread(result))
+    answer += sentences(range_lines(*units));
+  else if (ranking.rows.size() <= 1)
+    answer += sentences(ranking_lines(result, ranking));
+  else
+    answer += answer_sentence(result, ranking);
+  return answer;
 }
 
 std::string summary_of(const LinkResult& result, const Ablations& ablations) {
-  return sentences(missing_lines(result)) + size_of(result) + without_estimate(result) +
-         where_it_fails(result) + what_limits(ablations);
+  return size_of(result) + without_estimate(result) + where_it_fails(result) +
+         what_limits(ablations);
 }
 
 }  // namespace sim
