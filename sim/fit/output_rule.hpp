@@ -1,31 +1,50 @@
 #pragma once
-// What a module's output makes of a plan's light, burst by burst, without noise: resonator,
-// comparator that follows the peak, integrator and slow AGC, each by its own equations. It is the
-// rule of channel/slow_agc.hpp and channel/demodulator.hpp in continuous time, from one event to
-// the next: twenty thousand bursts take some milliseconds, so a fit can try thousands of parts.
+// What a module's output makes of a plan's light, burst by burst, without noise. Twenty thousand
+// bursts take some milliseconds, so a fit can try thousands of parts.
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/fit/burst_player.hpp"
 #include "sim/fit/plan_text.hpp"
 #include "sim/fit/rule_constants.hpp"
 
 namespace sim {
 
-/// One burst at the output.
-struct BurstOutput {
-  double low_s = 0;     // how long the pin is low for it
-  double start_s = 0;   // from the burst's begin to the falling edge, where there is one
-  bool begins = false;  // with a falling edge; not where it goes on from the burst before
-  double share = 0;     // 1: reported, 0: not; between where half a cycle decides
-};
+/// Plays a plan for one set of constants and of light after the other. A step is played again only
+/// where the constants, its light, or what the steps before it left behind are others: what one
+/// level changes is a few steps.
+class OutputOfRule {
+ public:
+  OutputOfRule() = default;
+  OutputOfRule(const OutputOfRule&) = delete;  // what it has played refers to its constants
+  OutputOfRule& operator=(const OutputOfRule&) = delete;
 
-/// The bursts of all steps, in order. `bursts` is emptied first: its memory is used again. Each
-/// step is shown to `look` when its bursts are there; where that says no, the steps behind it are
-/// not played. Returns whether all were.
-bool output_of_rule(const Plan& plan, const RuleConstants& constants,
-                    std::span<const double> amplitudes, std::vector<BurstOutput>& bursts,
-                    const std::function<bool(std::size_t)>& look);
+  /// Shows each step to `look` when its bursts are there, and says whether they are others than
+  /// when it was shown last. Where `look` says no, the steps behind are not played. The plan is the
+  /// same each time.
+  void play(const Plan& plan, const RuleConstants& constants, std::span<const double> amplitudes,
+            const std::function<bool(std::size_t step, bool is_new)>& look);
+
+  /// Of a step that was shown.
+  const std::vector<BurstOutput>& bursts(std::size_t step) const { return played_[step].bursts; }
+
+ private:
+  struct PlayedStep {
+    double amplitude;
+    PartMemory before, after;
+    std::vector<BurstOutput> bursts;
+  };
+
+  /// Whether the step had to be played.
+  bool play_anew(std::size_t s, const PlanStep& step, double amplitude);
+
+  RuleConstants constants_;
+  std::optional<BurstPlayer> player_;
+  std::vector<PlayedStep> played_;  // their memory is used again
+  std::size_t n_shown_ = 0;         // with these constants
+};
 
 }  // namespace sim

@@ -56,6 +56,7 @@ PlanLikelihood::PlanLikelihood(const JoinedLight& light, const std::vector<std::
     heard_.push_back(features_of(plan_.steps[s], bursts));
     take_means(plan_.steps[s], bursts, bursts, heard_.back());
   }
+  compared_.resize(plan_.steps.size());
 }
 
 void PlanLikelihood::add_level(std::size_t step, double level_error_db) {
@@ -108,30 +109,29 @@ std::vector<double> PlanLikelihood::amplitudes(const Numbers& x) const {
 
 void PlanLikelihood::play(const Played& played,
                           const std::function<bool(std::size_t)>& look) const {
-  const Numbers& x = played.x;
-  Numbers numbers = x;
-  numbers[place_of(RuleParameter::start)] = played.more_hold_cycles;
-  numbers[place_of(RuleParameter::clock)] = played.more_db;
-  for (std::size_t k = 1; k < captures_.size(); ++k)
-    numbers[place_of(CaptureNumber::start, k)] = numbers[place_of(CaptureNumber::clock, k)] = 0;
-  if (numbers == played_) {
-    for (std::size_t s = 0; s < plan_.steps.size() && look(s);) ++s;
-    return;
-  }
-  RuleConstants constants = constants_of(x);
+  RuleConstants constants = constants_of(played.x);
   constants.hold_s += played.more_hold_cycles / constants.centre_hz;
-  std::vector<double> light = amplitudes(x);
+  std::vector<double> light = amplitudes(played.x);
   for (double& one : light) one *= std::pow(10, played.more_db / 20);
-  played_.clear();
-  if (output_of_rule(plan_, constants, light, ruled_, look)) played_ = std::move(numbers);
+  rule_.play(plan_, constants, light, [&](std::size_t s, bool is_new) {
+    if (is_new) compared_[s] = compared_bursts(s);
+    return look(s);
+  });
+}
+
+PlanLikelihood::Compared PlanLikelihood::compared_bursts(std::size_t s) const {
+  const PlanStep& step = plan_.steps[s];
+  const auto recorded = bursts_of(recorded_, first_, s);
+  const std::vector<BurstOutput>& ruled = rule_.bursts(s);
+  Compared compared{heard_[s], features_of(step, ruled)};
+  take_means(step, recorded, ruled, compared.recorded);
+  take_means(step, ruled, recorded, compared.ruled);
+  return compared;
 }
 
 PlanLikelihood::Compared PlanLikelihood::compared_step(const Numbers& x, std::size_t s) const {
   const PlanStep& step = plan_.steps[s];
-  const auto recorded = bursts_of(recorded_, first_, s), ruled = bursts_of(ruled_, first_, s);
-  Compared compared{heard_[s], features_of(step, ruled)};
-  take_means(step, recorded, ruled, compared.recorded);
-  take_means(step, ruled, recorded, compared.ruled);
+  Compared compared = compared_[s];
   const double cycle_s = 1 / value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
   const std::size_t capture = origin_[s].capture;
   compared.ruled.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +

@@ -69,6 +69,8 @@ class PlanLikelihood {
   };
   /// Looks at each step when it was played, until `look` says no.
   void play(const Played& played, const std::function<bool(std::size_t)>& look) const;
+  Compared compared_bursts(std::size_t step) const;
+  /// With where the capture begins, and its clock.
   Compared compared_step(const Numbers& x, std::size_t step) const;
   /// What a step's features differ by.
   std::array<double, n_feature_kinds> differences(const Compared& compared, std::size_t step) const;
@@ -91,8 +93,8 @@ class PlanLikelihood {
   std::vector<StepFeatures> heard_;         // of the recording alone
   std::vector<ParameterPrior> priors_;
   std::vector<double> sigma_;
-  mutable std::vector<BurstOutput> ruled_;
-  mutable std::vector<double> played_;  // numbers for which `ruled_` was, all of it
+  mutable OutputOfRule rule_;
+  mutable std::vector<Compared> compared_;  // of the steps that were shown
 };
 
 }  // namespace sim

@@ -14,6 +14,8 @@ struct RuleConstants {
   double attack_db_per_s = 300, release_db_per_s = 130;
   double long_burst_s = 0, free_s = 0, min_gap_s = 0, dark_hold_s = 0;
   double margin_db = 3, range_db = 120;
+
+  bool operator==(const RuleConstants&) const = default;
 };
 
 }  // namespace sim
