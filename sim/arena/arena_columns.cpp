@@ -47,19 +47,22 @@ void add_latency_and_load(Columns<Point>& columns) {
       .real(
           {"total_offered_load", "1", "offered load of all devices together"},
           [](const Point& p) { return offered_load(p, together(p)); }, fixed(4))
-      .headed({{"offered", "load", "G"}, 7});
+      .headed({{"offered", "load", "G"}, 7})
+      .spared_before(2);
   columns
       .real(
           {"total_throughput", "1", "throughput of all devices together"},
           [](const Point& p) { return throughput(p, together(p)); }, fixed(4))
       .headed({{"through-", "put", "S"}, 8})
+      .spared_before(2)
       .drawn({"Throughput", "throughput S (dashed: of pure ALOHA at that load)", false,
               "pure_aloha_throughput"});
   columns
       .real(
           {"pure_aloha_throughput", "1", "throughput of pure ALOHA at that load"},
           [](const Point& p) { return pure_aloha(offered_load(p, together(p))); }, fixed(4))
-      .headed({{"pure", "ALOHA", "S"}, 7});
+      .headed({{"pure", "ALOHA", "S"}, 7})
+      .spared_before(2);
 }
 
 // ---- devices ----

@@ -1,6 +1,7 @@
 #include "sim/columns/closing_lines.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sim {
 
@@ -9,6 +10,11 @@ std::string unfinished_note(std::size_t all, std::size_t finished, std::size_t b
   return fmt::format("unfinished: {} of {} points{}; what follows is of what was counted\n",
                      all - finished, all,
                      begun < all ? fmt::format(", {} of them not begun", all - begun) : "");
+}
+
+std::string left_out_note(const std::vector<std::string>& columns, const std::string& who_has_all) {
+  if (columns.empty()) return "";
+  return fmt::format("no room for {} ({} has all)\n", fmt::join(columns, ", "), who_has_all);
 }
 
 std::string shards_note(const std::vector<Shard>& shards) {

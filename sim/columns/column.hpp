@@ -38,6 +38,7 @@ struct ColumnFacts {
   VariableFacts facts;              // no name: the column is in the terminal's table only
   std::vector<std::string> over{};  // its dimensions besides the axes, by their names
   TextColumn heading{{}, 0};        // of width 0: the column is not in the terminal's table
+  int spared = 0;  // where a line has no room for all, those of the highest go first
   /// In the tables of a page, without its unit; empty: the heading in one line, or else the name.
   std::string page_heading{};
   std::optional<DrawnColumn> drawing{};
@@ -102,6 +103,10 @@ struct Column : ColumnFacts {
   }
   Column& headed(const TextColumn& names_and_width) {
     heading = names_and_width;
+    return *this;
+  }
+  Column& spared_before(int others) {
+    spared = others;
     return *this;
   }
   Column& called(const std::string& on_page) {

@@ -40,9 +40,11 @@ std::string cell_text(const Column<Point>& column, const Point& point, std::size
 template <class Point>
 class PointTable {
  public:
-  /// `any`: one of the points, before its first run or after it.
-  PointTable(const Columns<Point>& columns, const LoadedScenario& scenario, const Point& any)
-      : axes_(scenario.sweep), headings_(axis_columns(axes_)) {
+  /// `any`: one of the points, before its first run or after it. Where lines would be wider than
+  /// `room` characters (0: none is too wide), columns are left out.
+  PointTable(const Columns<Point>& columns, const LoadedScenario& scenario, const Point& any,
+             int room = 0)
+      : axes_(scenario.sweep) {
     std::vector<Column<Point>> spread_together;  // of one dimension, one behind the other
     const auto spread_them = [&] {
       if (!spread_together.empty())
@@ -63,7 +65,12 @@ class PointTable {
       }
     }
     spread_them();
+    if (room > 0) leave_out(room);
+    headings_ = headings();
   }
+
+  /// Names of the columns that have no room.
+  const std::vector<std::string>& left_out() const { return left_out_; }
 
   std::string head() const { return table_head(headings_); }
   std::string row(const Point& point) const {
@@ -79,7 +86,25 @@ class PointTable {
   struct Cell {
     Column<Point> column;
     std::size_t element;
+    TextColumn heading;
   };
+
+  std::vector<TextColumn> headings() const {
+    std::vector<TextColumn> all = axis_columns(axes_);
+    for (const Cell& cell : cells_) all.push_back(cell.heading);
+    return all;
+  }
+
+  /// Of equals the last goes first.
+  void leave_out(int room) {
+    while (cells_.size() > 1 && line_width(headings()) > room) {
+      auto spared = cells_.begin();
+      for (auto cell = cells_.begin(); cell != cells_.end(); ++cell)
+        if (cell->column.spared >= spared->column.spared) spared = cell;
+      left_out_.push_back(column_words(spared->heading));
+      cells_.erase(spared);
+    }
+  }
 
   /// Element by element, with all columns of each.
   void spread(const std::vector<Column<Point>>& together, const std::vector<Label>& labels) {
@@ -88,13 +113,13 @@ class PointTable {
   }
 
   void add(const Column<Point>& column, std::size_t element, TextColumn heading) {
-    headings_.push_back(std::move(heading));
-    cells_.push_back({column, element});
+    cells_.push_back({column, element, std::move(heading)});
   }
 
   std::vector<Axis> axes_;
-  std::vector<TextColumn> headings_;
   std::vector<Cell> cells_;
+  std::vector<std::string> left_out_;
+  std::vector<TextColumn> headings_;  // those of the axes, then one a cell
 };
 
 /// The headed columns that have just this dimension: a row for each element that the point has.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
 
 #include "sim/text/unit_text.hpp"
 
@@ -50,6 +52,29 @@ std::string table_line(const std::vector<TextColumn>& columns,
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + '\n';
+}
+
+int line_width(const std::vector<TextColumn>& columns) {
+  constexpr int between = 2;
+  int width = -between;
+  for (const TextColumn& column : columns) {
+    const int names = static_cast<int>(widest({column.names.begin(), column.names.end()}));
+    width += between + std::max(std::abs(column.width), names);
+  }
+  return std::max(width, 0);
+}
+
+std::string column_words(const TextColumn& column) {
+  std::string words;
+  for (const std::string& name : column.names) {
+    if (name.empty()) continue;
+    const bool goes_on = words.ends_with('-') && std::islower(name.front()) != 0;
+    if (goes_on) words.pop_back();
+    words += (goes_on || words.empty() ? "" : " ") + name;
+  }
+  words.erase(std::min(words.size(), words.find('[')));
+  words.erase(words.find_last_not_of(' ') + 1);
+  return words;
 }
 
 std::string table_head(const std::vector<TextColumn>& columns) {

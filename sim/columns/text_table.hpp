@@ -30,6 +30,12 @@ std::string table_line(const std::vector<TextColumn>& columns,
 std::string text_table(std::vector<TextColumn> columns,
                        const std::vector<std::vector<std::string>>& rows);
 
+/// So wide are lines of these columns at least.
+int line_width(const std::vector<TextColumn>& columns);
+
+/// "bit errors": a column's names in one line, without units.
+std::string column_words(const TextColumn& column);
+
 /// The lines of names, without those above all that are empty.
 std::string table_head(const std::vector<TextColumn>& columns);
 

@@ -26,7 +26,8 @@ Column<Point>& add_validity_flags(Columns<Point>& columns) {
           {validity_flags_name, "1", "models that are outside of their range"},
           [](const Point& point) { return point.validity_flags; }, validity_flag_names(),
           validity_mark)
-      .headed({{"", "", ""}, -1});
+      .headed({{"", "", ""}, -1})
+      .spared_before(-1);
 }
 
 /// What the marks of all points mean, a line each.

@@ -123,7 +123,7 @@ class Finds {
         over_(over),
         scenario_(scenario),
         ends_(swept_over(scenario, over.key, {over.low, over.high})),
-        table_(link_columns(), ends_, {}),
+        table_(link_columns(), ends_, {}, terminal_columns()),
         output_(std::move(output)),
         interrupt_(interrupt),
         axis_(static_cast<std::size_t>(std::ranges::find(ends_.sweep, over.key, &Axis::key) -
@@ -137,6 +137,7 @@ class Finds {
       const auto count = [&](double value) { return count_at(at, value); };
       search({over_.low, over_.high, request_.tolerance, over_.whole_numbers}, request_.flr, count);
     }
+    if (!request_.json) print(left_out_note(table_.left_out(), "a wider terminal"));
   }
 
   CrossingQuestion question() const { return {request_.flr, over_.key}; }

@@ -54,10 +54,12 @@ void add_light(Columns<Point>& columns) {
       .real({"irradiance_mw_per_m2", "mW/m2", "light of the device at the photodiode"},
             irradiance_mw_per_m2)
       .known_before()
-      .headed({{"", "irradiance", "[mW/m2]"}, number_width});
+      .headed({{"", "irradiance", "[mW/m2]"}, number_width})
+      .spared_before(1);
   columns.real({"photocurrent_na", "nA", "photocurrent of it while lit"}, photocurrent_na)
       .known_before()
-      .headed({{"photo-", "current", "[nA]"}, number_width});
+      .headed({{"photo-", "current", "[nA]"}, number_width})
+      .spared_before(2);
 }
 
 void add_noise(Columns<Point>& columns) {
@@ -71,7 +73,8 @@ void add_noise(Columns<Point>& columns) {
       .real(
           {"noise_in_steps", "1", "the same over a step of the ADC; theory: from 0.5 on"},
           [](const Point& p) { return p.result->noise_over_step; }, significant(3))
-      .headed({{"noise", "[steps", "of ADC]"}, 7});
+      .headed({{"noise", "[steps", "of ADC]"}, 7})
+      .spared_before(1);
   columns
       .real({"clipped", "1", "share of all samples that are clipped; theory: none"},
             [](const Point& p) { return p.result->clipped; })

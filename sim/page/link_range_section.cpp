@@ -37,7 +37,10 @@ std::vector<std::string> reach_head(const LinkResult& result, const Ranking& ran
 }
 
 std::string crossing_of(const LinkResult& result, const Ranking& ranking, const RowCrossing& row) {
-  return crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.flr);
+  const std::string words =
+      crossing_words(result.axes[ranking.abscissa], row.crossing, ranking.more_is_better);
+  const std::string note = crossing_note(row.crossing, ranking.flr);
+  return note.empty() ? words : words + ", " + note;
 }
 
 /// In a sentence.

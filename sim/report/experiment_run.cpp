@@ -22,6 +22,10 @@ void Rows::check() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
+int room_of_rows(const ExperimentRun& run) {
+  return run.table || run.json ? 0 : terminal_columns();
+}
+
 bool are_too_many_rows(const ExperimentRun& run, std::size_t points) {
   constexpr std::size_t most = 40;
   return !run.table && points > most && is_terminal();

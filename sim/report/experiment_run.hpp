@@ -68,6 +68,9 @@ struct ExperimentEngine {
   std::vector<ColumnFacts> (*columns)();
 };
 
+/// Into how many characters a row is to fit; 0: into any.
+int room_of_rows(const ExperimentRun& run);
+
 /// Whether a terminal is spared the rows: it would show the last of them alone.
 bool are_too_many_rows(const ExperimentRun& run, std::size_t points);
 

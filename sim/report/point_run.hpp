@@ -42,7 +42,7 @@ class PointRun : public ReadyRun {
       : run_(std::move(run)),
         report_(report),
         counting_(kind, run_.scenario, run_.shards),
-        table_(report.columns(), run_.scenario, counting_.points().front()),
+        table_(report.columns(), run_.scenario, counting_.points().front(), room_of_rows(run_)),
         are_too_many_(!run_.json && are_too_many_rows(run_, counting_.points().size())),
         // a table of hundreds of units would hide what they say together
         rows_(run_.json || are_too_many_ || !run_.speaks() || has_units(run_.scenario.sweep)),
@@ -111,7 +111,7 @@ class PointRun : public ReadyRun {
              },
          .plots = [&] { return charts_as_text(charts(data)); },
          .missing = missing,
-         .overview = are_too_many_ ? overview(data) : "",
+         .overview = are_too_many_ ? overview(data) : left_out_note(table_.left_out(), "--table"),
          .notes =
              [&] {
                return unit_spread_lines(data) + unit_value_lines(data, report_.columns().facts()) +

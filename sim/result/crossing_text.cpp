@@ -14,10 +14,15 @@ namespace {
 
 using Kind = Crossing::Kind;
 
+/// Whether so many frames do not tell its side of the level.
+bool is_doubtful(const Crossing& c, double level) {
+  if (c.kind == Kind::all_above) return c.bound < level;
+  return (c.kind == Kind::all_below || c.kind == Kind::jump) && c.bound > level;
+}
+
 /// ", though 3.8 % cannot be ruled out": what the frames do not tell; of a jump with its place.
 std::string doubt(const Axis& axis, const Crossing& c, double level) {
-  const bool doubtful = c.kind == Kind::all_above ? c.bound < level : c.bound > level;
-  if (!doubtful) return "";
+  if (!is_doubtful(c, level)) return "";
   const std::string at = with_unit(fmt::format("{:g}", c.bound_at), axis.unit);
   return fmt::format(", though {:.2g} % cannot be ruled out{}", c.bound * 100,
                      c.kind == Kind::jump ? " at " + at : "");
@@ -71,33 +76,15 @@ std::string value_words(const Axis& axis, double value) {
 
 }  // namespace
 
-std::string crossing_words(const Axis& axis, const Crossing& c, double level) {
-  const std::string range = with_unit(span_text(c), axis.unit);
-  const std::string gap = with_unit(fmt::format("{:g} and {:g}", c.low, c.high), axis.unit);
-  const double percent = level * 100;
-  switch (c.kind) {
-    case Kind::fitted:
-      return with_unit(fitted_text(c), axis.unit);
-    case Kind::jump:
-      return "between " + gap + doubt(axis, c, level);
-    case Kind::bracketed:
-      if (!open_side(c).empty())
-        return open_side(c) + " " + with_unit(only_end(c), axis.unit) + too_few(c);
-      return "between " + gap;
-    case Kind::all_below:
-      return fmt::format("beyond the sweep: at most {:g} % lost in {}", percent, range) +
-             doubt(axis, c, level);
-    case Kind::all_above:
-      return fmt::format("short of the sweep: more than {:g} % lost in all of {}", percent, range) +
-             doubt(axis, c, level);
-    case Kind::not_monotone:
-      return "loss rises and falls: no single value, see the table";
-    case Kind::unfinished:
-      return not_told(axis, c);
-    case Kind::unclear:
-      break;
-  }
-  return fmt::format("unclear: too few frames to tell its side of {:g} %", percent);
+std::string crossing_words(const Axis& axis, const Crossing& c, bool more_is_better) {
+  if (c.kind == Kind::fitted) return with_unit(fitted_text(c), axis.unit);
+  if (c.kind == Kind::unfinished) return not_told(axis, c);
+  return short_crossing_words(axis, c, more_is_better);
+}
+
+std::string crossing_note(const Crossing& c, double level) {
+  if (c.kind == Kind::bracketed) return open_side(c).empty() ? "" : "too few frames";
+  return is_doubtful(c, level) ? fmt::format("{:.2g} % possible", c.bound * 100) : "";
 }
 
 std::string short_crossing_words(const Axis& axis, const Crossing& c, bool more_is_better) {
@@ -152,6 +139,33 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
   }
   return fmt::format("frame loss does not clearly cross {:g} % inside the sweep of {}", level * 100,
                      axis.key);
+}
+
+std::string reach_sentence(const Axis& axis, const Crossing& c, double level) {
+  const double percent = level * 100;
+  const std::string range = with_unit(span_text(c), axis.unit);
+  const std::string reaches = "the link reaches " + short_crossing_words(axis, c, false);
+  const std::string at = fmt::format("{} at {:g} % frame loss", reaches, percent);
+  switch (c.kind) {
+    case Kind::fitted:
+      return fmt::format("the link reaches {} at {:g} % frame loss",
+                         with_unit(fitted_text(c), axis.unit), percent);
+    case Kind::jump:
+      return at + ", two neighbours in the sweep" + doubt(axis, c, level);
+    case Kind::bracketed:
+      return open_side(c).empty() ? at : at + too_few(c);
+    case Kind::all_below:
+      return fmt::format("{}: at most {:g} % of frames lost at {}", reaches, percent, range) +
+             doubt(axis, c, level);
+    case Kind::all_above:
+      return fmt::format("{}: more than {:g} % of frames lost at {}", reaches, percent, range) +
+             doubt(axis, c, level);
+    case Kind::not_monotone:
+    case Kind::unfinished:
+    case Kind::unclear:
+      break;
+  }
+  return crossing_sentence(axis, c, level);
 }
 
 std::string range_words(const Axis& axis, const UnitRange& range) {

@@ -138,36 +138,51 @@ void sort_best_first(const LinkResult& result, Ranking& ranking) {
 
 /// What the table marks at points of the row.
 std::string mark(const RowCrossing& row) {
-  return row.validity_flags == 0 ? ""
-                                 : "  ! " + raised_names(validity_limits(), row.validity_flags);
+  return row.validity_flags == 0 ? "" : "! " + raised_names(validity_limits(), row.validity_flags);
 }
 
-/// A column of the list: the name of an axis above its values.
+/// A column of the list, as wide as the widest of its texts.
 struct ListColumn {
   std::string name;
-  std::vector<std::string> texts;  // one a row
-  bool to_the_left;
-  std::size_t width;
+  bool to_the_left = true;
+  std::vector<std::string> texts{};  // one a row
 
+  bool is_empty() const {
+    return std::ranges::all_of(texts, [](const std::string& text) { return text.empty(); });
+  }
   std::string cell(const std::string& text) const {
+    std::size_t width = name.size();
+    for (const std::string& one : texts) width = std::max(width, one.size());
     return to_the_left ? fmt::format("  {:<{}}", text, width)
                        : fmt::format("  {:>{}}", text, width);
   }
 };
 
+ListColumn axis_column(const LinkResult& result, const Ranking& ranking, std::size_t other) {
+  const Axis& axis = result.axes[ranking.others[other]];
+  const bool plain = axis.unit.empty() || axis.unit == "1";
+  const std::string name = axis.key.substr(axis.key.rfind('.') + 1);
+  ListColumn column{plain ? name : name + " [" + axis.unit + "]", axis.is_text()};
+  for (const RowCrossing& row : ranking.rows)
+    column.texts.push_back(coordinate_text(axis, row.others[other]));
+  return column;
+}
+
+/// Those that no row has anything in are left out.
 std::vector<ListColumn> columns_of(const LinkResult& result, const Ranking& ranking) {
+  const Axis& abscissa = result.axes[ranking.abscissa];
   std::vector<ListColumn> columns;
-  for (std::size_t i = 0; i < ranking.others.size(); ++i) {
-    const Axis& axis = result.axes[ranking.others[i]];
-    const bool plain = axis.unit.empty() || axis.unit == "1";
-    ListColumn column{plain ? axis.key : axis.key + " [" + axis.unit + "]", {}, axis.is_text(), 0};
-    column.width = column.name.size();
-    for (const RowCrossing& row : ranking.rows) {
-      column.texts.push_back(coordinate_text(axis, row.others[i]));
-      column.width = std::max(column.width, column.texts.back().size());
-    }
-    columns.push_back(std::move(column));
+  for (std::size_t i = 0; i < ranking.others.size(); ++i)
+    columns.push_back(axis_column(result, ranking, i));
+  ListColumn crossing{"passes at"}, units{"8 of 10 units"}, note{""}, marks{""};
+  for (const RowCrossing& row : ranking.rows) {
+    crossing.texts.push_back(crossing_words(abscissa, row.crossing, ranking.more_is_better));
+    units.texts.push_back(row.doubt ? span_words(abscissa, row.doubt->quantiles) : "");
+    note.texts.push_back(crossing_note(row.crossing, ranking.flr));
+    marks.texts.push_back(mark(row));
   }
+  for (ListColumn& column : {std::ref(crossing), std::ref(units), std::ref(note), std::ref(marks)})
+    if (!column.is_empty()) columns.push_back(std::move(column));
   return columns;
 }
 
@@ -182,11 +197,6 @@ std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
       "as {}; {} for 8 of 10 units, as not all of {} is known (--doubt says more{})\n",
       doubt.is_measured ? "measured" : "assumed", span_words(axis, doubt.quantiles), doubt.part,
       doubt.is_measured ? "" : "; measure yours: cosys-sim fit");
-}
-
-/// Behind a row of several.
-std::string doubt_mark(const Axis& axis, const RowCrossing& row) {
-  return row.doubt ? "; 8 of 10 units: " + span_words(axis, row.doubt->quantiles) : "";
 }
 
 /// Below all rows: what their doubts mean.
@@ -214,9 +224,9 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
     const RowCrossing& row = ranking.rows[i];
     text += place(row.place == 0 ? "-" : std::to_string(row.place));
-    for (const ListColumn& column : columns) text += column.cell(column.texts[i]);
-    text += "  " + crossing_words(abscissa, row.crossing, ranking.flr) + doubt_mark(abscissa, row) +
-            mark(row) + "\n";
+    std::string cells;
+    for (const ListColumn& column : columns) cells += column.cell(column.texts[i]);
+    text += without_end_blanks(std::move(cells));
   }
   return text + doubt_note(ranking);
 }
@@ -282,8 +292,11 @@ std::string ranking_lines(const LinkResult& result, const Ranking& ranking) {
   if (!ranking.others.empty()) return list(result, ranking);
   const RowCrossing& row = ranking.rows.front();
   const Axis& abscissa = result.axes[ranking.abscissa];
-  return crossing_sentence(abscissa, row.crossing, ranking.flr) + mark(row) + "\n" +
-         (row.doubt ? doubt_line(abscissa, *row.doubt) : "");
+  const bool is_reach = abscissa.key == distance_key && !ranking.more_is_better;
+  const auto sentence = is_reach ? reach_sentence : crossing_sentence;
+  const std::string marks = mark(row);
+  return sentence(abscissa, row.crossing, ranking.flr) + (marks.empty() ? "" : "  " + marks) +
+         "\n" + (row.doubt ? doubt_line(abscissa, *row.doubt) : "");
 }
 
 }  // namespace sim

@@ -1,6 +1,7 @@
 #include "sim/text/standard_output.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -66,5 +67,10 @@ void say(std::string_view text) { draw(shown(text)); }
 void draw(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+
+int terminal_columns() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
 
 }  // namespace sim

@@ -28,5 +28,7 @@ void draw(std::string_view text);
 
 /// Whether somebody looks at it: it is a terminal, no file and no pipe.
 bool is_terminal();
+/// How many characters a line of it has; 0 where that is not known, or it is no terminal.
+int terminal_columns();
 
 }  // namespace sim

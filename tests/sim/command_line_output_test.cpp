@@ -168,4 +168,30 @@ TEST_F(CommandLineOutput, ATerminalIsSparedManyRows) {
   }
 }
 
+// Of a narrow terminal the columns that are read least make room; a pipe has all.
+TEST_F(CommandLineOutput, ATableFitsTheTerminal) {
+  write_scenario("s.toml", "receiver.range_m = [1, 5]");
+  const std::string run = "$P run s.toml -q -n 8";
+  const auto table_at = [&](int columns, const std::string& more) {
+    return script("script -qec \"stty cols " + std::to_string(columns) + "; " + run + more +
+                  "\" /dev/null | head -6");
+  };
+  const auto widest = [](const std::string& table) {
+    std::size_t width = 0;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) width = std::max(width, line.size());
+    return width;
+  };
+  const std::string narrow = table_at(80, "");
+  EXPECT_LE(widest(narrow.substr(0, narrow.find("no room"))), 80U + 1) << "with its \\r";
+  EXPECT_NE(narrow.find("no room for real time, bit errors, SNR, irradiance, stopped by (--table "
+                        "has all)\r\n"),
+            std::string::npos)
+      << narrow;
+  for (const std::string& all : {table_at(200, ""), table_at(80, " --table"), script(run)}) {
+    EXPECT_NE(all.find("stopped by"), std::string::npos) << all;
+    EXPECT_EQ(all.find("no room"), std::string::npos);
+  }
+}
+
 }  // namespace

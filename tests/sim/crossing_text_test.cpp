@@ -56,31 +56,54 @@ TEST(CrossingSentence, SaysEachOutcome) {
             "frame loss rises and falls along receiver.range_m: no single crossing of 1 %");
 }
 
+TEST(ReachSentence, SaysEachOutcome) {
+  const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
+  const auto say = [&](sim::Crossing c) { return sim::reach_sentence(axis, c); };
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}),
+            "the link reaches 7.88 [7.60, 8.20] m at 1 % frame loss");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
+            "the link reaches 7 to 8 m at 1 % frame loss, two neighbours in the sweep, though 1.8 "
+            "% cannot be ruled out at 7 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "the link reaches 7 to 8 m at 1 % frame loss");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
+            "the link reaches less than 8 m at 1 % frame loss: too few frames to tell how far "
+            "below");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
+            "the link reaches more than 5 m: at most 1 % of frames lost at 1 .. 5 m, though 3.8 % "
+            "cannot be ruled out");
+  EXPECT_EQ(say({Kind::all_above, 1, 1, 5, 0.02}),
+            "the link reaches less than 1 m: more than 1 % of frames lost at 1 .. 5 m");
+  for (const Kind kind : {Kind::unclear, Kind::unfinished, Kind::not_monotone})
+    EXPECT_EQ(say({kind, 2, 1, 3}), sim::crossing_sentence(axis, {kind, 2, 1, 3}));
+}
+
 TEST(CrossingWords, SayEachOutcomeInAList) {
   const sim::Axis axis{"receiver.range_m", "m", "distance", {1, 10}};
-  const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c); };
+  const auto say = [&](sim::Crossing c) { return sim::crossing_words(axis, c, false); };
   EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "7.88 [7.60, 8.20] m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}), "between 7 and 8 m");
-  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}),
-            "between 7 and 8 m, though 1.8 % cannot be ruled out at 7 m");
-  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "between 7 and 8 m");
-  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}),
-            "below 8 m: too few frames to tell how far below");
-  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, infinity}),
-            "above 7 m: too few frames to tell how far above");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "beyond the sweep: at most 1 % lost in 1 .. 5 m");
-  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}),
-            "beyond the sweep: at most 1 % lost in 1 .. 5 m, though 3.8 % cannot be ruled out");
-  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}),
-            "short of the sweep: more than 1 % lost in all of 1 .. 5 m");
-  EXPECT_EQ(
-      say({Kind::all_above, 3, 1, 5, 0.0013}),
-      "short of the sweep: more than 1 % lost in all of 1 .. 5 m, though 0.13 % cannot be ruled "
-      "out");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}), "7 to 8 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "7 to 8 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}), "less than 8 m");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, infinity}), "more than 7 m");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5}), "more than 5 m");
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}), "less than 1 m");
+  EXPECT_EQ(sim::crossing_words(axis, {Kind::all_above, 3, 1, 5, 0.02}, true), "more than 5 m");
   EXPECT_EQ(say({Kind::unfinished, 2, 1, 3}), "not told yet: counted at 1 .. 3 m alone");
   EXPECT_EQ(say({Kind::unfinished, std::nan(""), std::nan(""), std::nan("")}), "not counted yet");
-  EXPECT_EQ(say({Kind::not_monotone}), "loss rises and falls: no single value, see the table");
-  EXPECT_EQ(say({}), "unclear: too few frames to tell its side of 1 %");
+  EXPECT_EQ(say({Kind::not_monotone}), "no single value, as loss rises and falls");
+  EXPECT_EQ(say({}), "not told by so few frames");
+}
+
+TEST(CrossingNote, SaysWhatTheFramesDoNotTell) {
+  const auto say = [&](sim::Crossing c) { return sim::crossing_note(c); };
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.003, 7}), "");
+  EXPECT_EQ(say({Kind::jump, 7.5, 7, 8, 0.018, 7}), "1.8 % possible");
+  EXPECT_EQ(say({Kind::all_below, 3, 1, 5, 0.0377}), "3.8 % possible");
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.02}), "");
+  EXPECT_EQ(say({Kind::all_above, 3, 1, 5, 0.0013}), "0.13 % possible");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, 7, 8}), "");
+  EXPECT_EQ(say({Kind::bracketed, 7.5, -infinity, 8}), "too few frames");
+  EXPECT_EQ(say({Kind::fitted, 7.88, 7.6, 8.2}), "");
 }
 
 // Units between the least and the greatest of three quantiles.

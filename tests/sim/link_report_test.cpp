@@ -53,14 +53,14 @@ TEST(Report, OfSeveralResultsSaysFirstWhichReachesFarther) {
   const LinkResult two = sweep_of({point_of(2, 1000, 0), point_of(3, 1000, 1000)});
   const Page page =
       page_of({link_section(link_report_of("one", one)), link_section(link_report_of("two", two))});
-  EXPECT_EQ(page.summary.find("Frame loss passes 1 % along receiver.range_m at: one: between 1 and "
-                              "2 m; two: between 2 and 3 m.\none: "),
-            0U)
+  EXPECT_EQ(
+      page.summary.find("Frame loss passes 1 % along receiver.range_m at: one: 1 to 2 m; two: "
+                        "2 to 3 m.\none: "),
+      0U)
       << page.summary;
   EXPECT_EQ(page.sections[0].heading, "How far each reaches");
   EXPECT_EQ(page.sections[0].table->rows,
-            (std::vector<std::vector<std::string>>{{"two", "between 2 and 3 m"},
-                                                   {"one", "between 1 and 2 m"}}));
+            (std::vector<std::vector<std::string>>{{"two", "2 to 3 m"}, {"one", "1 to 2 m"}}));
   LinkResult lamps = two;
   lamps.axes[0].key = "ambient.irradiance_w_per_m2";
   EXPECT_EQ(page_of({link_section(link_report_of("one", one)),

@@ -53,7 +53,7 @@ sim::LinkResult drawn(const DrawnSweep& sweep, std::uint64_t seed) {
 /// As it is printed.
 held::Printed printed(const sim::Crossing& crossing, const DrawnSweep& sweep) {
   const std::string words =
-      sim::crossing_words({"receiver.range_m", "m", "distance", {}}, crossing, sweep.level);
+      sim::crossing_words({"receiver.range_m", "m", "distance", {}}, crossing, false);
   held::Printed ends{NAN, NAN, truth_of(sweep)};
   EXPECT_EQ(std::sscanf(words.c_str(), "%*f [%lf, %lf]", &ends.low, &ends.high), 2) << words;
   return ends;

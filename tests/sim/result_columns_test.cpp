@@ -196,6 +196,28 @@ TEST(PointTable, SpreadsADimensionElementByElement) {
   EXPECT_EQ(table.row(rooms()[0]), "         1       4       8       6      12\n");
 }
 
+// Of the columns of equal rank the last goes first, of others that of the highest.
+TEST(PointTable, LeavesOutColumnsForWantOfRoom) {
+  Columns<Room> columns;
+  for (const auto& [name, spared] :
+       {std::pair{"first", 0}, {"second", 1}, {"third-", 2}, {"last", 0}})
+    columns.real({name, "", ""}, [](const Room&) { return 1.0; })
+        .headed({{name, "part", "[m]"}, 8})
+        .spared_before(spared);
+  const auto left_out = [&](int room) {
+    return PointTable(columns, three_points(), rooms()[0], room).left_out();
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(left_out(0), Names{}) << "any room";
+  EXPECT_EQ(left_out(10 + 4 * 10), Names{});
+  EXPECT_EQ(left_out(10 + 4 * 10 - 1), (Names{"thirdpart"}));
+  EXPECT_EQ(left_out(10 + 2 * 10), (Names{"thirdpart", "second part"}));
+  EXPECT_EQ(left_out(10 + 10), (Names{"thirdpart", "second part", "last part"}));
+  EXPECT_EQ(left_out(1), (Names{"thirdpart", "second part", "last part"})) << "one stays";
+  EXPECT_EQ(PointTable(columns, three_points(), rooms()[0], 20).row(rooms()[2]),
+            "         3         1\n");
+}
+
 TEST(PointTable, LeavesOutWhatTheScenarioHasNoUseFor) {
   Columns<Room> columns;
   columns.count({"n_runs", "1", ""}, [](const Room& r) { return r.runs; })

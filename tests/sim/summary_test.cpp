@@ -22,8 +22,8 @@ TEST(Summary, SaysHowFarTheLinkReachesAndWhatItIsLikeWhereLossBegins) {
   const std::string words = top_of(sweep_of({point_of(1, 1000, 0), point_of(2, 1000, 0),
                                              point_of(3, 1000, 200), point_of(4, 1000, 1000)}),
                                    {});
-  EXPECT_EQ(words.find("Frame loss crosses 1 % between receiver.range_m = 2 .. 3 m, two "
-                       "neighbours in the sweep.\n4000 frames were simulated at 4 points; 1200 of "
+  EXPECT_EQ(words.find("The link reaches 2 to 3 m at 1 % frame loss, two neighbours in the "
+                       "sweep.\n4000 frames were simulated at 4 points; 1200 of "
                        "them were lost.\n"),
             0U)
       << words;
