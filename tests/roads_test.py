@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what the pages of scenarios/roads say, command by command, and compares what is printed.
+"""Does what the pages of PAGES say, command by command, and compares what is printed.
 
 In a block of ```console a line that begins with "$ " is a command, for bash, in one folder a page; what stands below it
 is what it prints on stdout. With --write the pages get what is printed now.
@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 
+PAGES = ("scenarios/roads/*.md", "protocol/PROTOCOLS.md", "channel/PHYSICS.md")
 ENVIRONMENT = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"]}  # Debian's Python has xarray
 BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.MULTILINE | re.DOTALL)
 
@@ -27,6 +28,12 @@ def done(block, folder):
                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
         text += f"$ {command}\n{outcome.stdout}"
     return text
+
+
+def pages(sources):
+    """Of each pattern one or more: what names none is yielded itself, and cannot be read."""
+    for pattern in PAGES:
+        yield from sorted(sources.glob(pattern)) or [sources / pattern]
 
 
 def page_now(page, program, sources):
@@ -46,9 +53,8 @@ def skip_without_xarray():
 def main(program, sources, *options):
     skip_without_xarray()
     sources = pathlib.Path(sources).resolve()
-    pages = sorted((sources / "scenarios" / "roads").glob("*.md"))
-    differ = not pages
-    for page in pages:
+    differ = False
+    for page in pages(sources):
         before, now = page.read_text(), page_now(page, pathlib.Path(program).resolve(), sources)
         if options == ("--write",):
             page.write_text(now)
