@@ -131,7 +131,8 @@ void add_check(CLI::App& app, CheckRequest& request) {
   check.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   check.add_flag("--json", request.json, "one JSON object on stdout, not the table");
   check.footer(
-      "Exit code 1 if it is worse or fails, 4 if more frames are needed to tell. Example: "
+      "Exit code 1 if it is worse or fails, 4 if more frames are needed to tell. What decoders "
+      "drop: protocol/PROTOCOLS.md. Example: "
       "cosys-sim "
       "check scenarios/quickstart.toml --baseline quickstart-baseline.h5 --decoder mid-bit");
 }

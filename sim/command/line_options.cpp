@@ -60,7 +60,9 @@ void add_decode(CLI::App& app, DecodeRequest& request) {
   decode.add_flag("--json", request.json,
                   "one JSON object a line for each message, and a last one of the line; of several "
                   "captures one object each");
-  decode.footer("Example: cosys-sim decode trial.vcd --wire rx");
+  decode.footer(
+      "What each outcome means: protocol/PROTOCOLS.md. Example: cosys-sim decode trial.vcd --wire "
+      "rx");
 }
 
 void add_node(CLI::App& app, NodeRequest& request) {
