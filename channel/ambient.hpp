@@ -28,6 +28,7 @@ constexpr dsp::WattsPerSquareMetre white_led_light(double lux) {
   return dsp::WattsPerSquareMetre(lux * 1e-6);
 }
 
+/// Fig. 6's 1.2 W/m2 of 1000 lx; the spectrum of ASTM G173 has 0.95 to 1.0.
 constexpr dsp::WattsPerSquareMetre daylight(double lux) {
   return dsp::WattsPerSquareMetre(lux * 10 / 8200);
 }

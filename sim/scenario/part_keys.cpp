@@ -167,7 +167,10 @@ const char* flaw_of(const channel::ModuleData& part) {
   return nullptr;
 }
 
-/// Where a part lies whose file is silent of a number that no sheet prints.
+/// Where a part lies whose file is silent of a number that no sheet prints. All bounds, here and in
+/// the files, are judgement: a number that was taken from a sibling has half to twice of it (Emin,
+/// Emax, ambient light) or a fifth more and less (cycles); a limit that a sheet guarantees lies at
+/// one end of its bounds.
 channel::AllBounds bounds_of_silence() {
   using enum channel::Distribution;
   return {
