@@ -187,9 +187,9 @@ TEST(ModelAgainstSheet, MeasuredOtherModulesAreNearTheirs) {
   expect_below(deviations("tsop94656"), {{"min_repetition", 0.24}});
 }
 
-// With no number from a curve of its own a part still comes near its curves: how near is told in
-// scenarios/README.md. Vishay 82459 rev 1.8, 82491 rev 1.9, 82834 rev 1.2, 82836 rev 1.1, 81010
-// rev 2.4.
+// With no number from a curve of its own a part still comes near its curves: how near is told here,
+// of a TSOP4856 in scenarios/README.md too. Vishay 82459 rev 1.8, 82491 rev 1.9, 82834 rev 1.2,
+// 82836 rev 1.1, 81010 rev 2.4.
 TEST(TablesAlone, MeasuredAPartComesNearItsCurvesWithoutThem) {
   const fs::path folder = fs::path(COSYS_SOURCE_DIR) / "tests/sim/tables_alone";
   expect_below(deviations("tsop4856", folder), {{"pulse_width", 1.2},
