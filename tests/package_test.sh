@@ -50,7 +50,7 @@ expect_file -rwxr-xr-x bin/cosys-sim
 for file in cosys-sim/quickstart.toml cosys-sim/modules/tsop4856.toml cosys-sim/sigrok/cosys/pd.py \
   man/man1/cosys-sim.1.gz bash-completion/completions/cosys-sim zsh/vendor-completions/_cosys-sim \
   fish/vendor_completions.d/cosys-sim.fish \
-  doc/cosys-sim/copyright doc/cosys-sim/README.md doc/cosys-sim/CHANGELOG.md.gz; do
+  doc/cosys-sim/copyright doc/cosys-sim/README.md doc/cosys-sim/protocol/PROTOCOLS.md doc/cosys-sim/CHANGELOG.md.gz; do
   expect_file -rw-r--r-- "share/$file"
 done
 expect_file lrwxrwxrwx 'share/libsigrokdecode/decoders/cosys -> ../../cosys-sim/sigrok/cosys'

@@ -120,7 +120,7 @@ std::string files(const std::string& program) {
          troff_text(
              "PREFIX is the folder of which bin/ has the program: /usr for that of a package.") +
          item(italic(folder + "/*.toml"), "Scenarios to begin with: quickstart.toml first.") +
-         item(italic(folder + "/README.md"), "All keys of a scenario.") +
+         item(italic(folder + "/KEYS.md"), "All keys of a scenario.") +
          item(italic(folder + "/modules/") + ", " + italic("leds/") + ", " + italic("floors/") +
                   ", " + italic("photodiodes/"),
               "The parts, each number with its source. What is in folders of these names beside a "

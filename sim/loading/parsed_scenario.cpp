@@ -84,7 +84,7 @@ bool is_empty_table(const Entry& entry) {
 std::string guessed_table(const std::string& name, const std::vector<std::string>& tables) {
   const std::string guess = nearest(name, tables);
   return is_near(name, guess) ? "did you mean [" + guess + "]?"
-                              : "scenarios/README.md lists all tables";
+                              : "scenarios/KEYS.md lists all tables";
 }
 
 /// A table without keys says nothing, but must still be one that could.

@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// The tables of scenarios/README.md, in Markdown.
+/// The tables of scenarios/KEYS.md, in Markdown.
 std::string key_reference();
 
 }  // namespace sim

@@ -1,7 +1,7 @@
 #pragma once
 // Scenario: one experiment as its TOML file says it. Every field is a key of sim/scenario/keys.cpp
 // or, in `settings`, of the folder of an experiment, which gives its name, unit, bounds and
-// meaning; scenarios/README.md prints them. Loading turns text into a base and its sweep, all of
+// meaning; scenarios/KEYS.md prints them. Loading turns text into a base and its sweep, all of
 // whose points hold before any is run.
 #include <filesystem>
 #include <map>

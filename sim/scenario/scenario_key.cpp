@@ -64,7 +64,7 @@ const Key& scenario_key(const std::string& name, const std::string& place) {
   const std::string guess = nearest(name, names_like(name));
   throw bad_input(
       name + " " + place, "no such key",
-      is_near(name, guess) ? "did you mean " + guess + "?" : "scenarios/README.md lists all keys");
+      is_near(name, guess) ? "did you mean " + guess + "?" : "scenarios/KEYS.md lists all keys");
 }
 
 const Key& scenario_key(const std::string& name, std::string_view value, const std::string& place) {

@@ -1,4 +1,4 @@
-// scenarios/README.md must print the program's own key table. To re-bless it after a change of
+// scenarios/KEYS.md must print the program's own key table. To re-bless it after a change of
 // keys, run this test with COSYS_BLESS=1 and review the difference.
 #include <cstdlib>
 #include <fstream>
@@ -20,27 +20,27 @@ using sim::scenarios;
 const std::string begin_mark = "<!-- keys: begin (printed by the program) -->\n";
 const std::string end_mark = "\n<!-- keys: end -->";
 
-struct Readme {
+struct KeysPage {
   std::string before, tables, after;
 };
 
-Readme read_readme() {
-  const std::string text = sim::read_text_file(scenarios / "README.md", "README");
+KeysPage read_keys_page() {
+  const std::string text = sim::read_text_file(scenarios / "KEYS.md", "keys");
   const auto begin = text.find(begin_mark);
   const auto end = text.find(end_mark);
   if (begin == std::string::npos || end == std::string::npos || end < begin)
-    throw std::runtime_error("scenarios/README.md has lost its two key marks");
+    throw std::runtime_error("scenarios/KEYS.md has lost its two key marks");
   const auto first = begin + begin_mark.size();
   return {text.substr(0, first), text.substr(first, end - first), text.substr(end)};
 }
 
-TEST(ScenarioDocs, ReadmePrintsTheKeyTable) {
-  const Readme readme = read_readme();
+TEST(ScenarioDocs, ThePagePrintsTheKeyTable) {
+  const KeysPage page = read_keys_page();
   if (std::getenv("COSYS_BLESS"))
-    std::ofstream(scenarios / "README.md") << readme.before << sim::key_reference() << readme.after;
+    std::ofstream(scenarios / "KEYS.md") << page.before << sim::key_reference() << page.after;
   else
-    EXPECT_EQ(readme.tables, sim::key_reference())
-        << "scenarios/README.md differs from sim/scenario/keys.cpp; run this test once with "
+    EXPECT_EQ(page.tables, sim::key_reference())
+        << "scenarios/KEYS.md differs from sim/scenario/keys.cpp; run this test once with "
            "COSYS_BLESS=1";
 }
 

@@ -178,12 +178,12 @@ TEST(Scenario, SetIsRefusedUnderItsOwnName) {
 TEST(Scenario, AKeyIsGuessedOnlyWhereItIsNear) {
   for (const char* far : {"foo.bar", "x", "led.qqqqqq"})
     EXPECT_EQ(refusal("", {std::string(far) + "=1"}),
-              std::string(far) + " in --set (no such key) scenarios/README.md lists all keys");
+              std::string(far) + " in --set (no such key) scenarios/KEYS.md lists all keys");
   for (const char* near : {"yaw_dge", "LED.YAW_DGE", "led.yaw", "led.jaw_deg", "led.yaw_degrees"})
     EXPECT_EQ(refusal("", {std::string(near) + "=1"}),
               std::string(near) + " in --set (no such key) did you mean led.yaw_deg?");
   EXPECT_EQ(refusal("[frobnicate]\n"),
-            "[frobnicate] in x.toml:1 (no such table) scenarios/README.md lists all tables");
+            "[frobnicate] in x.toml:1 (no such table) scenarios/KEYS.md lists all tables");
 }
 
 TEST(Scenario, AnUnknownPartNamesTheNearestAndWhereItWasSought) {
