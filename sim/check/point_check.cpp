@@ -110,14 +110,26 @@ class PairCounter {
 
 std::uint64_t tests_of(const CheckSetup& setup) { return 2 * setup.points; }
 
+/// Whether the candidate's wrong accepts are told: few losses end a point soon, and say nothing of
+/// these.
+bool are_wrong_accepts_told(const SequentialTest& test, const PairedLosses& counted,
+                            const SequentialTestRule& rule) {
+  return test.state() != SequentialTestState::undecided ||
+         is_negligible(counted.lost_by_candidate(), counted.frames, rule);
+}
+
 /// Look by look, until it is known.
 void check_pairs(const CheckSetup& setup, FramePairs& pairs, PointCheck& check) {
   SequentialTest losses(setup.rule, pairs.limit(), tests_of(setup));
   SequentialTest undetected_errors(setup.rule, pairs.limit(), tests_of(setup));
   PairCounter counter(pairs, check);
   const auto undecided = [&] {
-    return losses.state() == SequentialTestState::undecided &&
-           undetected_errors.state() != SequentialTestState::worse;
+    const bool is_worse = losses.state() == SequentialTestState::worse ||
+                          undetected_errors.state() == SequentialTestState::worse;
+    const bool are_told =
+        losses.state() != SequentialTestState::undecided &&
+        are_wrong_accepts_told(undetected_errors, check.undetected_errors, setup.rule);
+    return !is_worse && !are_told;
   };
   while ((undecided() || setup.golden) && losses.next_look() > 0) {
     const std::uint64_t frames = losses.next_look();

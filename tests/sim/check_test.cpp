@@ -165,6 +165,24 @@ TEST(Check, FindsADecoderThatAcceptsWrongMessages) {
   EXPECT_GT(checks[0].undetected_errors.candidate_only, 10U);
 }
 
+// Few losses settle a point at its first look, of 64 frames; wrong messages may come later.
+TEST(Check, ListensUntilWrongMessagesAreToldToo) {
+  const JudgedPoint point = judged_point("0");
+  const BaselinePoint weak = baseline_of(point, ScriptedDecoder(losing(0, 40)), 1024);
+  const auto checked_lying_from = [&](std::uint32_t from) {
+    const ScriptedDecoder candidate([=](std::uint32_t trial) {
+      const bool lies = trial >= from && trial % 8 == 0;
+      return lies ? std::vector{sent_message, std::string("A")} : std::vector{sent_message};
+    });
+    return checked({.rule = rule, .candidate = candidate, .baseline = nullptr}, point, weak);
+  };
+  const PointCheck liar = checked_lying_from(64), honest = checked_lying_from(1024);
+  EXPECT_EQ(liar.verdict, Verdict::worse);
+  EXPECT_GT(liar.undetected_errors.candidate_only, 10U);
+  EXPECT_EQ(honest.verdict, Verdict::passed);
+  EXPECT_EQ(honest.losses.frames, 1024U) << "568 without one are needed, which is between looks";
+}
+
 /// As if another version of the program had made it.
 BaselinePoint of_other_light(BaselinePoint baseline) {
   baseline.frames[200].light ^= 1;
