@@ -129,19 +129,19 @@ std::string head(const CheckReport& report) {
 std::string power_lines(const CheckReport& report) {
   const SequentialTestRule& rule = report.setup.rule;
   std::size_t known = 0, enough = 0;
-  const PointCheck* least = nullptr;
+  const PointCheck* most = nullptr;
   for (const PointCheck& check : report.checks) {
     if (std::isnan(check.power)) continue;
     ++known;
     enough += check.frames_needed <= check.limit;
-    if (least == nullptr || check.power < least->power) least = &check;
+    if (most == nullptr || check.frames_needed > most->frames_needed) most = &check;
   }
   if (known == 0) return "";
   return fmt::format(
-      "power: a decoder that loses {:g} times as many is found with probability {:g} or more at {} "
-      "of {} points where some are lost, not all; least at {}: {:.2g}, {} frames would do\n",
-      rule.worse_than, rule.power, enough, known, least->point.name, least->power,
-      least->frames_needed);
+      "power: a decoder that loses {:g} times as many is found, and one that loses as many passes, "
+      "with probability {:g} or more at {} of {} points where some are lost, not all; most frames "
+      "are needed at {}: {}\n",
+      rule.worse_than, rule.power, enough, known, most->point.name, most->frames_needed);
 }
 
 std::string last_line(const CheckReport& report) {
