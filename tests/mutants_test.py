@@ -24,11 +24,6 @@ MARKS = {"passed": "", "inconclusive": "?", "worse": "x", "failed": "f"}
 CAUGHT = {"x", "f"}
 SIGROK = "sigrok-cli -i {vcd} -I vcd -P uart:rx=rx:baudrate=600 -B uart=rx"
 
-# Why no check finds them yet. One that is found is no longer to be listed.
-NOT_CAUGHT = {
-    "says-each-message-twice": "a frame is delivered however often it is accepted",
-}
-
 
 class Gate:
     """The gate scenarios, and what check says of a decoder by them."""
@@ -91,10 +86,7 @@ def complaints(rows, sound):
         if name in sound:
             yield from (f"{name} is sound, and {gate} says otherwise ({mark})" for gate, mark in marks.items() if mark)
             continue
-        caught = not CAUGHT.isdisjoint(marks.values())
-        if caught and name in NOT_CAUGHT:
-            yield f"{name} is caught: strike it off NOT_CAUGHT"
-        elif not caught and name not in NOT_CAUGHT:
+        if CAUGHT.isdisjoint(marks.values()):
             yield f"{name} is broken, and no gate scenario catches it"
 
 

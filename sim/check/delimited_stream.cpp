@@ -171,7 +171,8 @@ std::vector<FrameOutcome> outcomes_between_markers(const std::vector<std::string
   for (const std::string& text : accepted) {
     const auto number = number_of_marker(text);
     if (!number) {
-      (text == message ? outcome.delivered : outcome.undetected_error) = true;
+      const bool is_first = text == message && !outcome.delivered;
+      (is_first ? outcome.delivered : outcome.undetected_error) = true;
       continue;
     }
     const std::size_t opened = std::size_t{*number} - first;

@@ -7,7 +7,7 @@ namespace sim {
 /// As bits, so that files hold them as they are.
 struct FrameOutcome {
   bool delivered = false;         // intact, whatever else came
-  bool undetected_error = false;  // another message was accepted in its time
+  bool undetected_error = false;  // accepted in its time: another message, or it twice
   bool unknown = false;           // the decoder failed, or lost a marker beside it
 
   bool lost() const { return !delivered && !unknown; }

@@ -27,6 +27,12 @@ TEST(Markers, TellWhoseMessagesTheseAre) {
                    was_delivered}));
 }
 
+TEST(Markers, TellThatAMessageCameTwice) {
+  const FrameOutcome twice{.delivered = true, .undetected_error = true};
+  EXPECT_EQ(marked_outcomes({"MARK #7", "A", "A", "MARK #8", "A", "MARK #9", "A", "MARK #10"}),
+            (std::vector{twice, was_delivered, was_delivered}));
+}
+
 TEST(Markers, ThatAreMissingLeaveTheFramesBesideThemUnknown) {
   EXPECT_EQ(marked_outcomes({}), (std::vector{was_unknown, was_unknown, was_unknown}));
   EXPECT_EQ(marked_outcomes({"MARK #7", "A", "MARK #9", "A", "MARK #10"}),
