@@ -4,8 +4,9 @@ import re
 
 from browser import expect
 
-NARROW = 400    # pixels
+NARROW = 390    # pixels
 A4 = 680        # ... within margins of 15 mm
+LEAST_CONTRAST = 4.5  # of letters (WCAG 2.2, 1.4.3)
 LEAST_TEXT = 8  # ... of a still picture's letters
 SCROLLING = ".table, .still, pre"
 
@@ -94,6 +95,35 @@ def look_at_paper(driver):
         expect(max(channels(driver, selector, "color")) < 50, f"text of {selector} is printed faint")
 
 
+def faint_texts(driver):
+    """Letters whose luminance is too near to that of what is behind them, a text of each kind."""
+    return driver.execute_script(
+        f"""const isShown = {IS_SHOWN};
+            const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
+            const linear = (part) => part <= 0.04045 * 255 ? part / 255 / 12.92 : ((part / 255 + 0.055) / 1.055) ** 2.4;
+            const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+            const paperOf = (element) => {{
+              for (let one = element; one; one = one.parentElement) {{
+                const colour = parts(getComputedStyle(one).backgroundColor);
+                if (colour.length < 4 || colour[3] > 0) return colour;
+              }}
+              return [255, 255, 255];
+            }};
+            const hasText = (element) => [...element.childNodes].some(
+              (node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
+            const faint = new Map();
+            for (const element of document.querySelectorAll('body *')) {{
+              if (!isShown(element) || !hasText(element) || element.closest('script, style, title, desc')) continue;
+              const style = getComputedStyle(element), isDrawn = element.closest('svg') !== null;
+              const ink = parts(isDrawn ? style.fill : style.color), paper = paperOf(element);
+              const [dark, light] = [luminance(ink), luminance(paper)].sort((one, other) => one - other);
+              const contrast = (light + 0.05) / (dark + 0.05);
+              if (contrast < arguments[0]) faint.set(`${{element.tagName}} ${{ink}} on ${{paper}}`,
+                                                     `${{contrast.toFixed(2)}}: ${{element.outerHTML.slice(0, 120)}}`);
+            }}
+            return [...faint.values()];""", LEAST_CONTRAST)
+
+
 def look_in_the_dark(driver):
     for scheme, is_dark in (("dark", True), ("light", False)):
         set_media(driver, "", scheme)
@@ -101,6 +131,8 @@ def look_in_the_dark(driver):
             paper, ink = (sum(channels(driver, selector, name)) / 3 for name in ("backgroundColor", "color"))
             expect(paper < 60 < 200 < ink if is_dark else ink < 60 < 200 < paper,
                    f"{selector} has ink {ink} on paper {paper} where it is to be {scheme}")
+        faint = faint_texts(driver)
+        expect(not faint, f"these texts are faint where it is {scheme}: {faint}")
 
 
 def look_narrowly(driver):
