@@ -28,9 +28,6 @@ using Point = LinkPoint;
 
 constexpr double ci_level = LinkResult::ci_level;
 
-// What is spared where a line has no room, before those of fewer.
-constexpr int few = 1, some = 2, more = 3, most = 4;
-
 // Numbers as the table has them; "-" where they are not known, or there is no noise.
 
 std::string irradiance_text(double value) {
@@ -73,13 +70,13 @@ void add_light(Columns<Point>& columns) {
       columns, {"irradiance_mw_per_m2", "mW m-2", "effective irradiance at the module, carrier on"},
       &O::irradiance_mw_per_m2, irradiance_text)
       .headed({{"", "irradiance", "[mW/m2]"}, number_width})
-      .spared_before(some);
+      .spared_before(2);
   add_operating(columns, {"ambient_w_per_m2", "W m-2", "ambient irradiance at the module"},
                 &O::ambient_w_per_m2);
   add_operating(columns, {"snr_db", "dB", "signal-to-noise ratio behind the band-pass"}, &O::snr_db,
                 decibel_text)
       .headed({{"", "SNR", "[dB]"}, 6})
-      .spared_before(some);
+      .spared_before(2);
   add_operating(columns, {"snr_bandwidth_hz", "Hz", "noise bandwidth of snr_db"},
                 &O::snr_bandwidth_hz);
   add_operating(columns, {"ebn0_db", "dB", "energy per bit over noise density"}, &O::ebn0_db);
@@ -92,7 +89,7 @@ void add_bit_errors(Columns<Point>& columns) {
   columns.count({}, [](const Point& p) { return p.tally.n_bit_errors; })
       .known_before()
       .headed({{"", "bit", "errors"}, number_width})
-      .spared_before(more);
+      .spared_before(3);
   columns
       .ratio({"ber", "1", "bit error ratio"},
              [](const Point& p) { return bit_error_ratio(p.tally, ci_level); })
@@ -144,7 +141,7 @@ void add_costs(Columns<Point>& columns) {
       .real(
           {}, [](const Point& p) { return p.simulated_s / p.elapsed_s; }, real_time_text)
       .headed({{"", "real", "time"}, 7})
-      .spared_before(most);
+      .spared_before(4);
 }
 
 void add_marks(Columns<Point>& columns) {
@@ -154,7 +151,7 @@ void add_marks(Columns<Point>& columns) {
       [](const Point& p) { return p.alarms; }, flag_names(alarms()));
   const auto reasons = stop_reason_names();
   add_stop_reason(columns, {reasons.begin(), reasons.end()});
-  columns.words({}, closing_text).headed({{"", "", "stopped by"}, -16}).spared_before(few);
+  columns.words({}, closing_text).headed({{"", "", "stopped by"}, -16}).spared_before(1);
 }
 
 void add_spread(Columns<Point>& columns, const std::string& ratio, WeightedSum Weighted::*sum) {

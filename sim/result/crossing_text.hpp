@@ -10,9 +10,9 @@ namespace sim {
 /// "frame loss crosses 1 % at receiver.range_m = 7.88 [7.60, 8.20] m"
 std::string crossing_sentence(const Axis& axis, const Crossing& crossing, double level = 0.01);
 
-/// The same of a link that reaches so far: "the link reaches 7.88 [7.60, 8.20] m at 1 % frame
-/// loss".
-std::string reach_sentence(const Axis& distance, const Crossing& crossing, double level = 0.01);
+/// The same of a link that reaches so far, the axis being its distance: "the link reaches 7.88
+/// [7.60, 8.20] m at 1 % frame loss".
+std::string reach_sentence(const Axis& axis, const Crossing& crossing, double level = 0.01);
 
 /// The same in few words, for a list whose head says the rest: "7.88 [7.60, 8.20] m".
 std::string crossing_words(const Axis& axis, const Crossing& crossing, bool more_is_better);
