@@ -40,7 +40,8 @@ def page_now(page, program, sources):
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         (folder / "cosys-sim").symlink_to(program)
-        (folder / "scenarios").symlink_to(sources / "scenarios")
+        for of_sources in ("scenarios", "tests"):
+            (folder / of_sources).symlink_to(sources / of_sources)
         return BLOCK.sub(lambda block: done(block.group(), folder), page.read_text())
 
 
