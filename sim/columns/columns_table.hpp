@@ -44,7 +44,7 @@ class PointTable {
   /// `room` characters (0: none is too wide), columns are left out.
   PointTable(const Columns<Point>& columns, const LoadedScenario& scenario, const Point& any,
              int room = 0)
-      : axes_(scenario.sweep) {
+      : axes_(scenario.sweep), axis_headings_(axis_columns(axes_)) {
     std::vector<Column<Point>> spread_together;  // of one dimension, one behind the other
     const auto spread_them = [&] {
       if (!spread_together.empty())
@@ -66,20 +66,19 @@ class PointTable {
     }
     spread_them();
     if (room > 0) leave_out(room);
-    headings_ = headings();
   }
 
   /// Names of the columns that have no room.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
-  std::string head() const { return table_head(headings_); }
+  std::string head() const { return table_head(headings()); }
   std::string row(const Point& point) const {
     std::vector<std::string> texts = coordinate_texts(axes_, point.coordinates);
     for (const Cell& cell : cells_)
       texts.push_back(point.reached() || cell.column.is_known_before
                           ? cell_text(cell.column, point, cell.element)
                           : "-");
-    return table_line(headings_, texts);
+    return table_line(headings(), texts);
   }
 
  private:
@@ -90,7 +89,7 @@ class PointTable {
   };
 
   std::vector<TextColumn> headings() const {
-    std::vector<TextColumn> all = axis_columns(axes_);
+    std::vector<TextColumn> all = axis_headings_;
     for (const Cell& cell : cells_) all.push_back(cell.heading);
     return all;
   }
@@ -117,9 +116,9 @@ class PointTable {
   }
 
   std::vector<Axis> axes_;
+  std::vector<TextColumn> axis_headings_;
   std::vector<Cell> cells_;
   std::vector<std::string> left_out_;
-  std::vector<TextColumn> headings_;  // those of the axes, then one a cell
 };
 
 /// The headed columns that have just this dimension: a row for each element that the point has.

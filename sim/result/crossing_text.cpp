@@ -144,12 +144,11 @@ std::string crossing_sentence(const Axis& axis, const Crossing& c, double level)
 std::string reach_sentence(const Axis& axis, const Crossing& c, double level) {
   const double percent = level * 100;
   const std::string range = with_unit(span_text(c), axis.unit);
-  const std::string reaches = "the link reaches " + short_crossing_words(axis, c, false);
+  const std::string reaches = "the link reaches " + crossing_words(axis, c, false);
   const std::string at = fmt::format("{} at {:g} % frame loss", reaches, percent);
   switch (c.kind) {
     case Kind::fitted:
-      return fmt::format("the link reaches {} at {:g} % frame loss",
-                         with_unit(fitted_text(c), axis.unit), percent);
+      return at;
     case Kind::jump:
       return at + ", two neighbours in the sweep" + doubt(axis, c, level);
     case Kind::bracketed:

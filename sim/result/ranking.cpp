@@ -142,20 +142,32 @@ std::string mark(const RowCrossing& row) {
 }
 
 /// A column of the list, as wide as the widest of its texts.
-struct ListColumn {
-  std::string name;
-  bool to_the_left = true;
-  std::vector<std::string> texts{};  // one a row
+class ListColumn {
+ public:
+  explicit ListColumn(std::string name, bool to_the_left = true)
+      : name_(std::move(name)), to_the_left_(to_the_left), width_(name_.size()) {}
 
-  bool is_empty() const {
-    return std::ranges::all_of(texts, [](const std::string& text) { return text.empty(); });
+  void add(std::string text) {
+    is_empty_ = is_empty_ && text.empty();
+    width_ = std::max(width_, text.size());
+    texts_.push_back(std::move(text));
   }
+
+  bool is_empty() const { return is_empty_; }
+  std::string head() const { return cell(name_); }
+  std::string row(std::size_t i) const { return cell(texts_[i]); }
+
+ private:
   std::string cell(const std::string& text) const {
-    std::size_t width = name.size();
-    for (const std::string& one : texts) width = std::max(width, one.size());
-    return to_the_left ? fmt::format("  {:<{}}", text, width)
-                       : fmt::format("  {:>{}}", text, width);
+    return to_the_left_ ? fmt::format("  {:<{}}", text, width_)
+                        : fmt::format("  {:>{}}", text, width_);
   }
+
+  std::string name_;
+  bool to_the_left_;
+  std::size_t width_;
+  bool is_empty_ = true;
+  std::vector<std::string> texts_{};  // one a row
 };
 
 ListColumn axis_column(const LinkResult& result, const Ranking& ranking, std::size_t other) {
@@ -163,8 +175,7 @@ ListColumn axis_column(const LinkResult& result, const Ranking& ranking, std::si
   const bool plain = axis.unit.empty() || axis.unit == "1";
   const std::string name = axis.key.substr(axis.key.rfind('.') + 1);
   ListColumn column{plain ? name : name + " [" + axis.unit + "]", axis.is_text()};
-  for (const RowCrossing& row : ranking.rows)
-    column.texts.push_back(coordinate_text(axis, row.others[other]));
+  for (const RowCrossing& row : ranking.rows) column.add(coordinate_text(axis, row.others[other]));
   return column;
 }
 
@@ -176,10 +187,10 @@ std::vector<ListColumn> columns_of(const LinkResult& result, const Ranking& rank
     columns.push_back(axis_column(result, ranking, i));
   ListColumn crossing{"passes at"}, units{"8 of 10 units"}, note{""}, marks{""};
   for (const RowCrossing& row : ranking.rows) {
-    crossing.texts.push_back(crossing_words(abscissa, row.crossing, ranking.more_is_better));
-    units.texts.push_back(row.doubt ? span_words(abscissa, row.doubt->quantiles) : "");
-    note.texts.push_back(crossing_note(row.crossing, ranking.flr));
-    marks.texts.push_back(mark(row));
+    crossing.add(crossing_words(abscissa, row.crossing, ranking.more_is_better));
+    units.add(row.doubt ? span_words(abscissa, row.doubt->quantiles) : "");
+    note.add(crossing_note(row.crossing, ranking.flr));
+    marks.add(mark(row));
   }
   for (ListColumn& column : {std::ref(crossing), std::ref(units), std::ref(note), std::ref(marks)})
     if (!column.is_empty()) columns.push_back(std::move(column));
@@ -219,13 +230,13 @@ std::string list(const LinkResult& result, const Ranking& ranking) {
   std::string text = fmt::format("{} at which frame loss passes {:g} %{}:\n", abscissa.key,
                                  ranking.flr * 100, ranking.best_first ? ", best first" : "");
   std::string head = place("");
-  for (const ListColumn& column : columns) head += column.cell(column.name);
+  for (const ListColumn& column : columns) head += column.head();
   text += without_end_blanks(std::move(head));
   for (std::size_t i = 0; i < ranking.rows.size(); ++i) {
     const RowCrossing& row = ranking.rows[i];
     text += place(row.place == 0 ? "-" : std::to_string(row.place));
     std::string cells;
-    for (const ListColumn& column : columns) cells += column.cell(column.texts[i]);
+    for (const ListColumn& column : columns) cells += column.row(i);
     text += without_end_blanks(std::move(cells));
   }
   return text + doubt_note(ranking);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A sound decoder of COSYS messages, and twenty broken ones, each with one mistake that people make.
+"""A sound decoder of COSYS messages, and broken ones, each with one mistake that people make.
 
 It reads a VCD of one wire and prints each message that it accepts, a line each. It is written from the protocol's
 document and the VCD standard, and has none of the program's code. A mutant changes one number or one rule of the sound

@@ -69,52 +69,50 @@ void expect_alike(const PlayedAgain& one, const PlayedAgain& other) {
   }
 }
 
-TEST(OutputOfRule, PlayedAgainIsAsPlayedAnew) {
-  const RuleConstants c = slow_part();
-  const std::vector<double> light(6, 0.5);
-  OutputOfRule rule;
-  const PlayedAgain before = played(rule, c, light);
-  for (std::size_t s = 0; s < light.size(); ++s) {
-    std::vector<double> other = light;
+class OutputOfRuleAgain : public ::testing::Test {
+ protected:
+  OutputOfRuleAgain() : first_(play(light_)) {}
+
+  PlayedAgain play(const std::vector<double>& light) { return played(rule_, part_, light); }
+  PlayedAgain anew(const std::vector<double>& light) const {
+    OutputOfRule rule;
+    return played(rule, part_, light);
+  }
+
+  RuleConstants part_ = slow_part();
+  std::vector<double> light_ = std::vector<double>(6, 0.5);
+  OutputOfRule rule_;
+  PlayedAgain first_;
+};
+
+TEST_F(OutputOfRuleAgain, IsAsPlayedAnew) {
+  for (std::size_t s = 0; s < light_.size(); ++s) {
+    std::vector<double> other = light_;
     other[s] = 0.05;
-    OutputOfRule anew;
-    expect_alike(played(rule, c, other), played(anew, c, other));
-    expect_alike(played(rule, c, light), before);
+    expect_alike(play(other), anew(other));
+    expect_alike(play(light_), first_);
   }
 }
 
-TEST(OutputOfRule, PlaysAgainOnlyWhatAnotherLevelChanges) {
-  const RuleConstants c = slow_part();
-  const std::vector<double> light(6, 0.5), stronger{2, 0.5, 0.5, 0.5, 0.5, 0.5};
-  OutputOfRule rule;
-  EXPECT_EQ(played(rule, c, light).is_new, std::vector<bool>(6, true));
-  EXPECT_EQ(played(rule, c, light).is_new, std::vector<bool>(6, false));
-  // The carrier, and the bursts in its wake; behind the rest nothing is left of it.
-  EXPECT_EQ(played(rule, c, stronger).is_new,
-            (std::vector<bool>{true, true, false, false, false, false}));
+// The carrier, and the bursts in its wake; behind the rest nothing is left of it.
+TEST_F(OutputOfRuleAgain, PlaysOnlyWhatAnotherLevelChanges) {
+  EXPECT_EQ(first_.is_new, std::vector<bool>(6, true));
+  EXPECT_EQ(play(light_).is_new, std::vector<bool>(6, false));
+  light_[0] = 2;
+  EXPECT_EQ(play(light_).is_new, (std::vector<bool>{true, true, false, false, false, false}));
 }
 
-TEST(OutputOfRule, PlaysAllAgainForOtherConstants) {
-  RuleConstants c = slow_part();
-  const std::vector<double> light(6, 0.5);
-  OutputOfRule rule;
-  played(rule, c, light);
-  c.release_db_per_s = 60;
-  OutputOfRule anew;
-  const PlayedAgain again = played(rule, c, light);
+TEST_F(OutputOfRuleAgain, PlaysAllForOtherConstants) {
+  part_.release_db_per_s = 60;
+  const PlayedAgain again = play(light_);
   EXPECT_EQ(again.is_new, std::vector<bool>(6, true));
-  expect_alike(again, played(anew, c, light));
+  expect_alike(again, anew(light_));
 }
 
-TEST(OutputOfRule, KnowsNothingOfStepsThatItDidNotGetTo) {
-  RuleConstants c = slow_part();
-  const std::vector<double> light(6, 0.5);
-  OutputOfRule rule;
-  played(rule, c, light);
-  c.attack_db_per_s = 500;
-  rule.play(plan_with_wakes(), c, light, [](std::size_t s, bool) { return s < 2; });
-  EXPECT_EQ(played(rule, c, light).is_new,
-            (std::vector<bool>{false, false, false, true, true, true}));
+TEST_F(OutputOfRuleAgain, KnowsNothingOfStepsThatItDidNotGetTo) {
+  part_.attack_db_per_s = 500;
+  rule_.play(plan_with_wakes(), part_, light_, [](std::size_t s, bool) { return s < 2; });
+  EXPECT_EQ(play(light_).is_new, (std::vector<bool>{false, false, false, true, true, true}));
 }
 
 }  // namespace
