@@ -147,10 +147,9 @@ std::string reach_sentence(const Axis& axis, const Crossing& c, double level) {
   const std::string reaches = "the link reaches " + crossing_words(axis, c, false);
   const std::string at = fmt::format("{} at {:g} % frame loss", reaches, percent);
   switch (c.kind) {
-    case Kind::fitted:
-      return at;
     case Kind::jump:
       return at + ", two neighbours in the sweep" + doubt(axis, c, level);
+    case Kind::fitted:
     case Kind::bracketed:
       return open_side(c).empty() ? at : at + too_few(c);
     case Kind::all_below:
