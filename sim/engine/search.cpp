@@ -76,11 +76,17 @@ class Search {
     return true;
   }
 
-  /// Neighbours of a point at the level give a fit the slope.
+  /// Neighbours of a point at the level give a fit the slope. Those that are far from the level give
+  /// none, so the one next to the point is looked for that does, or is as near as may be.
   void look_beside(double middle) {
-    Side any = Side::unknown;
-    for (const double end : {near_, far_})
-      if (const auto beside = inside(end, middle)) look_at(*beside, any);
+    for (double end : {near_, far_}) {
+      Side side = Side::unknown;
+      do {
+        const auto beside = inside(end, middle);
+        if (!beside) break;
+        look_at(end = *beside, side);
+      } while (side != Side::unknown);
+    }
   }
 
   const SearchRange& range_;

@@ -65,10 +65,27 @@ TEST(Search, BracketsAJumpAsNarrowlyAsAsked) {
 }
 
 TEST(Search, LooksBesideAPointAtTheLevel) {
-  RisingLoss link{.at = std::sqrt(40.0), .slope = 2};
-  search({.low = 1, .high = 40}, wanted_level, counting(link));
-  ASSERT_EQ(link.looked_at.size(), 5u);  // the ends, the middle, and between
-  EXPECT_NEAR(link.looked_at[2], link.at, 0.01);
+  std::vector<double> looked_at;
+  const auto count = [&](double x) {
+    looked_at.push_back(x);
+    return Tally{.n_frames = 2000, .n_frames_lost = x < 2 ? 0u : x > 20 ? 2000u : 20u};
+  };
+  search({.low = 1, .high = 40}, wanted_level, count);
+  ASSERT_EQ(looked_at.size(), 5u);  // the ends, the middle, and between
+  EXPECT_NEAR(looked_at[2], std::sqrt(40.0), 0.01);
+}
+
+// What is far from the level gives no slope there, and a bracket of it says little.
+TEST(Search, LooksBesideAPointAtTheLevelUntilTheLossIsNearIt) {
+  for (const double slope : {20, 200}) {
+    RisingLoss link{.at = std::sqrt(40.0), .slope = slope};
+    search({.low = 1, .high = 40, .tolerance = 0.02}, wanted_level, counting(link));
+    ASSERT_NEAR(link.looked_at[2], link.at, 0.01);
+    const double above = link.looked_at.back();
+    EXPECT_GT(above, link.at) << slope;
+    EXPECT_LT(above, link.at * std::max(1.021, 1 + 3 / slope)) << slope;
+    EXPECT_LE(link.looked_at.size(), 19u) << slope;
+  }
 }
 
 TEST(Search, FallingLossTooAndValuesThatAreNotPositive) {
