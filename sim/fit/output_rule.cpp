@@ -9,8 +9,8 @@ bool are_nearly(const std::array<double, 7>& one, const std::array<double, 7>& o
   return std::ranges::equal(one, other, is_nearly);
 }
 
-/// All bursts of a step, in the place of those in `bursts`.
-void play_step(BurstPlayer& player, const PlanStep& step, const StepResponse& response,
+/// All bursts of a step, in the place of those in `bursts`. Returns how many had to be played.
+std::uint64_t play_step(BurstPlayer& player, const PlanStep& step, const StepResponse& response,
                std::vector<BurstOutput>& bursts) {
   const double on_s = static_cast<double>(step.cycles_on) * response.cycle_s;
   const double off_s = static_cast<double>(step.cycles_off) * response.cycle_s;
@@ -25,10 +25,11 @@ void play_step(BurstPlayer& player, const PlanStep& step, const StepResponse& re
       const std::uint64_t left = step.repeats - 1 - i;
       bursts.insert(bursts.end(), left, bursts.back());
       player.skip(static_cast<double>(left) * period_s);
-      break;
+      return i + 1;
     }
     before = after;
   }
+  return step.repeats;
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ bool OutputOfRule::play_anew(std::size_t s, const PlanStep& step, double amplitu
     return false;
   }
   if (s == played_.size()) played_.push_back({amplitude, before, before, {}});
-  play_step(*player_, step, response, played_[s].bursts);
+  bursts_played_ += play_step(*player_, step, response, played_[s].bursts);
   played_[s].amplitude = amplitude;
   played_[s].before = before;
   played_[s].after = player_->memory();

@@ -30,6 +30,8 @@ class OutputOfRule {
 
   /// Of a step that was shown.
   const std::vector<BurstOutput>& bursts(std::size_t step) const { return played_[step].bursts; }
+  /// Of all plays so far: the work that was done.
+  std::uint64_t bursts_played() const { return bursts_played_; }
 
  private:
   struct PlayedStep {
@@ -45,6 +47,7 @@ class OutputOfRule {
   std::optional<BurstPlayer> player_;
   std::vector<PlayedStep> played_;  // their memory is used again
   std::size_t n_shown_ = 0;         // with these constants
+  std::uint64_t bursts_played_ = 0;
 };
 
 }  // namespace sim

@@ -48,6 +48,9 @@ class PlanLikelihood {
   /// Takes for each feature what small errors of levels and times make of it here.
   void take_deviations_at(const Numbers& x);
 
+  /// Bursts that were played so far: the work that was done.
+  std::uint64_t bursts_played() const { return rule_.bursts_played(); }
+
   const Plan& plan() const { return plan_; }
   const JoinedStep& origin(std::size_t step) const { return origin_[step]; }
   /// Over the first step of the first capture, as the plans and the light of captures have it.

@@ -10,6 +10,7 @@
 #include "sim/fit/global_search.hpp"
 #include "sim/fit/grid_search.hpp"
 #include "sim/fit/least_squares.hpp"
+#include "sim/fit/restarted_search.hpp"
 
 namespace sim {
 namespace {
@@ -30,6 +31,10 @@ class RuleSearch {
   RuleFit operator()() {
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
+    scan_levels(whole);
+    x_ = restarted_search(whole, x_, without_jumps(), [&](int starts) {
+      return starts < 16 && all_.bursts_played() < bursts_of_a_fit;
+    });
     const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
@@ -46,6 +51,8 @@ class RuleSearch {
  private:
   static constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
   static constexpr double furthest_range_db = 140;
+  /// What may be played: a fit is to take no more than 10 s, and a million bursts take 0.1 s.
+  static constexpr std::uint64_t bursts_of_a_fit = 60'000'000;
 
   /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
   /// better side, and returns the best numbers of the other one.
@@ -98,6 +105,25 @@ class RuleSearch {
       try_without_hold(whole);
       x_ = least_squares(whole, x_, 6).x;
     }
+  }
+
+  /// Bursts near Emin are all reported, or none of them: a difference does not see that another
+  /// level would do, so those of each level are tried.
+  void scan_levels(const LeastSquaresProblem& problem) {
+    const std::vector<double> errors_db = steps_between(-1.5, 1.5, 13);
+    for (std::size_t place = all_.before_levels(); place < all_.parameters(); ++place) {
+      const GridPoint best = best_of_grid(problem, x_, {{place, errors_db}}, 1).front();
+      if (best.cost < cost_of(problem, x_)) x_ = best.x;
+    }
+    x_ = least_squares(problem, x_, 6).x;
+  }
+
+  /// All but the numbers with which whole trains jump.
+  std::vector<bool> without_jumps() const {
+    std::vector<bool> numbers(all_.parameters(), true);
+    for (const RuleParameter one : {duty, long_burst, free_cycles, min_gap, dark_hold, margin})
+      numbers[place_of(one)] = false;
+    return numbers;
   }
 
   /// Whether more is far off than a few chaotic trains.
@@ -153,7 +179,7 @@ class RuleSearch {
     return std::ranges::min(points, {}, &GridPoint::cost).x;
   }
 
-  /// As many as play so many bursts: a fit is to take no more than 10 s.
+  /// As many as play so many bursts of the plan.
   int evaluations(double bursts, double least, double most) const {
     const double a_plan = static_cast<double>(first_bursts(plan_).back());
     return static_cast<int>(std::clamp(bursts / a_plan, least, most));

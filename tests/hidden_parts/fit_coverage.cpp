@@ -103,6 +103,7 @@ void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
     const std::clock_t began = std::clock();
     const sim::FittedModule fitted = sim::fit_module(captures[i], like);
     outcome.seconds.push_back(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
+    fmt::print("{},seconds,{:.1f}\n", outcome.parts, outcome.seconds.back());
     add(parts[i], fitted, outcome);
   }
 }
