@@ -108,7 +108,7 @@ class PairCounter {
   std::uint64_t next_ = 0;
 };
 
-std::uint64_t tests_of(const CheckSetup& setup) { return 2 * setup.points; }
+std::uint64_t tests_of(const CheckSetup& setup) { return tests_of_points(setup.points); }
 
 /// Whether the candidate's wrong accepts are told: few losses end a point soon, and say nothing of
 /// these.
@@ -173,7 +173,7 @@ void add_power(const CheckSetup& setup, const BaselinePoint& baseline, PointChec
   if (all.lost == 0 || all.lost == all.frames) return;
   const double flr = static_cast<double>(all.lost) / static_cast<double>(all.frames);
   check.power = power_of(setup.rule, flr, check.limit, tests_of(setup));
-  check.frames_needed = frames_needed(setup.rule, flr, tests_of(setup));
+  check.frames_needed = frames_needed(setup.rule, flr, tests_of(setup), setup.rule.power);
 }
 
 bool is_same(const PointCheck& check) {

@@ -101,10 +101,10 @@ void SequentialTest::look(const PairedLosses& losses) {
     state_ = SequentialTestState::passed;
 }
 
-double power_of(const SequentialTestRule& rule, double flr, std::uint64_t frames,
-                std::uint64_t points) {
-  const double candidate = std::min(1.0, flr * rule.worse_than);
-  const double only_candidate = candidate * (1 - flr), only_baseline = flr * (1 - candidate);
+double finding_probability(const SequentialTestRule& rule, const LossRatios& flr,
+                           std::uint64_t frames, std::uint64_t points) {
+  const double only_candidate = flr.candidate * (1 - flr.baseline);
+  const double only_baseline = flr.baseline * (1 - flr.candidate);
   const double of_candidate = only_candidate / (only_candidate + only_baseline);
   const double alpha =
       rule.alpha / static_cast<double>(points) * sequential_test_looks(frames).back().share;
@@ -117,6 +117,11 @@ double power_of(const SequentialTestRule& rule, double flr, std::uint64_t frames
   });
 }
 
+double power_of(const SequentialTestRule& rule, double flr, std::uint64_t frames,
+                std::uint64_t points) {
+  return finding_probability(rule, {flr, std::min(1.0, flr * rule.worse_than)}, frames, points);
+}
+
 double pass_probability(const SequentialTestRule& rule, double flr, std::uint64_t frames) {
   const double mean = static_cast<double>(frames) * 2 * flr * (1 - flr);
   return mean_over_discordant(mean, [&](double n) {
@@ -127,10 +132,11 @@ double pass_probability(const SequentialTestRule& rule, double flr, std::uint64_
   });
 }
 
-std::uint64_t frames_needed(const SequentialTestRule& rule, double flr, std::uint64_t points) {
+std::uint64_t frames_needed(const SequentialTestRule& rule, double flr, std::uint64_t points,
+                            double sureness) {
   const auto enough = [&](std::uint64_t frames) {
-    return power_of(rule, flr, frames, points) >= rule.power &&
-           pass_probability(rule, flr, frames) >= rule.power;
+    return power_of(rule, flr, frames, points) >= sureness &&
+           pass_probability(rule, flr, frames) >= sureness;
   };
   std::uint64_t too_few = 0, many = fewest_in_a_look;
   while (!enough(many)) {

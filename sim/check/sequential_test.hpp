@@ -25,6 +25,13 @@ struct SequentialTestRule {
   double negligible = 0;    // frame loss that is worse than nothing else
 };
 
+/// Of a check that is told nothing else.
+inline constexpr SequentialTestRule rule_of_checks{
+    .worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+
+/// Of losses and of wrong accepts, among which a check of so many points shares out alpha.
+constexpr std::uint64_t tests_of_points(std::uint64_t points) { return 2 * points; }
+
 /// After how many frames it is looked, and which part of alpha each look has.
 struct SequentialTestLook {
   std::uint64_t frames;
@@ -74,16 +81,25 @@ class SequentialTest {
   SequentialTestState state_ = SequentialTestState::undecided;
 };
 
-/// A check of `points` points of `frames` each, at a point where the baseline loses `flr` of them
-/// (in (0, 1)) and the candidate so many times that, each for reasons of its own: decoders that
-/// fail on the same light are told apart sooner. How probable it is that the last look finds it
-/// worse where it is `worse_than` times as bad, and that it passes there where it is equal. The
+/// Of two decoders that are compared.
+struct LossRatios {
+  double baseline, candidate;
+};
+
+/// A check of `points` points of `frames` each, at a point where the two lose that (the candidate
+/// something, and not both all), each for reasons of its own: decoders that fail on the same light
+/// are told apart sooner. How probable it is that the last look finds the candidate worse. The
 /// number of discordant frames is taken as Poisson's.
+double finding_probability(const SequentialTestRule& rule, const LossRatios& flr,
+                           std::uint64_t frames, std::uint64_t points);
+/// That where the candidate is `worse_than` times as bad, and how probable it is that the last look
+/// lets one pass that is equal; `flr` in (0, 1).
 double power_of(const SequentialTestRule& rule, double flr, std::uint64_t frames,
                 std::uint64_t points);
 double pass_probability(const SequentialTestRule& rule, double flr, std::uint64_t frames);
 
-/// Frames with which both are at least `power`; more than 1e9 if so many are not enough.
-std::uint64_t frames_needed(const SequentialTestRule& rule, double flr, std::uint64_t points);
+/// Frames with which both are at least `sureness`; more than 1e9 if so many are not enough.
+std::uint64_t frames_needed(const SequentialTestRule& rule, double flr, std::uint64_t points,
+                            double sureness);
 
 }  // namespace sim

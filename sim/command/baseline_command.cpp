@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/check/baseline.hpp"
+#include "sim/check/baseline_sight.hpp"
 #include "sim/check/decoded_frames.hpp"
 #include "sim/check/program_decoder.hpp"
 #include "sim/command/commands.hpp"
@@ -61,10 +62,6 @@ std::string wanted_decoder(const BaselineRequest& request, const std::optional<B
   return uart;
 }
 
-std::int64_t count_lost(const BaselinePoint& point) {
-  return std::ranges::count_if(point.frames, [](const FrameRecord& f) { return f.outcome.lost(); });
-}
-
 /// What is other than before; empty where there was no such point.
 std::string change_of(const std::optional<Baseline>& old, const BaselinePoint& point) {
   if (!old) return "";
@@ -77,27 +74,52 @@ std::string change_of(const std::optional<Baseline>& old, const BaselinePoint& p
     flipped += before->frames[i].outcome != point.frames[i].outcome;
     light += before->frames[i].light != point.frames[i].light;
   }
-  return fmt::format("; {} before, {} of {} frames came out otherwise{}", count_lost(*before),
+  return fmt::format("; {} before, {} of {} frames came out otherwise{}", lost_frames(*before),
                      flipped, frames, light > 0 ? fmt::format(", {} of other light", light) : "");
 }
 
-/// Throws where the decoder fails: there is nothing to judge others by.
-BaselinePoint measure(const JudgedPoint& point, const Decoder& decoder, const Workers& workers) {
-  const auto frames = static_cast<std::uint32_t>(point.frames);
-  DecodedFrames decoded =
-      std::move(decode_frames(judged_link(point), {&decoder}, 0, frames, workers).front());
+/// Frames `have.size()` to `frames` of a point. Throws where the decoder fails: there is nothing to
+/// judge others by.
+void play_to(std::uint64_t frames, const JudgedPoint& point, const Decoder& decoder,
+             const Workers& workers, std::vector<FrameRecord>& have) {
+  const auto first = static_cast<std::uint32_t>(have.size());
+  const auto n = static_cast<std::uint32_t>(frames) - first;
+  const DecodedFrames decoded =
+      std::move(decode_frames(judged_link(point), {&decoder}, first, n, workers).front());
   if (decoded.fault)
     throw Failure(ExitCode::environment,
                   fmt::format("{} failed at {} ({}: {}) mend it first", decoder.name(), point.name,
                               decoded.fault->what, last_line_of(decoded.fault->words)));
-  return {.name = point.name,
-          .scenario = 0,
-          .physics = physics_hash(point),
-          .frames = std::move(decoded.frames)};
+  have.insert(have.end(), decoded.frames.begin(), decoded.frames.end());
+}
+
+/// Of a baseline that is renewed as many as it has, unless the user says how many.
+std::uint64_t least_frames(const BaselineRequest& request, const std::optional<Baseline>& old,
+                           const JudgedPoint& point) {
+  const bool are_said = std::ranges::any_of(request.options.overrides, [](const auto& change) {
+    return change.starts_with(amount_option);
+  });
+  if (!old || !request.scenarios.empty() || are_said) return point.frames;
+  const auto before = std::ranges::find(old->points, point.name, &BaselinePoint::name);
+  return before == old->points.end() ? point.frames : before->frames.size();
+}
+
+BaselinePoint measure(const JudgedPoint& point, std::uint64_t least, const Decoder& decoder,
+                      const BaselineSight& sight, const Workers& workers) {
+  BaselinePoint measured{
+      .name = point.name, .scenario = 0, .physics = physics_hash(point), .frames = {}};
+  play_to(least, point, decoder, workers, measured.frames);
+  constexpr int most_rounds = 4;  // the loss of more frames may ask for still more
+  for (int round = 0; round < most_rounds && !workers.interrupted(); ++round) {
+    const std::uint64_t frames = sight.frames_for(measured);
+    if (frames <= measured.frames.size()) break;
+    play_to(frames, point, decoder, workers, measured.frames);
+  }
+  return measured;
 }
 
 std::string row_of(const BaselinePoint& point, const std::optional<Baseline>& old) {
-  return fmt::format("{}: {} of {} frames lost{}\n", point.name, count_lost(point),
+  return fmt::format("{}: {} of {} frames lost{}", point.name, lost_frames(point),
                      point.frames.size(), change_of(old, point));
 }
 
@@ -116,13 +138,15 @@ ExitCode baseline_command(const BaselineRequest& request) {
                     .decoder = name,
                     .scenarios = {},
                     .points = {}};
+  BaselineSight sight(request.detect, request.power, points);
   Rows rows(false);
   for (const LoadedScenario& scenario : scenarios) {
     for (const JudgedPoint& point : judged_points(scenario)) {
-      baseline.points.push_back(measure(point, *decoder, workers));
+      baseline.points.push_back(measure(point, least_frames(request, old, point), *decoder, sight, workers));
       baseline.points.back().scenario = baseline.scenarios.size();
       if (workers.interrupted()) return end_interrupted();
-      rows.print(row_of(baseline.points.back(), old));
+      const BaselinePoint& measured = baseline.points.back();
+      rows.print(row_of(measured, old) + sight.of_point(measured) + "\n");
       show_progress(request.quiet, "baseline", baseline.points.size(), points);
     }
     baseline.scenarios.push_back(scenario.text);
@@ -130,6 +154,7 @@ ExitCode baseline_command(const BaselineRequest& request) {
   keep_finished(request.output,
                 [&](const std::filesystem::path& place) { write_baseline(place, baseline); });
   rows.check();
+  print(sight.of_all());
   print(fmt::format("{} -> {}\n", name, request.output.string()));
   return ExitCode::done;
 }

@@ -49,7 +49,6 @@ std::string scenario_options(const ScenarioOptions& options) {
 }
 
 std::string repeated_options(const CheckRequest& request) {
-  const SequentialTestRule defaults = CheckRequest().rule;
   std::string text = option("--baseline", request.baseline.string());
   if (!request.decoder.empty()) text += option("--decoder", request.decoder);
   const ProgramSettings& program = request.program_settings;
@@ -63,7 +62,7 @@ std::string repeated_options(const CheckRequest& request) {
       {"--power", &SequentialTestRule::power},
       {"--negligible", &SequentialTestRule::negligible}};
   for (const auto& [name, member] : rules)
-    if (request.rule.*member != defaults.*member)
+    if (request.rule.*member != rule_of_checks.*member)
       text += option(name, fmt::format("{}", request.rule.*member));
   if (request.frames > 0) text += option("-n", std::to_string(request.frames));
   if (request.golden) text += " --golden";

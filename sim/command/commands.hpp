@@ -164,7 +164,7 @@ struct CheckRequest {
   std::filesystem::path baseline;
   std::string decoder;  // a name, or a command; empty: the baseline's
   ProgramSettings program_settings;
-  SequentialTestRule rule{.worse_than = 1.5, .alpha = 1e-3, .power = 0.99, .negligible = 0.01};
+  SequentialTestRule rule = rule_of_checks;
   std::uint64_t frames = 0;            // of each point at most; 0: as many as the baseline has
   std::optional<std::uint64_t> point;  // of each scenario; nothing: all
   bool golden = false;                 // no frame may come out otherwise
@@ -186,7 +186,10 @@ struct BaselineRequest {
   std::filesystem::path output;
   std::string decoder;  // a name, or a command; empty: as the baseline has it, else the scenario
   ProgramSettings program_settings;
-  int threads = 0;  // 0: one per processor
+  std::optional<double> detect;  // so many times as many lost frames; each point has the frames
+                                 // that it takes to find them
+  double power = 0.95;           // how surely a check shall see
+  int threads = 0;               // 0: one per processor
   bool quiet = false;
   std::string command;  // as the user typed it
   ProgramInfo program;

@@ -81,6 +81,31 @@ void add_decoder(CLI::App& command, std::string& decoder, ProgramSettings& setti
   add_program_settings(command, settings);
 }
 
+/// "1.5x" or "1.5".
+CLI::Validator a_multiple() {
+  return CLI::Validator(
+      [](std::string& text) {
+        if (text.size() > 1 && text.ends_with('x')) text.pop_back();
+        return std::string();
+      },
+      "");
+}
+
+void add_baseline_power(CLI::App& baseline, BaselineRequest& request) {
+  baseline
+      .add_option("--detect", request.detect,
+                  "give each point as many frames as it takes that a check finds a decoder which "
+                  "loses so many times as much, and passes an equal one: 1.5x")
+      ->type_name("X")
+      ->transform(a_multiple())
+      ->check(between(1.01, 100));
+  baseline
+      .add_option("--power", request.power,
+                  "how surely it does, and what is said of it; 0.95 if not given")
+      ->type_name("P")
+      ->check(between(0.5, 1 - 1e-9));
+}
+
 }  // namespace
 
 void add_check(CLI::App& app, CheckRequest& request) {
@@ -134,7 +159,7 @@ void add_check(CLI::App& app, CheckRequest& request) {
       "Exit code 1 if it is worse or fails, 4 if more frames are needed to tell. What decoders "
       "drop: protocol/PROTOCOLS.md. Example: "
       "cosys-sim "
-      "check scenarios/quickstart.toml --baseline quickstart-baseline.h5 --decoder mid-bit");
+      "check scenarios/quickstart.toml --baseline quickstart-baseline.h5 --decoder soft");
 }
 
 void add_baseline(CLI::App& app, BaselineRequest& request) {
@@ -149,10 +174,11 @@ void add_baseline(CLI::App& app, BaselineRequest& request) {
   add_scenario_options(baseline, request.options);
   add_threads(baseline, request.threads);
   add_amount(baseline, request.options);
+  add_baseline_power(baseline, request);
   baseline.add_flag("-q,--quiet", request.quiet, "no progress on stderr");
   baseline.footer(
-      "Each point has as many frames as stop.max_frames says. Example: cosys-sim baseline "
-      "scenarios/quickstart.toml -o quickstart-baseline.h5");
+      "Each point has as many frames as stop.max_frames says, or more with --detect. Example: "
+      "cosys-sim baseline scenarios/quickstart.toml --detect 1.5x -o quickstart-baseline.h5");
 }
 
 void add_compare(CLI::App& app, CompareRequest& request) {

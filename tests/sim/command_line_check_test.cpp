@@ -236,7 +236,7 @@ TEST_F(CheckCommand, BaselinesAreRenewedAndSayWhatIsOther) {
   const std::string before = values("b.h5", "n_frames_lost");
   const Outcome same = program({"baseline", "-o", "b.h5", "-q"});
   EXPECT_EQ(same.code, 0) << same.err;
-  EXPECT_NE(same.out.find(" before, 0 of 600 frames came out otherwise\n"), std::string::npos)
+  EXPECT_NE(same.out.find(" before, 0 of 600 frames came out otherwise; a check finds "), std::string::npos)
       << same.out;
   EXPECT_EQ(values("b.h5", "n_frames_lost"), before);
   const Outcome other = program({"baseline", "-o", "b.h5", "-q", "--decoder", "mid-bit"});
@@ -245,6 +245,31 @@ TEST_F(CheckCommand, BaselinesAreRenewedAndSayWhatIsOther) {
   expect_refused({"baseline", "-o", "new.h5"}, 2,
                  "no scenario (new.h5 is no baseline to renew) give one: cosys-sim baseline "
                  "scenarios/quickstart.toml -o B.h5");
+}
+
+TEST_F(CheckCommand, ABaselineSaysWhatACheckOfItFinds) {
+  const Outcome few = program({"baseline", "weak.toml", "-n", "256", "-q", "-o", "few.h5"});
+  EXPECT_NE(few.out.find(" of 256 frames lost; a check finds "), std::string::npos) << few.out;
+  EXPECT_NE(few.out.find("\nfound: in 95 % of checks\n2 of 2 points may leave an equal decoder "
+                         "inconclusive: --detect 1.5x plays as many frames as it takes\n"),
+            std::string::npos)
+      << few.out;
+}
+
+TEST_F(CheckCommand, ABaselineHasTheFramesThatFindWhatItIsToDetect) {
+  const Outcome o = program(
+      {"baseline", "weak.toml", "-n", "256", "-q", "-o", "d.h5", "--detect", "1.3x", "--power", ".9"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("\nfound: in 90 % of checks with --worse-than 1.3\n"), std::string::npos);
+  EXPECT_EQ(o.out.find("inconclusive"), std::string::npos) << o.out;
+  const Outcome same = program({"check", "weak.toml", "--baseline", "d.h5", "-q", "--worse-than",
+                                "1.3"});
+  EXPECT_EQ(last_line(same.out), "passed: 2 points\n");
+  const Outcome renewed = program({"baseline", "-o", "d.h5", "-q"});
+  EXPECT_EQ(renewed.out.find(" of 256 frames lost"), std::string::npos) << renewed.out;
+  expect_refused({"baseline", "weak.toml", "-o", "d.h5", "--detect", "x"}, 2,
+                 "--detect: x is no number from 1.01 to 100 (wrong usage) see cosys-sim baseline "
+                 "--help");
 }
 
 TEST_F(CheckCommand, ABaselineStartsNoProgram) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "sim/check/detectable_loss.hpp"
+
 namespace sim {
 namespace {
 
@@ -130,12 +132,12 @@ constexpr SequentialTestRule twice{.worse_than = 2, .alpha = 1e-3, .power = 0.99
 constexpr double flr = 0.2;
 
 TEST(SequentialTestPower, ADecoderPassesAgainstItselfAThousandTimesOutOfAThousand) {
-  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  const std::uint64_t frames = frames_needed(twice, flr, 1, twice.power);
   EXPECT_EQ(count(SequentialTestState::passed, twice, {flr, flr, 1}, frames, 1000), 1000);
 }
 
 TEST(SequentialTestPower, EqualDecodersAreCalledWorseInLessThanOneCheckInAThousand) {
-  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  const std::uint64_t frames = frames_needed(twice, flr, 1, twice.power);
   constexpr int checks = 20000;
   for (const double alike : {0.0, 0.5, 0.9})
     EXPECT_LE(count(SequentialTestState::worse, twice, {flr, flr, alike}, frames, checks),
@@ -144,7 +146,7 @@ TEST(SequentialTestPower, EqualDecodersAreCalledWorseInLessThanOneCheckInAThousa
 }
 
 TEST(SequentialTestPower, EqualDecodersPassAsOftenAsWorseOnesAreFound) {
-  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  const std::uint64_t frames = frames_needed(twice, flr, 1, twice.power);
   constexpr int checks = 5000;
   for (const double alike : {0.0, 0.5, 0.9})
     EXPECT_GE(count(SequentialTestState::passed, twice, {flr, flr, alike}, frames, checks),
@@ -153,7 +155,7 @@ TEST(SequentialTestPower, EqualDecodersPassAsOftenAsWorseOnesAreFound) {
 }
 
 TEST(SequentialTestPower, ADecoderTwiceAsBadIsFoundInNinetyNineOfAHundredChecks) {
-  const std::uint64_t frames = frames_needed(twice, flr, 1);
+  const std::uint64_t frames = frames_needed(twice, flr, 1, twice.power);
   constexpr int checks = 5000;
   for (const double alike : {0.0, 0.5, 1.0})
     EXPECT_GE(count(SequentialTestState::worse, twice, {flr, 2 * flr, alike}, frames, checks),
@@ -224,7 +226,7 @@ TEST(SequentialTestPower, WhatIsNegligiblePassesAndWhatIsNotDoesNot) {
 // for is met by so many frames, and by 2 % fewer not.
 TEST(FramesNeeded, AreThoseThatDoWhereTheyAreMany) {
   const SequentialTestRule close{.worse_than = 1.01, .alpha = 1e-3, .power = 0.999};
-  const std::uint64_t frames = frames_needed(close, 0.3, 2);
+  const std::uint64_t frames = frames_needed(close, 0.3, 2, close.power);
   EXPECT_GT(frames, 100'000U);
   EXPECT_GE(power_of(close, 0.3, frames, 2), 0.999);
   EXPECT_GE(pass_probability(close, 0.3, frames), 0.999);
@@ -234,7 +236,8 @@ TEST(FramesNeeded, AreThoseThatDoWhereTheyAreMany) {
 
 TEST(FramesNeeded, GrowWithWhatIsAskedFor) {
   const auto needed = [](double worse_than, double alpha, double power, std::uint64_t points = 1) {
-    return frames_needed({.worse_than = worse_than, .alpha = alpha, .power = power}, 0.05, points);
+    return frames_needed({.worse_than = worse_than, .alpha = alpha, .power = power}, 0.05, points,
+                         power);
   };
   EXPECT_GT(needed(1.5, 1e-3, 0.99), needed(2, 1e-3, 0.99));
   EXPECT_GT(needed(2, 1e-6, 0.99), needed(2, 1e-3, 0.99));
@@ -244,6 +247,60 @@ TEST(FramesNeeded, GrowWithWhatIsAskedFor) {
   EXPECT_GE(power_of({.worse_than = 2}, 0.05, frames, 1), 0.99);
   EXPECT_GE(pass_probability({.worse_than = 2}, 0.05, frames), 0.99);
   EXPECT_LT(pass_probability({.worse_than = 2}, 0.05, frames * 9 / 10), 0.99);
+}
+
+// 12 frames that the candidate alone loses are enough (2^-12 < 0.001 / 2 tests / 2 looks' shares),
+// and Poisson's number is that in 95 of 100 at a mean of 18.2.
+TEST(DetectableLoss, OfADecoderThatLosesNothingIsThatOfTwelveFrames) {
+  const double found = detectable_loss(rule_of_checks, {.lost = 0, .frames = 1024}, 0.95);
+  EXPECT_NEAR(found, 18.2 / 1024, 0.02 * found);
+}
+
+TEST(DetectableLoss, IsCalledWorseAsOftenAsSaid) {
+  constexpr std::uint64_t frames = 2000;
+  constexpr int checks = 5000;
+  const PointLosses losses{.lost = 400, .frames = frames};
+  const double found = detectable_loss(rule_of_checks, losses, 0.95);
+  const auto worse = [&](double candidate_flr) {
+    return count(SequentialTestState::worse, rule_of_checks, {losses.flr(), candidate_flr, 0},
+                 frames, checks);
+  };
+  EXPECT_GE(worse(found), 0.95 * checks);
+  EXPECT_LT(worse(losses.flr() + 0.8 * (found - losses.flr())), 0.95 * checks);
+}
+
+TEST(DetectableLoss, IsNoneWhereNothingCanBeFound) {
+  EXPECT_TRUE(std::isnan(detectable_loss(rule_of_checks, {.lost = 0, .frames = 8}, 0.95)));
+  EXPECT_TRUE(std::isnan(detectable_loss(rule_of_checks, {.lost = 100, .frames = 100}, 0.95)));
+  EXPECT_TRUE(std::isnan(detectable_loss(rule_of_checks, {}, 0.95)));
+}
+
+TEST(PassesIfEqual, AsOftenAsSaidOrMore) {
+  constexpr int checks = 3000;
+  for (const std::uint64_t frames : {256U, 1024U, 2048U}) {
+    const PointLosses losses{.lost = frames / 5, .frames = frames};
+    const double passes = passes_if_equal(rule_of_checks, losses);
+    const Decoders equal{losses.flr(), losses.flr(), 0};
+    const int passed =
+        count(SequentialTestState::passed, rule_of_checks, equal, frames, checks);
+    EXPECT_GE(passed, (passes - 0.02) * checks) << frames;
+  }
+}
+
+TEST(PassesIfEqual, WhereTheLossIsNegligible) {
+  EXPECT_EQ(passes_if_equal(rule_of_checks, {.lost = 0, .frames = 1024}), 1);
+  EXPECT_EQ(passes_if_equal(rule_of_checks, {.lost = 0, .frames = 100}), 0);
+}
+
+TEST(FramesToDetect, AreEnoughAndNoneWhereNoNumberIs) {
+  const PointLosses losses{.lost = 50, .frames = 500};
+  const std::uint64_t frames = frames_to_detect(rule_of_checks, losses, 0.95);
+  const PointLosses many{.lost = frames / 10, .frames = frames};
+  EXPECT_LE(detectable_loss(rule_of_checks, many, 0.95), 1.02 * 1.5 * 0.1);
+  EXPECT_GE(passes_if_equal(rule_of_checks, many), 0.95);
+  EXPECT_EQ(frames_to_detect(rule_of_checks, {.lost = 0, .frames = 500}, 0.95), 0U);
+  EXPECT_EQ(frames_to_detect(rule_of_checks, {.lost = 400, .frames = 500}, 0.95), 0U);
+  EXPECT_EQ(frames_to_detect(rule_of_checks, {}, 0.95), 0U);
 }
 
 }  // namespace
