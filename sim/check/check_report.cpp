@@ -108,11 +108,6 @@ std::string words_about(const CheckReport& report, const PointCheck& check) {
                      point_details(report, check));
 }
 
-std::string repeat_command(const CheckReport& report, const PointCheck& check) {
-  return fmt::format("cosys-sim check {} --point {}{}", shell_word(check.point.file.string()),
-                     check.point.number, report.options);
-}
-
 std::string trace_command_of(const CheckReport& report, const PointCheck& check,
                              std::uint32_t trial) {
   return fmt::format("cosys-sim trace {} --point {} --trial {}{} -o frame{}.vcd",
@@ -144,7 +139,27 @@ std::string power_lines(const CheckReport& report) {
       rule.worse_than, rule.power, enough, known, most->point.name, most->frames_needed);
 }
 
-std::string last_line(const CheckReport& report) {
+}  // namespace
+
+std::size_t CheckReport::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::ranges::count(checks, verdict, &PointCheck::verdict));
+}
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::passed:
+      return "passed";
+    case Verdict::worse:
+      return "worse";
+    case Verdict::inconclusive:
+      return "inconclusive";
+    case Verdict::broken:
+      return "failed";
+  }
+  return "";
+}
+
+std::string verdict_line(const CheckReport& report) {
   const std::size_t points = report.checks.size();
   switch (verdict_of(report.checks)) {
     case Verdict::broken:
@@ -166,24 +181,9 @@ std::string last_line(const CheckReport& report) {
   return fmt::format("passed: {} point{}\n", points, points == 1 ? "" : "s");
 }
 
-}  // namespace
-
-std::size_t CheckReport::count(Verdict verdict) const {
-  return static_cast<std::size_t>(std::ranges::count(checks, verdict, &PointCheck::verdict));
-}
-
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::passed:
-      return "passed";
-    case Verdict::worse:
-      return "worse";
-    case Verdict::inconclusive:
-      return "inconclusive";
-    case Verdict::broken:
-      return "failed";
-  }
-  return "";
+std::string repeat_command(const CheckReport& report, const PointCheck& check) {
+  return fmt::format("cosys-sim check {} --point {}{}", shell_word(check.point.file.string()),
+                     check.point.number, report.options);
 }
 
 std::string point_details(const CheckReport& report, const PointCheck& check) {
@@ -211,7 +211,7 @@ std::string check_text(const CheckReport& report) {
   std::string text = head(report) + table_head(columns);
   for (const PointCheck& check : report.checks) text += table_line(columns, row_of(check));
   for (const PointCheck& check : report.checks) text += words_about(report, check);
-  return text + power_lines(report) + last_line(report);
+  return text + power_lines(report) + verdict_line(report);
 }
 
 }  // namespace sim

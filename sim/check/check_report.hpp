@@ -32,7 +32,17 @@ std::string check_junit(const CheckReport& report);
 /// Whether such a file was written by it.
 bool is_check_junit(const std::filesystem::path& path);
 
+/// Markdown for a page of a CI server: verdict, table, and three frames as pictures of characters.
+std::string check_summary(const CheckReport& report);
+/// Whether such a file was written by it.
+bool is_check_summary(const std::filesystem::path& path);
+
 const char* name(Verdict verdict);
+
+/// What follows from all points, a line.
+std::string verdict_line(const CheckReport& report);
+/// The check of this point alone, as a shell takes it.
+std::string repeat_command(const CheckReport& report, const PointCheck& check);
 
 /// What is known of a point, in some lines of text, the commands among them.
 std::string point_details(const CheckReport& report, const PointCheck& check);

@@ -10,36 +10,17 @@
 
 #include "protocol/cosys.hpp"
 #include "protocol/uart.hpp"
-#include "sim/check/decoded_frames.hpp"
+#include "sim/check/frame_picture.hpp"
 #include "sim/columns/text_table.hpp"
 #include "sim/text/escaped_text.hpp"
 
 namespace sim {
 namespace {
 
-using protocol::bits_per_byte;
-
 std::string bits_text(const std::vector<bool>& bits) {
   std::string text;
   for (const bool bit : bits) text += bit ? '1' : '0';
   return text;
-}
-
-std::vector<bool> sent_bits(std::uint8_t byte) { return protocol::line_bits(std::span(&byte, 1)); }
-
-std::string quoted(std::uint8_t byte) {
-  const char c = static_cast<char>(byte);
-  return "'" + escaped({&c, 1}) + "'";
-}
-
-/// The pin in the middle of each bit of a character.
-std::vector<bool> pin_bits(const OneFrame& frame, std::size_t character) {
-  const FrameOnLine& place = frame.frame();
-  std::vector<bool> bits;
-  for (int slot = 0; slot < bits_per_byte; ++slot)
-    bits.push_back(
-        frame.line.wire.level_at(place.byte_start[character] + place.bit * (slot + 0.5)));
-  return bits;
 }
 
 /// The edges within half a bit of `at`.
@@ -55,7 +36,7 @@ std::vector<dsp::Seconds> edges_near(const OneFrame& frame, dsp::Seconds at) {
 /// that is not alone.
 std::string edges_text(const OneFrame& frame, std::size_t character) {
   const FrameOnLine& place = frame.frame();
-  const std::vector<bool> bits = sent_bits(frame.judged.link.bytes[character]);
+  const std::vector<bool> bits = sent_bits(frame, character);
   bool before = true;  // the line is idle, or at a stop bit
   std::string text;
   for (std::size_t slot = 0; slot < bits.size(); ++slot) {
@@ -78,7 +59,7 @@ std::string reading_of(const OneFrame& frame, const std::vector<protocol::UartBy
   std::string text;
   for (const protocol::UartByte& byte : bytes) {
     const double late = (byte.start - place.byte_start[character]) / place.bit;
-    if (late < -0.5 || late >= bits_per_byte - 0.5) continue;
+    if (late < -0.5 || late >= protocol::bits_per_byte - 0.5) continue;
     text += (text.empty() ? "" : " ") + quoted(byte.value);
     if (byte.framing_error) text += "!";
     if (late > 1) text += fmt::format(" (bit {:.0f})", std::round(late));
@@ -86,8 +67,9 @@ std::string reading_of(const OneFrame& frame, const std::vector<protocol::UartBy
   return text.empty() ? "-" : text;
 }
 
-std::string verdict_on_frame(const FrameOutcome& outcome) {
-  if (outcome.unknown) return "failed";
+std::string verdict_on_frame(const Decoded& decoded, const FrameOutcome& outcome) {
+  if (decoded.fault) return "failed: " + decoded.fault->what;
+  if (outcome.unknown) return "failed: of the markers beside the frame one was not received";
   if (outcome.undetected_error)
     return outcome.delivered ? "delivered, and another message" : "undetected error";
   return outcome.delivered ? "delivered" : "lost";
@@ -116,62 +98,56 @@ std::string lines_of(const std::vector<protocol::UartByte>& bytes, const FrameOn
   return text;
 }
 
-using Readings = std::vector<std::vector<protocol::UartByte>>;
+/// What decoders read, each with its name.
+struct NamedReading {
+  std::string name;
+  std::vector<protocol::UartByte> bytes;
+};
+using Readings = std::vector<NamedReading>;
 
-std::string table_of(const OneFrame& frame, const std::vector<const Decoder*>& decoders,
-                     const Readings& readings) {
+/// Those that say characters, or else what one does that is at hand.
+Readings readings_of(const OneFrame& frame, const std::vector<const Decoder*>& decoders) {
+  Readings readings;
+  for (const Decoder* decoder : decoders)
+    if (auto bytes = decoder->characters(frame.line); !bytes.empty())
+      readings.push_back({decoder->name(), std::move(bytes)});
+  if (!readings.empty()) return readings;
+  const auto reference = make_built_in_decoder(reference_decoder);
+  return {{reference->name() + " (built in)", reference->characters(frame.line)}};
+}
+
+std::string table_of(const OneFrame& frame, const Readings& readings) {
   std::vector<TextColumn> columns{{{"", "", "ms"}, 7},
                                   {{"", "", "sent"}, -6},
                                   {{"", "", "bits"}, -10},
                                   {{"", "", "at the pin"}, -10},
                                   {{"", "edges late by", "microseconds"}, -36}};
-  for (const Decoder* decoder : decoders)
+  for (const NamedReading& reading : readings)
     columns.push_back(
-        {{"", "", decoder->name()}, -std::max(16, static_cast<int>(decoder->name().size()))});
+        {{"", "", reading.name}, -std::max(16, static_cast<int>(reading.name.size()))});
   std::string text = table_head(columns);
   const FrameOnLine& place = frame.frame();
   for (std::size_t i = 0; i < place.byte_start.size(); ++i) {
-    const std::uint8_t byte = frame.judged.link.bytes[i];
     std::vector<std::string> row{
         fmt::format("{:.1f}", (place.byte_start[i] - place.byte_start[0]).value * 1e3),
-        quoted(byte), bits_text(sent_bits(byte)), bits_text(pin_bits(frame, i)),
-        edges_text(frame, i)};
-    for (const auto& bytes : readings) row.push_back(reading_of(frame, bytes, i));
+        quoted(frame.judged.link.bytes[i]), bits_text(sent_bits(frame, i)),
+        bits_text(pin_bits(frame, i)), edges_text(frame, i)};
+    for (const NamedReading& reading : readings)
+      row.push_back(reading_of(frame, reading.bytes, i));
     text += table_line(columns, row);
   }
   return text;
 }
 
-}  // namespace
-
-OneFrame hear_frame(const JudgedPoint& point, std::uint32_t trial) {
-  const std::uint32_t first = trial / frames_per_capture * frames_per_capture;
-  JudgedLink judged = judged_link(point);
-  DelimitedStream line = hear_delimited(judged, first, static_cast<int>(frames_per_capture));
-  return {std::move(judged), std::move(line), trial - first};
-}
-
-namespace {
-
-FrameOutcome outcome_of(const Decoded& decoded, const OneFrame& frame) {
-  if (decoded.fault) return {.unknown = true};
-  return outcomes_between_markers(decoded.accepted, frame.judged.link.message, frame.line.first,
-                                  frame.line.frames.size())[frame.index];
-}
-
-std::string verdict_lines(const Decoder& decoder, const OneFrame& frame,
-                          const std::vector<protocol::UartByte>& characters) {
+std::string verdict_lines(const Decoder& decoder, const OneFrame& frame) {
   const Decoded decoded = decoder.decode(frame.line);
-  return fmt::format("{}: {}\n", decoder.name(), verdict_on_frame(outcome_of(decoded, frame))) +
+  const std::vector<protocol::UartByte> characters = decoder.characters(frame.line);
+  return fmt::format("{}: {}\n", decoder.name(), verdict_on_frame(decoded, outcome_of(decoded, frame))) +
          (characters.empty() ? accepted_text(decoded, frame.trial())
                              : lines_of(characters, frame.frame()));
 }
 
 }  // namespace
-
-FrameOutcome outcome_of(const Decoder& decoder, const OneFrame& frame) {
-  return outcome_of(decoder.decode(frame.line), frame);
-}
 
 std::string frame_trace(const OneFrame& frame, const std::vector<const Decoder*>& decoders) {
   const Link& link = frame.judged.link;
@@ -179,11 +155,8 @@ std::string frame_trace(const OneFrame& frame, const std::vector<const Decoder*>
       fmt::format("trial {}: \"{}\" at {:.4g} mW/m2, bits of {:.1f} us on the receiver's clock\n",
                   frame.trial(), escaped(link.message), link.operating.irradiance_mw_per_m2,
                   frame.frame().bit.value * 1e6);
-  Readings readings;
-  for (const Decoder* decoder : decoders) readings.push_back(decoder->characters(frame.line));
-  text += table_of(frame, decoders, readings);
-  for (std::size_t i = 0; i < decoders.size(); ++i)
-    text += verdict_lines(*decoders[i], frame, readings[i]);
+  text += frame_picture(frame) + table_of(frame, readings_of(frame, decoders));
+  for (const Decoder* decoder : decoders) text += verdict_lines(*decoder, frame);
   return text;
 }
 

@@ -103,27 +103,12 @@ std::string level_text(const dsp::LogicTrace& wire, const WirePiece& piece) {
 }
 
 /// What a piece is of the message.
-std::string place_text(const Minimised& least, std::size_t index) {
+std::string piece_text(const Minimised& least, std::size_t index) {
   if (index == 0) return "before the message";
   if (index + 1 == least.pieces.size()) return "behind the message";
-  const std::size_t character = (index - 1) / bits_per_byte, slot = (index - 1) % bits_per_byte;
-  const char c = static_cast<char>(least.frame.judged.link.bytes[character]);
-  const std::string bit = slot == 0                     ? "start bit"
-                          : slot == protocol::stop_slot ? "stop bit"
-                                                        : fmt::format("data bit {}", slot - 1);
-  return fmt::format("character {} '{}', {}", character, escaped({&c, 1}), bit);
-}
-
-std::string vector_text(const Minimised& least) {
-  const FrameOnLine& place = least.frame.frame();
-  std::vector<long> changes;
-  for (const dsp::Seconds edge : least.frame.line.wire.edges())
-    if (edge >= place.from && edge <= place.to)
-      changes.push_back(std::lround((edge - place.from).value * 1e6));
-  std::string numbers;
-  for (std::size_t i = 0; i < changes.size(); ++i)
-    numbers += fmt::format("{}{}", i == 0 ? "    " : i % 12 == 0 ? ",\n    " : ", ", changes[i]);
-  return "static const unsigned long changes_us[] = {\n" + numbers + "};\n";
+  const std::size_t bit = index - 1;
+  return place_text(least.frame,
+                    {bit / bits_per_byte, static_cast<int>(bit % bits_per_byte)});
 }
 
 }  // namespace
@@ -134,10 +119,14 @@ std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidat
   for (std::size_t i = 0; i < result.pieces.size(); ++i)
     if (is_disturbed(frame.line.wire, result.pieces[i])) result.disturbed.push_back(i);
   result.at_first = result.disturbed.size();
+  result.accepts_wrongly = outcome_of(candidate, frame).undetected_error;
   const auto breaks = [&](const Indices& disturbed) {
     result.frame.line.wire = mended(frame, result.pieces, disturbed);
-    return outcome_of(candidate, result.frame).lost() &&
-           outcome_of(baseline, result.frame).delivered;
+    const FrameOutcome one = outcome_of(candidate, result.frame);
+    const bool is_bad = result.accepts_wrongly ? one.undetected_error : one.lost();
+    if (!is_bad) return false;
+    const FrameOutcome other = outcome_of(baseline, result.frame);
+    return result.accepts_wrongly ? !other.unknown && !other.undetected_error : other.delivered;
   };
   if (!breaks(result.disturbed)) return std::nullopt;
   result.disturbed = least(result.disturbed, breaks);
@@ -145,23 +134,36 @@ std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidat
   return result;
 }
 
-std::string minimised_text(const Minimised& least, const Decoder& candidate,
+std::string disturbed_text(const Minimised& least, const Decoder& candidate,
                            const Decoder& baseline) {
-  const Link& link = least.frame.judged.link;
   std::string text =
-      fmt::format("of {} disturbed bits {} {} enough: {} loses the frame, {} does not\n",
-                  least.at_first, least.disturbed.size(),
-                  least.disturbed.size() == 1 ? "is" : "are", candidate.name(), baseline.name());
+      fmt::format("of {} disturbed bits {} {} enough: {} {}, {} does not\n", least.at_first,
+                  least.disturbed.size(), least.disturbed.size() == 1 ? "is" : "are",
+                  candidate.name(),
+                  least.accepts_wrongly ? "accepts what was not sent" : "loses the frame",
+                  baseline.name());
   for (const std::size_t i : least.disturbed)
-    text += fmt::format("  {}: {:d} was sent; {}\n", place_text(least, i), least.pieces[i].sent,
+    text += fmt::format("  {}: {:d} was sent; {}\n", piece_text(least, i), least.pieces[i].sent,
                         level_text(least.frame.line.wire, least.pieces[i]));
-  return text +
-         fmt::format(
-             "\n// \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "
+  return text;
+}
+
+std::string test_vector(const Minimised& least) {
+  const FrameOnLine& place = least.frame.frame();
+  std::vector<long> changes;
+  for (const dsp::Seconds edge : least.frame.line.wire.edges())
+    if (edge >= place.from && edge <= place.to)
+      changes.push_back(std::lround((edge - place.from).value * 1e6));
+  std::string numbers;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    numbers += fmt::format("{}{}", i == 0 ? "    " : i % 12 == 0 ? ",\n    " : ", ", changes[i]);
+  const JudgedLink& judged = least.frame.judged;
+  return fmt::format(
+             "// \"{} {:02X}\\n\" at {:g} baud: the line is 1, and changes after so many "
              "microseconds.\n",
-             escaped(link.message), protocol::cosys_checksum(link.message),
-             least.frame.judged.baud.value) +
-         vector_text(least);
+             escaped(judged.link.message), protocol::cosys_checksum(judged.link.message),
+             judged.baud.value) +
+         "static const unsigned long changes_us[] = {\n" + numbers + "};\n";
 }
 
 }  // namespace sim

@@ -5,6 +5,8 @@
 
 #include "sim/check/baseline.hpp"
 #include "sim/check/check_report.hpp"
+#include "sim/check/frame_trace.hpp"
+#include "sim/check/gate_files.hpp"
 #include "sim/check/minimise.hpp"
 #include "sim/check/point_check.hpp"
 #include "sim/check/program_decoder.hpp"
@@ -69,6 +71,33 @@ std::string repeated_options(const CheckRequest& request) {
   return text + scenario_options(request.options);
 }
 
+/// Throws for a file that a clone of the repository does not have.
+void refuse_outside(const fs::path& path) {
+  if (path.is_absolute() || path.lexically_normal().string().starts_with(".."))
+    throw bad_input("--init with " + path.string(), "it is not in this repository",
+                    "copy it here, and name it from here");
+}
+
+ExitCode write_gate(const CheckRequest& request) {
+  std::string check = "cosys-sim check";
+  for (const fs::path& scenario : request.scenarios) {
+    refuse_outside(scenario);
+    check += " " + shell_word(scenario.string());
+  }
+  refuse_outside(request.baseline);
+  const std::vector<GateFile> files = gate_files(
+      {check + repeated_options(request), build_command("."), request.program}, ".");
+  for (const GateFile& file : files)
+    refuse_to_lose(file.place, {is_gate_file, "a workflow of cosys-sim check --init"});
+  for (const GateFile& file : files) {
+    if (file.place.has_parent_path()) make_folder(file.place.parent_path());
+    write_file(file.place, file.text);
+    print(file.place.string() + "\n");
+  }
+  print(gate_hint(files));
+  return ExitCode::done;
+}
+
 ExitCode exit_code(Verdict verdict) {
   switch (verdict) {
     case Verdict::passed:
@@ -111,36 +140,43 @@ const JudgedPoint& only_point(const std::vector<JudgedPoint>& points) {
                   "say which by --point");
 }
 
-/// Throws where the baseline's decoder cannot be run.
-const Decoder& must_run(const Decoder* baseline, const std::string& name) {
-  if (baseline != nullptr) return *baseline;
-  throw bad_input("--minimise with a baseline of " + name,
-                  "it is a program, which only its user may run",
-                  "make a baseline of a built-in decoder");
+/// The least of a frame's light that breaks the candidate, or why none is said.
+std::string least_text(const OneFrame& frame, const Decoder& candidate, const Decoder& other) {
+  if (const auto least = minimise(frame, candidate, other))
+    return disturbed_text(*least, candidate, other) +
+           fmt::format("as a test vector in C: --minimise {} in place of --explain\n",
+                       frame.trial());
+  const FrameOutcome outcome = outcome_of(candidate, frame);
+  if (candidate.name() == other.name() || outcome.unknown) return "";
+  if (outcome.undetected_error) return fmt::format("{} accepts it too\n", other.name());
+  return outcome.lost() ? fmt::format("{} loses the frame too\n", other.name()) : "";
 }
 
 ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
-                       const CheckSetup& setup, const Baseline& baseline) {
+                       const CheckSetup& setup) {
   const std::atomic<bool>& stopping = heed_stop_signals();
   const OneFrame frame = hear_frame(point, request.explain ? *request.explain : *request.minimise);
-  std::vector<const Decoder*> decoders{&setup.candidate};
-  if (setup.baseline != nullptr && setup.baseline->name() != setup.candidate.name())
+  const Decoder& candidate = setup.candidate;
+  std::vector<const Decoder*> decoders{&candidate};
+  if (setup.baseline != nullptr && setup.baseline->name() != candidate.name())
     decoders.insert(decoders.begin(), setup.baseline);
+  // A baseline that is a program only its user may run.
+  const std::unique_ptr<Decoder> reference = make_built_in_decoder(reference_decoder);
+  const Decoder& other = setup.baseline != nullptr ? *setup.baseline : *reference;
   if (request.explain) {
-    const std::string trace = frame_trace(frame, decoders);
+    const std::string trace = frame_trace(frame, decoders) + least_text(frame, candidate, other);
     if (stopping) return end_interrupted();
     print(point.name + ", " + trace);
     return ExitCode::done;
   }
-  const Decoder& other = must_run(setup.baseline, baseline.decoder);
-  const auto least = minimise(frame, setup.candidate, other);
+  const auto least = minimise(frame, candidate, other);
   if (stopping) return end_interrupted();
   if (!least)
     throw bad_input(fmt::format("--minimise {}", *request.minimise),
-                    fmt::format("it is no frame that {} loses and {} does not",
-                                setup.candidate.name(), other.name()),
-                    "take one that the check lists as lost by the candidate alone");
-  print(minimised_text(*least, setup.candidate, other));
+                    fmt::format("it is no frame that {} loses, or accepts wrongly, and {} does not", candidate.name(),
+                                other.name()),
+                    "take one that the check lists as one of the candidate alone");
+  print(disturbed_text(*least, candidate, other) + "\n" + test_vector(*least));
   return ExitCode::done;
 }
 
@@ -153,6 +189,9 @@ ExitCode check_command(const CheckRequest& request) {
   const auto candidate = make_decoder(
       request.decoder.empty() ? own_decoder(baseline) : request.decoder, request.program_settings);
   const auto again = make_built_in_decoder(baseline.decoder);
+  if (request.init) return write_gate(request);
+  if (request.summary)
+    check_place(*request.summary, {is_check_summary, "a summary of cosys-sim check"});
   if (request.junit) check_place(*request.junit, {is_check_junit, "a report of cosys-sim check"});
   if (request.output)
     check_row_table(*request.output, {is_check_table, "a table of cosys-sim check"});
@@ -163,7 +202,7 @@ ExitCode check_command(const CheckRequest& request) {
                          .points = points.size(),
                          .golden = request.golden};
   if (request.explain || request.minimise)
-    return look_at_frame(request, only_point(points), setup, baseline);
+    return look_at_frame(request, only_point(points), setup);
   const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
   std::vector<PointCheck> checks = check_points(request, setup, points, counterparts, workers);
   if (workers.interrupted()) return end_interrupted();
@@ -180,6 +219,7 @@ ExitCode check_command(const CheckRequest& request) {
         place, [&](const fs::path& where) { write_file(where, text); }, answer);
   };
   if (request.junit) keep(*request.junit, check_junit(report));
+  if (request.summary) keep(*request.summary, check_summary(report));
   if (request.output) keep(*request.output, check_table(*request.output, report));
   request.json ? print_json(answer()) : print(answer());
   return exit_code(verdict_of(checks));

@@ -94,7 +94,7 @@ struct Requests {
 void fill_in(Requests& to, const Surroundings& from) {
   to.run.command = to.find.command = to.merge.command = to.baseline.command = from.command;
   to.run.program = to.trace.program = to.find.program = to.merge.program = to.baseline.program =
-      to.manual.program = from.program;
+      to.check.program = to.manual.program = from.program;
   to.manual.date = from.commit_date;
   for (PartRoots* parts :
        {&to.run.options.parts, &to.trace.options.parts, &to.find.options.parts, &to.parts.parts,

@@ -25,10 +25,10 @@ struct OptionGroup {
 constexpr std::array<OptionGroup, 4> option_groups{
     {{"What", ""},
      {"How long", "--threads --max-frames --time-budget --minutes --duration --tolerance"},
-     {"Where to", "--output --json --quiet --page --svg --png --pdf --junit"},
+     {"Where to", "--output --json --quiet --page --svg --png --pdf --junit --summary"},
      {"Rarely needed",
       "--method --rel-ci --target-flr --max-frame-errors --shard --profile --plot --table "
-      "--format --sample-rate --time-unit --skip-rows --sample-bytes --ambient --drive --message "
+      "--point --format --sample-rate --time-unit --skip-rows --sample-bytes --ambient --drive --message "
       "--polarity "
       "--decoder-mode --decoder-output --decoder-timeout --golden --minimise --alpha --power "
       "--negligible --drop-framing-errors --led-current-ma --led-yaw-deg --floor --height-mm "

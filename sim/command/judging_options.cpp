@@ -15,7 +15,7 @@ constexpr double most_frames = 1e9;  // of a point
 void add_gate_rule(CLI::App& check, SequentialTestRule& rule) {
   check
       .add_option("--worse-than", rule.worse_than,
-                  "how many times as many lost frames must not pass; 1.5 if not given")
+                  "so many times the loss must not pass; 1.5 if not given")
       ->type_name("X")
       ->check(between(1.01, 100));
   check
@@ -136,7 +136,7 @@ void add_check(CLI::App& app, CheckRequest& request) {
       check
           .add_option(
               "--explain", request.explain,
-              "in place of the check: what was sent, seen and read of this frame of a point")
+              "in place of the check: a frame as sent, seen, and read")
           ->type_name("N")
           ->check(an_index)
           ->check(between(0, most_frames - 1));
@@ -148,6 +148,12 @@ void add_check(CLI::App& app, CheckRequest& request) {
       ->check(an_index)
       ->check(between(0, most_frames - 1))
       ->excludes(explain);
+  check
+      .add_flag("--init", request.init,
+                "in place of the check: write CI workflows that run it")
+      ->excludes(explain);
+  add_place(check, "--summary", request.summary, "F.md",
+            "page of Markdown for a CI server to show");
   add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to write");
   add_place(check, "-o,--output", request.output, "FILE",
             "table of points: .csv or .json (JSON lines)");

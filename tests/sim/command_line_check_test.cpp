@@ -149,6 +149,10 @@ TEST_F(CheckCommand, ExplainsAFrameAndFindsTheLeastThatBreaksIt) {
   EXPECT_EQ(story.out.find("weak, device.clock_error_ppm = 0, trial " + trial + ": "), 0U)
       << story.out;
   EXPECT_NE(story.out.find("\natmega: delivered\n"), std::string::npos);
+  for (const std::string part :
+       {"\n  light      ", " enough: edge-timing loses the frame, atmega does not\n",
+        "as a test vector in C: --minimise "})
+    EXPECT_NE(story.out.find(part), std::string::npos) << part << story.out;
   EXPECT_EQ(least.code, 0) << least.err;
   EXPECT_NE(least.out.find(" enough: edge-timing loses the frame, atmega does not\n"),
             std::string::npos);
@@ -159,8 +163,8 @@ TEST_F(CheckCommand, ExplainsAFrameAndFindsTheLeastThatBreaksIt) {
   expect_refused({"check", "weak.toml", "--baseline", "b.h5", "--point", "0", "--minimise", trial},
                  2,
                  "--minimise " + trial +
-                     " (it is no frame that atmega loses and atmega does not) take one that the "
-                     "check lists as lost by the candidate alone");
+                     " (it is no frame that atmega loses, or accepts wrongly, and atmega does not) "
+                     "take one that the check lists as one of the candidate alone");
   // Frames are counted in 32 bits, markers behind them included.
   for (const std::string option : {"--explain", "--minimise"})
     expect_refused(

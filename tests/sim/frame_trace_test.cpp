@@ -9,6 +9,7 @@
 #include "scenarios.hpp"
 #include "scripted_decoder.hpp"
 #include "sim/check/decoded_frames.hpp"
+#include "sim/check/frame_picture.hpp"
 #include "sim/check/minimise.hpp"
 
 namespace sim {
@@ -79,6 +80,49 @@ TEST(FrameTrace, SaysWhatADecoderAcceptedThatSaysNoCharacters) {
   EXPECT_EQ(end_of(4), "scripted: delivered\n    accepted \"A B\"\n");
 }
 
+TEST(FrameTrace, ReadsByABuiltInDecoderWhereNoneSaysCharacters) {
+  const ScriptedDecoder decoder([](std::uint32_t) { return std::vector<std::string>{"A B"}; });
+  const JudgedPoint clear = judged_points(loaded("device.message = 'A B'", clear_link())).front();
+  const std::string story = frame_trace(hear_frame(clear, 3), {&decoder});
+  EXPECT_NE(story.find("mid-bit (built in)\n"), std::string::npos) << story;
+  EXPECT_NE(story.find("'A'     0100000101  0100000101"), std::string::npos) << story;
+  EXPECT_EQ(story.find("mid-bit: "), std::string::npos) << "it is not judged";
+}
+
+TEST(FramePicture, ShowsLightAndPinWithTheirBits) {
+  const JudgedPoint clear = judged_points(loaded("device.message = 'A B'", clear_link())).front();
+  EXPECT_EQ(frame_picture(hear_frame(clear, 3)),
+            "the pin has each bit as it was sent, sampled in its middle\n"
+            "             'A'                 ' '                 'B'\n"
+            "  light      ██  ██████████  ██  ████████████  ████  ████  ████████  ██\n"
+            "  pin        ▁▁▔▔▁▁▁▁▁▁▁▁▁▁▔▔▁▁▔▔▁▁▁▁▁▁▁▁▁▁▁▁▔▔▁▁▁▁▔▔▁▁▁▁▔▔▁▁▁▁▁▁▁▁▔▔▁▁▔▔\n"
+            "  sent       0 1 0 0 0 0 0 1 0 1 0 0 0 0 0 0 1 0 0 1 0 0 1 0 0 0 0 1 0 1\n"
+            "  at the pin 0 1 0 0 0 0 0 1 0 1 0 0 0 0 0 0 1 0 0 1 0 0 1 0 0 0 0 1 0 1\n"
+            "\n");
+}
+
+TEST(FramePicture, IsAboutTheFirstBitThatDiffers) {
+  const JudgedPoint clear = judged_points(loaded("device.message = 'ABCDEF'", clear_link())).front();
+  OneFrame frame = hear_frame(clear, 0);
+  const FrameOnLine& place = frame.frame();
+  const dsp::Seconds from = place.byte_start[4] + place.bit * 2, to = from + place.bit;
+  dsp::LogicTrace wire(frame.line.wire.initial());
+  for (const dsp::Seconds edge : frame.line.wire.edges())
+    if (edge < from) wire.add_edge(edge);
+  wire.set_at(from, true);  // 'E' is 0100000101: this bit is light
+  wire.set_at(to, false);
+  for (const dsp::Seconds edge : frame.line.wire.edges())
+    if (edge > to) wire.add_edge(edge);
+  wire.observe_until(frame.line.wire.end());
+  frame.line.wire = wire;
+  const std::string picture = frame_picture(frame);
+  EXPECT_NE(picture.find("at character 4 'E', data bit 1\n"), std::string::npos) << picture;
+  EXPECT_NE(picture.find("'D'                 'E'                 'F'\n"), std::string::npos)
+      << picture;
+  const std::size_t mark = picture.find('^'), line = picture.rfind('\n', mark) + 1;
+  EXPECT_EQ(mark - line, 13 + 20 + 2 * 2U) << picture;
+}
+
 TEST(Minimise, FindsTheLeastThatOnlyTheCandidateLosesBy) {
   const Rivals rivals;
   const auto trials = lost_by_edges_alone(rivals);
@@ -97,6 +141,44 @@ TEST(Minimise, FindsTheLeastThatOnlyTheCandidateLosesBy) {
       ASSERT_EQ(least->frame.line.wire.level_at(dsp::Seconds(t)),
                 frame.line.wire.level_at(dsp::Seconds(t)));
   }
+}
+
+/// Takes each line for a message, whatever its checksum.
+class ChecksumIgnored : public Decoder {
+ public:
+  const std::string& name() const override { return name_; }
+  Decoded decode(const DelimitedStream& line) const override {
+    Decoded decoded;
+    std::string text;
+    for (const protocol::UartByte& byte : mid_bit_->characters(line)) {
+      text += static_cast<char>(byte.value);
+      if (byte.value != '\n') continue;
+      if (text.size() > 4) decoded.accepted.push_back(text.substr(0, text.size() - 4));
+      text.clear();
+    }
+    return decoded;
+  }
+
+ private:
+  std::string name_ = "checksum ignored";
+  std::unique_ptr<Decoder> mid_bit_ = make_built_in_decoder("mid-bit");
+};
+
+TEST(Minimise, FindsTheLeastThatOnlyTheCandidateAcceptsWrongly) {
+  const ChecksumIgnored candidate;
+  const auto good = make_built_in_decoder("mid-bit");
+  std::uint32_t trial = 0;
+  while (trial < 100 && !outcome_of(candidate, hear_frame(weak_point(), trial)).undetected_error)
+    ++trial;
+  ASSERT_LT(trial, 100U);
+  const auto least = minimise(hear_frame(weak_point(), trial), candidate, *good);
+  ASSERT_TRUE(least.has_value());
+  EXPECT_TRUE(least->accepts_wrongly);
+  EXPECT_EQ(least->disturbed.size(), 1U);
+  EXPECT_TRUE(outcome_of(candidate, least->frame).undetected_error);
+  EXPECT_NE(disturbed_text(*least, candidate, *good)
+                .find("checksum ignored accepts what was not sent, mid-bit does not\n"),
+            std::string::npos);
 }
 
 TEST(Minimise, CannotLeaveOutOneMore) {

@@ -200,6 +200,18 @@ TEST_F(ProgramDecoder, IsNotMinimisedOrExplainedAfterASignal) {
   }
 }
 
+// A baseline that is a program is not started: a decoder of ours takes its place.
+TEST_F(ProgramDecoder, IsMinimisedAgainstABuiltInDecoder) {
+  const std::string late = "/usr/bin/python3 edges.py 0.6";
+  const std::string trial = point_of(check(late))["lost_by_candidate_alone"][0].dump();
+  baseline("cat {bytes}");
+  const Outcome o = program({"check", "weak.toml", "--baseline", "b.h5", "--point", "0",
+                             "--explain", trial, "--decoder", late});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find(late + " loses the frame, mid-bit does not\n"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("mid-bit (built in)\n"), std::string::npos) << o.out;
+}
+
 TEST_F(ProgramDecoder, IsEndedByASignal) {
   Running run =
       start_program({"check", "weak.toml", "--baseline", "b.h5", "--decoder", own_sleep()});
