@@ -68,8 +68,7 @@ std::vector<std::pair<const PointCheck*, std::uint32_t>> worst_frames(const Chec
   return worst;
 }
 
-std::string frame_section(const CheckReport& report, const PointCheck& check,
-                          std::uint32_t trial) {
+std::string frame_section(const CheckReport& report, const PointCheck& check, std::uint32_t trial) {
   const OneFrame frame = hear_frame(check.point, trial);
   const bool is_lost = std::ranges::binary_search(check.only_candidate_lost, trial);
   return fmt::format("\n**{}, frame {}**: {}\n\n```text\n{}```\n\n`{} --explain {}`\n",
@@ -90,10 +89,10 @@ std::string fault_sections(const CheckReport& report) {
 }  // namespace
 
 std::string check_summary(const CheckReport& report) {
-  std::string text = fmt::format("{}{}\n\n`{}` against `{}`, the baseline of {}. {}\n",
-                                 summary_head, name(verdict_of(report.checks)),
-                                 report.setup.candidate.name(), report.baseline.decoder,
-                                 report.baseline_file.string(), verdict_line(report));
+  std::string text =
+      fmt::format("{}{}\n\n`{}` against `{}`, the baseline of {}. {}\n", summary_head,
+                  name(verdict_of(report.checks)), report.setup.candidate.name(),
+                  report.baseline.decoder, report.baseline_file.string(), verdict_line(report));
   text += point_lines(report) + fault_sections(report);
   const auto worst = worst_frames(report);
   if (!worst.empty()) text += "\n### Frames to look at\n";

@@ -17,8 +17,12 @@ struct PictureRows {
 
   std::string text() const {
     std::string all;
-    for (const auto& [name, row] : {std::pair{"", &characters}, {"light", &light}, {"pin", &pin},
-                                    {"sent", &sent}, {"at the pin", &seen}, {"", &marks}})
+    for (const auto& [name, row] : {std::pair{"", &characters},
+                                    {"light", &light},
+                                    {"pin", &pin},
+                                    {"sent", &sent},
+                                    {"at the pin", &seen},
+                                    {"", &marks}})
       all += without_end(fmt::format("  {:10} {}", name, *row)) + "\n";
     return all;
   }
@@ -41,8 +45,8 @@ const char* pin_column(const dsp::LogicTrace& wire, dsp::Seconds from, dsp::Seco
 void add_character(const OneFrame& frame, std::size_t character, PictureRows& rows) {
   const FrameOnLine& place = frame.frame();
   const std::vector<bool> sent = sent_bits(frame, character), seen = pin_bits(frame, character);
-  rows.characters += fmt::format("{:{}}", quoted(frame.judged.link.bytes[character]),
-                                 2 * protocol::bits_per_byte);
+  rows.characters +=
+      fmt::format("{:{}}", quoted(frame.judged.link.bytes[character]), 2 * protocol::bits_per_byte);
   for (std::size_t slot = 0; slot < sent.size(); ++slot) {
     rows.light += sent[slot] ? "  " : "██";
     for (int half = 0; half < 2; ++half) {

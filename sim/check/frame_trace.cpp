@@ -132,8 +132,7 @@ std::string table_of(const OneFrame& frame, const Readings& readings) {
         fmt::format("{:.1f}", (place.byte_start[i] - place.byte_start[0]).value * 1e3),
         quoted(frame.judged.link.bytes[i]), bits_text(sent_bits(frame, i)),
         bits_text(pin_bits(frame, i)), edges_text(frame, i)};
-    for (const NamedReading& reading : readings)
-      row.push_back(reading_of(frame, reading.bytes, i));
+    for (const NamedReading& reading : readings) row.push_back(reading_of(frame, reading.bytes, i));
     text += table_line(columns, row);
   }
   return text;
@@ -142,7 +141,8 @@ std::string table_of(const OneFrame& frame, const Readings& readings) {
 std::string verdict_lines(const Decoder& decoder, const OneFrame& frame) {
   const Decoded decoded = decoder.decode(frame.line);
   const std::vector<protocol::UartByte> characters = decoder.characters(frame.line);
-  return fmt::format("{}: {}\n", decoder.name(), verdict_on_frame(decoded, outcome_of(decoded, frame))) +
+  return fmt::format("{}: {}\n", decoder.name(),
+                     verdict_on_frame(decoded, outcome_of(decoded, frame))) +
          (characters.empty() ? accepted_text(decoded, frame.trial())
                              : lines_of(characters, frame.frame()));
 }

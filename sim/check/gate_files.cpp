@@ -58,8 +58,7 @@ std::string filled(std::string_view form, const GateCommand& command, std::strin
 std::vector<GateFile> gate_files(const GateCommand& command, const fs::path& folder) {
   const fs::path gitlab = gitlab_file, included = ".gitlab/receiver-gate.yml";
   const bool is_free = !fs::exists(folder / gitlab) || is_gate_file(folder / gitlab);
-  return {{".github/workflows/receiver-gate.yml",
-           filled(gate_github, command, command.check, 10)},
+  return {{".github/workflows/receiver-gate.yml", filled(gate_github, command, command.check, 10)},
           {is_free ? gitlab : included, filled(gate_gitlab, command, command.check, 6)}};
 }
 

@@ -107,8 +107,7 @@ std::string piece_text(const Minimised& least, std::size_t index) {
   if (index == 0) return "before the message";
   if (index + 1 == least.pieces.size()) return "behind the message";
   const std::size_t bit = index - 1;
-  return place_text(least.frame,
-                    {bit / bits_per_byte, static_cast<int>(bit % bits_per_byte)});
+  return place_text(least.frame, {bit / bits_per_byte, static_cast<int>(bit % bits_per_byte)});
 }
 
 }  // namespace
@@ -136,12 +135,10 @@ std::optional<Minimised> minimise(const OneFrame& frame, const Decoder& candidat
 
 std::string disturbed_text(const Minimised& least, const Decoder& candidate,
                            const Decoder& baseline) {
-  std::string text =
-      fmt::format("of {} disturbed bits {} {} enough: {} {}, {} does not\n", least.at_first,
-                  least.disturbed.size(), least.disturbed.size() == 1 ? "is" : "are",
-                  candidate.name(),
-                  least.accepts_wrongly ? "accepts what was not sent" : "loses the frame",
-                  baseline.name());
+  std::string text = fmt::format(
+      "of {} disturbed bits {} {} enough: {} {}, {} does not\n", least.at_first,
+      least.disturbed.size(), least.disturbed.size() == 1 ? "is" : "are", candidate.name(),
+      least.accepts_wrongly ? "accepts what was not sent" : "loses the frame", baseline.name());
   for (const std::size_t i : least.disturbed)
     text += fmt::format("  {}: {:d} was sent; {}\n", piece_text(least, i), least.pieces[i].sent,
                         level_text(least.frame.line.wire, least.pieces[i]));

@@ -58,10 +58,10 @@ std::string quoted(std::uint8_t byte) {
 }
 
 std::string place_text(const OneFrame& frame, const BitPlace& place) {
-  const std::string bit = place.slot == 0                     ? "start bit"
-                          : place.slot == protocol::stop_slot ? "stop bit"
-                                                              : fmt::format("data bit {}",
-                                                                            place.slot - 1);
+  const std::string bit = place.slot == 0 ? "start bit"
+                          : place.slot == protocol::stop_slot
+                              ? "stop bit"
+                              : fmt::format("data bit {}", place.slot - 1);
   return fmt::format("character {} {}, {}", place.character,
                      quoted(frame.judged.link.bytes[place.character]), bit);
 }

@@ -34,6 +34,8 @@ struct PointReport {
   void (*complete)(Dataset&, const std::vector<Point>&) = nullptr;
   /// Of the current point, behind its number of runs: ", 3 lost".
   std::string (*progress)(const Point&) = nullptr;
+  /// Of the points that are done, the first so many: what is known so far.
+  std::string (*so_far)(const std::vector<Point>&, std::size_t done) = nullptr;
   /// Where the time of the runs went.
   std::string (*profile)(const std::vector<Point>&) = nullptr;
 

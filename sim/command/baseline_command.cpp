@@ -11,6 +11,7 @@
 #include "sim/command/judging.hpp"
 #include "sim/failure.hpp"
 #include "sim/loading/load_scenario.hpp"
+#include "sim/loading/parsed_scenario.hpp"
 #include "sim/report/experiment_run.hpp"
 #include "sim/report/finished_result.hpp"
 #include "sim/text/standard_output.hpp"
@@ -96,9 +97,9 @@ void play_to(std::uint64_t frames, const JudgedPoint& point, const Decoder& deco
 /// Of a baseline that is renewed as many as it has, unless the user says how many.
 std::uint64_t least_frames(const BaselineRequest& request, const std::optional<Baseline>& old,
                            const JudgedPoint& point) {
-  const bool are_said = std::ranges::any_of(request.options.overrides, [](const auto& change) {
-    return change.starts_with(amount_option);
-  });
+  const bool are_said = std::ranges::any_of(
+      request.options.overrides,
+      [](const std::string& change) { return change.starts_with(amount_option); });
   if (!old || !request.scenarios.empty() || are_said) return point.frames;
   const auto before = std::ranges::find(old->points, point.name, &BaselinePoint::name);
   return before == old->points.end() ? point.frames : before->frames.size();
@@ -142,7 +143,8 @@ ExitCode baseline_command(const BaselineRequest& request) {
   Rows rows(false);
   for (const LoadedScenario& scenario : scenarios) {
     for (const JudgedPoint& point : judged_points(scenario)) {
-      baseline.points.push_back(measure(point, least_frames(request, old, point), *decoder, sight, workers));
+      baseline.points.push_back(
+          measure(point, least_frames(request, old, point), *decoder, sight, workers));
       baseline.points.back().scenario = baseline.scenarios.size();
       if (workers.interrupted()) return end_interrupted();
       const BaselinePoint& measured = baseline.points.back();

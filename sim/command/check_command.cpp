@@ -85,8 +85,8 @@ ExitCode write_gate(const CheckRequest& request) {
     check += " " + shell_word(scenario.string());
   }
   refuse_outside(request.baseline);
-  const std::vector<GateFile> files = gate_files(
-      {check + repeated_options(request), build_command("."), request.program}, ".");
+  const std::vector<GateFile> files =
+      gate_files({check + repeated_options(request), build_command("."), request.program}, ".");
   for (const GateFile& file : files)
     refuse_to_lose(file.place, {is_gate_file, "a workflow of cosys-sim check --init"});
   for (const GateFile& file : files) {
@@ -173,8 +173,8 @@ ExitCode look_at_frame(const CheckRequest& request, const JudgedPoint& point,
   if (stopping) return end_interrupted();
   if (!least)
     throw bad_input(fmt::format("--minimise {}", *request.minimise),
-                    fmt::format("it is no frame that {} loses, or accepts wrongly, and {} does not", candidate.name(),
-                                other.name()),
+                    fmt::format("it is no frame that {} loses, or accepts wrongly, and {} does not",
+                                candidate.name(), other.name()),
                     "take one that the check lists as one of the candidate alone");
   print(disturbed_text(*least, candidate, other) + "\n" + test_vector(*least));
   return ExitCode::done;
@@ -201,8 +201,7 @@ ExitCode check_command(const CheckRequest& request) {
                          .baseline = again.get(),
                          .points = points.size(),
                          .golden = request.golden};
-  if (request.explain || request.minimise)
-    return look_at_frame(request, only_point(points), setup);
+  if (request.explain || request.minimise) return look_at_frame(request, only_point(points), setup);
   const Workers workers{.threads = threads_for(request.threads), .interrupt = &heed_stop_signals()};
   std::vector<PointCheck> checks = check_points(request, setup, points, counterparts, workers);
   if (workers.interrupted()) return end_interrupted();

@@ -171,7 +171,7 @@ struct CheckRequest {
   // One frame in place of the check.
   std::optional<std::uint32_t> explain;   // say what was sent, seen and read of it
   std::optional<std::uint32_t> minimise;  // look for the least that only the candidate loses it by
-  bool init = false;  // in place of the check: write the workflows that run it
+  bool init = false;                      // in place of the check: write the workflows that run it
   std::optional<std::filesystem::path> junit, summary;
   std::optional<std::filesystem::path> output;  // a table: .csv or .json
   int threads = 0;                              // 0: one per processor

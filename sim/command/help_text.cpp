@@ -28,7 +28,8 @@ constexpr std::array<OptionGroup, 4> option_groups{
      {"Where to", "--output --json --quiet --page --svg --png --pdf --junit --summary"},
      {"Rarely needed",
       "--method --rel-ci --target-flr --max-frame-errors --shard --profile --plot --table "
-      "--point --format --sample-rate --time-unit --skip-rows --sample-bytes --ambient --drive --message "
+      "--point --format --sample-rate --time-unit --skip-rows --sample-bytes --ambient --drive "
+      "--message "
       "--polarity "
       "--decoder-mode --decoder-output --decoder-timeout --golden --minimise --alpha --power "
       "--negligible --drop-framing-errors --led-current-ma --led-yaw-deg --floor --height-mm "

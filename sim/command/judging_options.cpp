@@ -132,14 +132,12 @@ void add_check(CLI::App& app, CheckRequest& request) {
           "frames of each point at most; as many as the baseline has if not given")
       ->type_name("N")
       ->check(a_count(most_frames));
-  auto* explain =
-      check
-          .add_option(
-              "--explain", request.explain,
-              "in place of the check: a frame as sent, seen, and read")
-          ->type_name("N")
-          ->check(an_index)
-          ->check(between(0, most_frames - 1));
+  auto* explain = check
+                      .add_option("--explain", request.explain,
+                                  "in place of the check: a frame as sent, seen, and read")
+                      ->type_name("N")
+                      ->check(an_index)
+                      ->check(between(0, most_frames - 1));
   check
       .add_option("--minimise", request.minimise,
                   "in place of the check: the fewest disturbed bits by which only the candidate "
@@ -148,9 +146,7 @@ void add_check(CLI::App& app, CheckRequest& request) {
       ->check(an_index)
       ->check(between(0, most_frames - 1))
       ->excludes(explain);
-  check
-      .add_flag("--init", request.init,
-                "in place of the check: write CI workflows that run it")
+  check.add_flag("--init", request.init, "in place of the check: write CI workflows that run it")
       ->excludes(explain);
   add_place(check, "--summary", request.summary, "F.md",
             "page of Markdown for a CI server to show");

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "sim/text/standard_output.hpp"
 
 namespace sim {
@@ -46,16 +48,20 @@ std::string time_left(double share, double elapsed_s) {
 }
 
 ProgressLine::ProgressLine(bool shown)
-    : ProgressLine(shown, std::chrono::milliseconds(on_terminal() ? 200 : 3000)) {}
+    : ProgressLine(shown, std::chrono::milliseconds(on_terminal() ? 200 : 30'000)) {}
 
 ProgressLine::ProgressLine(bool shown, std::chrono::milliseconds pause)
-    : shown_(shown), terminal_(on_terminal()), pause_(pause) {}
+    : shown_(shown),
+      terminal_(on_terminal()),
+      pause_(pause),
+      due_(began_ + std::min(pause, std::chrono::milliseconds(800))) {}
+
+bool ProgressLine::is_due() const { return shown_ && Clock::now() >= due_; }
 
 void ProgressLine::show(const RunStatus& status) {
-  if (!shown_) return;
+  if (!is_due()) return;
   const auto now = Clock::now();
-  if (now - last_ < pause_) return;
-  last_ = now;
+  due_ = now + pause_;
   drawn_ = terminal_;
   const double share = share_of(status);
   const std::string line =

@@ -1,6 +1,6 @@
 #pragma once
-// The line on stderr that says how far a run is: rewritten in place on a terminal, behind a bar; a
-// plain line every few seconds elsewhere.
+// The line on stderr that says how far a run is, from its first second on: rewritten in place on a
+// terminal, behind a bar; a plain line each 30 s elsewhere.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +29,8 @@ class ProgressLine {
   ProgressLine(bool shown, std::chrono::milliseconds pause);
 
   void show(const RunStatus& status);
+  /// Whether it would be shown now.
+  bool is_due() const;
   /// Makes room for a line of results.
   void clear();
 
@@ -38,7 +40,7 @@ class ProgressLine {
   bool shown_, terminal_;
   std::chrono::milliseconds pause_;
   bool drawn_ = false;
-  Clock::time_point began_ = Clock::now(), last_ = began_;
+  Clock::time_point began_ = Clock::now(), due_;
 };
 
 }  // namespace sim

@@ -76,8 +76,8 @@ class Search {
     return true;
   }
 
-  /// Neighbours of a point at the level give a fit the slope. Those that are far from the level give
-  /// none, so the one next to the point is looked for that does, or is as near as may be.
+  /// Neighbours of a point at the level give a fit the slope. Those that are far from the level
+  /// give none, so the one next to the point is looked for that does, or is as near as may be.
   void look_beside(double middle) {
     for (double end : {near_, far_}) {
       Side side = Side::unknown;

@@ -11,7 +11,7 @@ bool are_nearly(const std::array<double, 7>& one, const std::array<double, 7>& o
 
 /// All bursts of a step, in the place of those in `bursts`. Returns how many had to be played.
 std::uint64_t play_step(BurstPlayer& player, const PlanStep& step, const StepResponse& response,
-               std::vector<BurstOutput>& bursts) {
+                        std::vector<BurstOutput>& bursts) {
   const double on_s = static_cast<double>(step.cycles_on) * response.cycle_s;
   const double off_s = static_cast<double>(step.cycles_off) * response.cycle_s;
   const double period_s = on_s + off_s;

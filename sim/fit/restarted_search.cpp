@@ -53,8 +53,7 @@ class Spread {
 }  // namespace
 
 Numbers restarted_search(const LeastSquaresProblem& problem, const Numbers& x,
-                         const std::vector<bool>& drawn,
-                         const std::function<bool(int)>& go_on) {
+                         const std::vector<bool>& drawn, const std::function<bool(int)>& go_on) {
   constexpr int first_iterations = 2, more_iterations = 5;
   constexpr double far = 60;  // from the best: not even more iterations make up for it
   LeastSquaresFit best{x, cost_of(problem, x)};

@@ -34,6 +34,19 @@ std::string progress_of(const LinkPoint& point) {
                      std::isnan(ber) ? "not yet known" : fmt::format("{:.2g}", ber));
 }
 
+/// Of a link that carries, 1 % of frames at most are lost.
+bool carries(const LinkPoint& point) {
+  const Tally& tally = point.tally;
+  if (tally.is_weighted()) return frame_loss_ratio(tally, LinkResult::ci_level).value <= 0.01;
+  return 100 * tally.n_frames_lost <= tally.n_frames;
+}
+
+std::string carried_so_far(const std::vector<LinkPoint>& points, std::size_t done) {
+  const auto end = points.begin() + static_cast<std::ptrdiff_t>(done);
+  return fmt::format("{} of {} lose at most 1 % of frames",
+                     std::count_if(points.begin(), end, carries), done);
+}
+
 std::string profile_of(const std::vector<LinkPoint>& points) {
   Profile profile;
   std::uint64_t samples = 0;
@@ -68,6 +81,7 @@ constinit const PointReport<LinkPoint> link_report{
     .columns = link_columns,
     .complete = complete_link,
     .progress = progress_of,
+    .so_far = carried_so_far,
     .profile = profile_of,
     .json = json_of,
     .charts = [](const Swept& swept) { return result_charts(result_of(swept)); },

@@ -81,6 +81,7 @@ class Rows {
   explicit Rows(bool silent) : silent_(silent) {}
   void print(const std::string& text);
   bool have_failed() const { return failure_ != nullptr; }
+  bool are_silent() const { return silent_; }
   /// Throws what print could not.
   void check() const;
 

@@ -63,8 +63,10 @@ class PointRun : public ReadyRun {
     for (std::size_t i = 0; i < counting_.points().size(); ++i) {
       take_point(i, by);
       if (counting_.points()[i].reached() || run_.counts_nothing) end_point(i);
+      show_so_far(i);
       if (by.any(rows_.have_failed())) break;  // whoever read them has seen enough
     }
+    progress_.clear();
     counting_.describe_sweep();
     const std::size_t all = counting_.points().size();
     const std::size_t finished = counting_.n_finished();
@@ -79,7 +81,16 @@ class PointRun : public ReadyRun {
     counting_.count(i, by, [&](std::uint32_t done, std::uint32_t all) {
       if (run_.speaks()) show_and_keep(i, done, all);
     });
-    progress_.clear();
+    if (!rows_.are_silent()) progress_.clear();
+  }
+
+  /// Of many points that are counted in no time.
+  void show_so_far(std::size_t i) {
+    const std::size_t all = counting_.points().size();
+    if (all < 2 || run_.counts_nothing || !progress_.is_due()) return;
+    const std::string known =
+        report_.so_far != nullptr ? report_.so_far(counting_.points(), i + 1) : "done";
+    progress_.show({.point = i, .points = all, .share = 1, .counted = known});
   }
 
   void show_and_keep(std::size_t i, std::uint32_t done, std::uint32_t all) {

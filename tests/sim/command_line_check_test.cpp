@@ -240,7 +240,8 @@ TEST_F(CheckCommand, BaselinesAreRenewedAndSayWhatIsOther) {
   const std::string before = values("b.h5", "n_frames_lost");
   const Outcome same = program({"baseline", "-o", "b.h5", "-q"});
   EXPECT_EQ(same.code, 0) << same.err;
-  EXPECT_NE(same.out.find(" before, 0 of 600 frames came out otherwise; a check finds "), std::string::npos)
+  EXPECT_NE(same.out.find(" before, 0 of 600 frames came out otherwise; a check finds "),
+            std::string::npos)
       << same.out;
   EXPECT_EQ(values("b.h5", "n_frames_lost"), before);
   const Outcome other = program({"baseline", "-o", "b.h5", "-q", "--decoder", "mid-bit"});
@@ -261,13 +262,13 @@ TEST_F(CheckCommand, ABaselineSaysWhatACheckOfItFinds) {
 }
 
 TEST_F(CheckCommand, ABaselineHasTheFramesThatFindWhatItIsToDetect) {
-  const Outcome o = program(
-      {"baseline", "weak.toml", "-n", "256", "-q", "-o", "d.h5", "--detect", "1.3x", "--power", ".9"});
+  const Outcome o = program({"baseline", "weak.toml", "-n", "256", "-q", "-o", "d.h5", "--detect",
+                             "1.3x", "--power", ".9"});
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_NE(o.out.find("\nfound: in 90 % of checks with --worse-than 1.3\n"), std::string::npos);
   EXPECT_EQ(o.out.find("inconclusive"), std::string::npos) << o.out;
-  const Outcome same = program({"check", "weak.toml", "--baseline", "d.h5", "-q", "--worse-than",
-                                "1.3"});
+  const Outcome same =
+      program({"check", "weak.toml", "--baseline", "d.h5", "-q", "--worse-than", "1.3"});
   EXPECT_EQ(last_line(same.out), "passed: 2 points\n");
   const Outcome renewed = program({"baseline", "-o", "d.h5", "-q"});
   EXPECT_EQ(renewed.out.find(" of 256 frames lost"), std::string::npos) << renewed.out;

@@ -102,7 +102,8 @@ TEST(FramePicture, ShowsLightAndPinWithTheirBits) {
 }
 
 TEST(FramePicture, IsAboutTheFirstBitThatDiffers) {
-  const JudgedPoint clear = judged_points(loaded("device.message = 'ABCDEF'", clear_link())).front();
+  const JudgedPoint clear =
+      judged_points(loaded("device.message = 'ABCDEF'", clear_link())).front();
   OneFrame frame = hear_frame(clear, 0);
   const FrameOnLine& place = frame.frame();
   const dsp::Seconds from = place.byte_start[4] + place.bit * 2, to = from + place.bit;

@@ -59,6 +59,28 @@ TEST(ProgressLine, SaysOfWeightedFramesWhatTheyAreWorth) {
             frames + "not yet known\n" + frames + "3e-11\n");
 }
 
+TEST(ProgressLine, SaysOfManyPointsHowManyCarrySoFar) {
+  LinkPoint none = sixteen_frames(), few = sixteen_frames();
+  none.tally.n_frames_lost = 0;
+  few.tally.n_frames_lost = 1;
+  EXPECT_EQ(link_report.so_far({none, few, none}, 2), "1 of 2 lose at most 1 % of frames");
+}
+
+// One line in the first second, and then none for half a minute, if nobody sits at a terminal.
+TEST(ProgressLine, IsDueInItsFirstSecond) {
+  const int before = ::dup(STDERR_FILENO), null = ::open("/dev/null", O_WRONLY);
+  ::dup2(null, STDERR_FILENO);
+  ProgressLine line(true);
+  EXPECT_FALSE(line.is_due());
+  ::usleep(850'000);
+  EXPECT_TRUE(line.is_due());
+  line.show({});
+  EXPECT_FALSE(line.is_due());
+  ::dup2(before, STDERR_FILENO);
+  ::close(before);
+  ::close(null);
+}
+
 TEST(ProgressLine, IsSilentWhenAskedToBe) {
   testing::internal::CaptureStderr();
   show_at_once(false);

@@ -281,8 +281,7 @@ TEST(PassesIfEqual, AsOftenAsSaidOrMore) {
     const PointLosses losses{.lost = frames / 5, .frames = frames};
     const double passes = passes_if_equal(rule_of_checks, losses);
     const Decoders equal{losses.flr(), losses.flr(), 0};
-    const int passed =
-        count(SequentialTestState::passed, rule_of_checks, equal, frames, checks);
+    const int passed = count(SequentialTestState::passed, rule_of_checks, equal, frames, checks);
     EXPECT_GE(passed, (passes - 0.02) * checks) << frames;
   }
 }
