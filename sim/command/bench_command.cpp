@@ -43,7 +43,7 @@ std::vector<BenchFile> bench_files(const FitRequest& request) {
 }
 
 /// A plan is lost that something was recorded of, or a sketch that somebody has changed.
-void refuse_to_lose(const BenchFile& file) {
+void refuse_to_replace(const BenchFile& file) {
   std::error_code error;
   if (!fs::exists(file.place, error)) return;
   if (fs::is_regular_file(file.place, error) && fs::file_size(file.place, error) == 0) return;
@@ -54,7 +54,7 @@ void refuse_to_lose(const BenchFile& file) {
 
 /// All of them or none.
 void write_bench(const std::vector<BenchFile>& all) {
-  for (const BenchFile& file : all) refuse_to_lose(file);
+  for (const BenchFile& file : all) refuse_to_replace(file);
   for (const BenchFile& file : all) make_folder(file.place.parent_path());
   std::deque<NewFile> files;
   for (const BenchFile& file : all) files.emplace_back(file.place).write(file.text);
