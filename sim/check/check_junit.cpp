@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
@@ -28,9 +30,10 @@ void add_outcome(pugi::xml_node test, const char* kind, const std::string& messa
 
 std::string junit_message(const CheckReport& report, const PointCheck& check) {
   if (check.fault) return "the decoder failed: " + check.fault->what;
-  return report.setup.candidate.name() + " is " + name(check.verdict) + ": " +
-         std::to_string(check.candidate.lost) + " frames lost for " +
-         std::to_string(check.baseline.lost) + " of " + report.baseline.decoder;
+  return fmt::format("{} is {}: {} frames lost, {} by {}; {} accepted wrongly, {} by {}",
+                     report.setup.candidate.name(), name(check.verdict), check.candidate.lost,
+                     check.baseline.lost, report.baseline.decoder, check.candidate.undetected_error,
+                     check.baseline.undetected_error, report.baseline.decoder);
 }
 
 void add_point(pugi::xml_node suite, const CheckReport& report, const PointCheck& check) {

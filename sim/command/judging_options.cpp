@@ -150,7 +150,7 @@ void add_check(CLI::App& app, CheckRequest& request) {
       ->excludes(explain);
   add_place(check, "--summary", request.summary, "F.md",
             "page of Markdown for a CI server to show");
-  add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to write");
+  add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to read");
   add_place(check, "-o,--output", request.output, "FILE",
             "table of points: .csv or .json (JSON lines)");
   add_scenario_options(check, request.options);
