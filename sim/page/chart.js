@@ -1,19 +1,15 @@
 // Live charts of a report, drawn by uPlot, and how keys move in them.
 
-// Those of the still pictures (svg.cpp): six, and darker tones of them, which are lighter in the dark.
-const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9',
-                 '#003f66', '#7a3600', '#00553e', '#7d3c5f', '#806000', '#2a5f80'];
-const tones = 6;
-const inDark = {'#0072b2': '#4aa3df', '#003f66': '#a8d4f2', '#7a3600': '#ffb48a', '#00553e': '#8fe0c6',
-                '#7d3c5f': '#f2c8de', '#806000': '#ffdf94', '#2a5f80': '#d0ecfb'};
-// Marks from their middles, in pixels; the first is a disc. What differs in its tone alone has another.
-const shapes = [null, [[-3, -3], [3, -3], [3, 3], [-3, 3]], [[0, -4], [4, 3], [-4, 3]],
-                [[0, -4.5], [4.5, 0], [0, 4.5], [-4.5, 0]]];
+// Those of the still pictures (svg.cpp), the first one lighter in the dark.
+const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
+const inDark = {'#0072b2': '#4aa3df'};
+const grey = 'rgba(136, 136, 136, .45)';
 const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
 const shadeOf = (colour) => (isDark() && inDark[colour]) || colour;
-const colourOf = (curve) => shadeOf(colours[curve.colour % colours.length]);
+/** Of more than six curves the others are grey, but for the one that is pointed at. */
+const isGrey = (curve) => curve.colour === null && !curve.isPicked;
+const colourOf = (curve) => (curve.colour === null ? styled('--ink') : shadeOf(colours[curve.colour % colours.length]));
 const dashOf = (curve) => (curve.kind === 'theory' ? [6, 4] : undefined);
-const shapeOf = (curve) => shapes[Math.floor(curve.colour / tones) % shapes.length];
 const chartHeight = 420;
 const plotHeight = 320;  // of it, without what stands at the axes
 const whisker = 4;
@@ -45,24 +41,7 @@ function ordinates(row, chart) {
   return y;
 }
 
-/** Marks of a curve that are no discs, which uPlot draws itself. */
-function drawMarksOf(plot, chart, curve, row) {
-  const context = plot.ctx, ratio = pixelRatio(), shape = shapeOf(curve);
-  if (!shape || curve.kind !== 'measured') return;
-  context.beginPath();
-  for (const point of row) {
-    if (!point || !isThrough(point, chart)) continue;
-    const x = plot.valToPos(point.x, 'x', true), y = plot.valToPos(point.y, 'y', true);
-    context.moveTo(x + shape[0][0] * ratio, y + shape[0][1] * ratio);
-    shape.forEach(([right, down]) => context.lineTo(x + right * ratio, y + down * ratio));
-    context.closePath();
-  }
-  context.fillStyle = styled('--paper');
-  context.fill();
-  context.stroke();
-}
-
-/** Bars for intervals, arrows for limits, and marks. */
+/** Bars for intervals, arrows for limits. */
 function drawIntervals(plot, chart, rows) {
   const context = plot.ctx;
   const ratio = pixelRatio();
@@ -73,7 +52,7 @@ function drawIntervals(plot, chart, rows) {
   context.clip();
   rows.forEach((row, i) => {
     const curve = chart.curves[i];
-    if (!plot.series[i + 1].show || !['measured', 'bars'].includes(curve.kind)) return;
+    if (!plot.series[i + 1].show || isGrey(curve) || !['measured', 'bars'].includes(curve.kind)) return;
     context.strokeStyle = curve.kind === 'bars' ? styled('--ink') : colourOf(curve);
     context.lineWidth = ratio;
     context.setLineDash([]);
@@ -94,7 +73,6 @@ function drawIntervals(plot, chart, rows) {
       context.lineTo(x + side, low - (point.is_limit ? side : 0));
     }
     context.stroke();
-    drawMarksOf(plot, chart, curve, row);
   });
   context.restore();
 }
@@ -144,10 +122,10 @@ const theoryOf = (chart, curve) => (curve.kind === 'theory' || !hasSeveralTheori
 function seriesOf(chart, rows) {
   return chart.curves.map((curve, k) => ({
     label: curve.name,
-    class: curve.kind === 'theory' && hasSeveralTheories(chart) ? 'folded' : null,
-    stroke: () => colourOf(curve),
+    class: curve.colour === null || (curve.kind === 'theory' && hasSeveralTheories(chart)) ? 'folded' : null,
+    stroke: () => (isGrey(curve) ? grey : colourOf(curve)),
     dash: dashOf(curve),
-    points: {show: curve.kind === 'measured' && !shapeOf(curve)},
+    points: {show: () => curve.kind === 'measured' && !isGrey(curve)},
     ...(!hasLine(chart, curve) && {paths: () => null}),
     ...(curve.kind === 'bars' && {paths: uPlot.paths.bars({size: [0.6, 60]}), fill: () => colourOf(curve)}),
     value: (plot, value, series, i) => {
@@ -165,12 +143,29 @@ function hideTheory(plot, chart, i, {show}) {
 
 function swatchOf(chart, curve) {
   const style = `stroke: ${colourOf(curve)}; stroke-dasharray: ${(dashOf(curve) || ['none']).join(' ')}`;
-  const shape = curve.kind === 'measured' && shapeOf(curve);
-  const places = shape && shape.map(([x, y]) => [x + 18, y + 6]).join(' ');
-  const disc = hasLine(chart, curve) ? '' : `<circle cx="18" cy="6" r="2.5" style="fill: ${colourOf(curve)}"/>`;
-  const mark = shape ? `<polygon points="${places}" style="fill: ${colourOf(curve)}"/>` : disc;
+  const mark = hasLine(chart, curve) ? '' : `<circle cx="18" cy="6" r="2.5" style="fill: ${colourOf(curve)}"/>`;
   const line = hasLine(chart, curve) ? `<line x2="36" y1="6" y2="6" style="${style}"/>` : '';
   return `<svg viewBox="0 0 36 12" aria-hidden="true">${line}${mark}</svg>`;
+}
+
+/** Of grey curves the last that was pointed at, or tapped, has its intervals and its line in the legend. */
+function pick(plot, chart, k) {
+  const curve = chart.curves[k];
+  if (!curve || curve.colour !== null || curve.isPicked) return;
+  const rows = plot.root.querySelectorAll('.u-legend .u-series');
+  chart.curves.forEach((other, i) => {
+    if (other.colour !== null) return;
+    other.isPicked = i === k;
+    rows[i + 1].classList.toggle('folded', !other.isPicked);
+  });
+  plot.redraw();
+}
+
+const hasGrey = (chart) => chart.curves.some((curve) => curve.colour === null);
+
+function sayWhatIsGrey(figure, chart) {
+  const more = chart.curves.filter((curve) => curve.colour === null && curve.kind !== 'theory').length;
+  addNote(figure, 'greyed', `${more} more curves are grey: point at one, or tap it, for its name and numbers`);
 }
 
 /** Lines of the curves' colours, dashes and marks in the legend. */
@@ -196,10 +191,10 @@ function makePressable(plot) {
   });
 }
 
-function sayWhatIsDashed(figure) {
+function addNote(figure, name, words) {
   const line = document.createElement('p');
-  line.className = 'hint dashed';
-  line.textContent = 'dashed: theory';
+  line.className = `hint ${name}`;
+  line.textContent = words;
   figure.append(line);
 }
 
@@ -245,13 +240,16 @@ function drawLive(figure, chart) {
     axes: [{...axisOf(chart.x), ...marksFor(chart.x), ...lowerMarks(chart.x)},
            {...axisOf(chart.y), ...marksFor(chart.y), size: widthFor}],
     series: [{label: chart.x.label}, ...seriesOf(chart, rows)],
-    cursor: {dataIdx: (u, series, i) => i, bind: onlyWithoutShift},
+    cursor: {dataIdx: (u, series, i) => i, bind: onlyWithoutShift, ...(hasGrey(chart) && {focus: {prox: 24}})},
+    focus: {alpha: 1},
     legend: {markers: {width: 0}},
-    hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change)],
+    hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change),
+                        (u, i, change) => { if (change.focus && i !== null) pick(u, chart, i - 1); }],
             draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
                    (u) => drawSwatches(u, chart)]},
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
-  if (hasSeveralTheories(chart)) sayWhatIsDashed(figure);
+  if (hasSeveralTheories(chart)) addNote(figure, 'dashed', 'dashed: theory');
+  if (hasGrey(chart)) sayWhatIsGrey(figure, chart);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   makePressable(plot);
   const view = () => [plot.scales.x.min, plot.scales.x.max];

@@ -82,10 +82,10 @@ PageSection limits_section(const Ablations& ablations) {
           .table = link_table(ablations)};
 }
 
-/// More curves than there are hues hide each other: a map of them is looked at first.
+/// More curves than have a colour hide each other: a map of them is looked at first.
 bool hide_each_other(const Chart& chart) {
   const auto theories = std::ranges::count(chart.curves, CurveKind::theory, &ChartCurve::kind);
-  return chart.curves.size() > curve_hues + static_cast<std::size_t>(theories);
+  return chart.curves.size() > most_coloured + static_cast<std::size_t>(theories);
 }
 
 void add_maps(ReportSection& report, const LinkResult& result) {

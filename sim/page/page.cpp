@@ -113,9 +113,10 @@ std::string chart_json(const Chart& chart) {
     for (const ChartPoint& p : curve.points)
       points.push_back(
           {{"x", p.x}, {"y", p.y}, {"low", p.low}, {"high", p.high}, {"is_limit", p.is_limit}});
+    const auto colour = colour_of(chart, i);
     curves.push_back({{"name", curve.name},
                       {"kind", curve_kind_name(curve.kind)},
-                      {"colour", colour_of(chart, i)},
+                      {"colour", colour ? Json(*colour) : Json(nullptr)},
                       {"points", points}});
   }
   const Json json{{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -218,12 +217,8 @@ void draw_bars(SvgDrawing& drawing, const Paper& paper, const ChartCurve& curve)
   }
 }
 
-/// What differs from another curve in the tone of its colour alone, or not even in that, has
-/// another shape.
-std::string mark_at(double x, double y, std::size_t colour) {
-  constexpr std::array shapes{"m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0", "m-3 -3h6v6h-6Z",
-                              "m0 -4l4 7h-8Z", "m0 -4.5l4.5 4.5l-4.5 4.5l-4.5 -4.5Z"};
-  return fmt::format("M{:.2f} {:.2f}{}", x, y, shapes[colour / curve_hues % shapes.size()]);
+std::string disc_at(double x, double y) {
+  return fmt::format("M{:.2f} {:.2f}m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0", x, y);
 }
 
 /// Then its marks stand alone, so that the theory's line is seen.
@@ -233,18 +228,21 @@ bool has_theory(const Chart& chart, std::size_t curve) {
          chart.curves[curve].kind == CurveKind::measured;
 }
 
+std::string line_style(std::optional<std::size_t> colour) {
+  return colour ? curve_style(*colour) : "grey";
+}
+
 void draw_curve(SvgDrawing& drawing, const Paper& paper, const Chart& chart, std::size_t i) {
   const ChartCurve& curve = chart.curves[i];
-  const std::size_t colour = colour_of(chart, i);
-  const std::string style =
-      curve_style(colour) + (curve.kind == CurveKind::theory ? " theory" : "");
+  const auto colour = colour_of(chart, i);
+  const std::string style = line_style(colour) + (curve.kind == CurveKind::theory ? " theory" : "");
   if (curve.kind == CurveKind::bars) return draw_bars(drawing, paper, curve);
-  if (!has_theory(chart, i)) drawing.path(line_through(curve, paper), style);
-  if (curve.kind != CurveKind::measured) return;
+  if (!has_theory(chart, i) || !colour) drawing.path(line_through(curve, paper), style);
+  if (curve.kind != CurveKind::measured || !colour) return;
   for (const ChartPoint& point : curve.points) {
     draw_interval(drawing, paper, point, style);
     if (!point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y))
-      drawing.path(mark_at(paper.x(point.x), paper.y(point.y), colour), style + " dot");
+      drawing.path(disc_at(paper.x(point.x), paper.y(point.y)), style + " dot");
   }
 }
 
@@ -255,24 +253,26 @@ bool has_several_theories(const Chart& chart) {
 
 struct LegendLine {
   std::string words, style;
-  std::optional<std::size_t> marked_as{};  // a colour
-  bool has_line = true;
+  bool is_marked = false, has_line = true;
 };
 
 std::vector<LegendLine> legend_of(const Chart& chart) {
   std::vector<LegendLine> lines;
+  std::size_t grey = 0;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const ChartCurve& curve = chart.curves[i];
-    const std::size_t colour = colour_of(chart, i);
-    if (curve.kind != CurveKind::theory) {
-      lines.push_back({curve.name, curve_style(colour)});
-      if (curve.kind == CurveKind::measured) lines.back().marked_as = colour;
-      lines.back().has_line = !has_theory(chart, i);
+    const auto colour = colour_of(chart, i);
+    if (!colour) {
+      grey += curve.kind != CurveKind::theory;
+    } else if (curve.kind != CurveKind::theory) {
+      lines.push_back({curve.name, curve_style(*colour), curve.kind == CurveKind::measured,
+                       !has_theory(chart, i)});
     } else if (!has_several_theories(chart)) {
-      lines.push_back({curve.name, curve_style(colour) + " theory"});
+      lines.push_back({curve.name, curve_style(*colour) + " theory"});
     }
   }
   if (has_several_theories(chart)) lines.push_back({"dashed: theory", "theory"});
+  if (grey > 0) lines.push_back({fmt::format("{} more, between these", grey), "grey"});
   return lines;
 }
 
@@ -280,8 +280,7 @@ void draw_legend(SvgDrawing& drawing, const std::vector<LegendLine>& lines) {
   double y = chart_legend_top;
   for (const LegendLine& line : lines) {
     if (line.has_line) drawing.line({chart_left, y - 4}, {chart_left + 25, y - 4}, line.style);
-    if (line.marked_as)
-      drawing.path(mark_at(chart_left + 12.5, y - 4, *line.marked_as), line.style + " dot");
+    if (line.is_marked) drawing.path(disc_at(chart_left + 12.5, y - 4), line.style + " dot");
     drawing.text({chart_left + 32, y}, line.words, "");
     y += chart_legend_step;
   }
@@ -295,11 +294,18 @@ std::string title_of(const ChartAxis& axis) {
 
 std::string level_text(double ratio) { return fmt::format("{:g} %", 100 * ratio); }
 
-std::size_t colour_of(const Chart& chart, std::size_t curve) {
-  const auto others = std::ranges::count_if(
-      chart.curves.begin(), chart.curves.begin() + static_cast<std::ptrdiff_t>(curve) + 1,
-      [](const ChartCurve& c) { return c.kind != CurveKind::theory; });
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(others, 1)) - 1;
+std::optional<std::size_t> colour_of(const Chart& chart, std::size_t curve) {
+  const auto begin = chart.curves.begin();
+  const auto count = [](auto from, auto to) {
+    return std::count_if(from, to, [](const ChartCurve& c) { return c.kind != CurveKind::theory; });
+  };
+  const auto all = static_cast<std::size_t>(count(begin, chart.curves.end()));
+  const auto until = count(begin, begin + static_cast<std::ptrdiff_t>(curve) + 1);
+  const auto place = static_cast<std::size_t>(std::max<std::ptrdiff_t>(until, 1)) - 1;
+  if (all <= most_coloured) return place;
+  for (std::size_t colour = 0; colour < most_coloured; ++colour)
+    if (place == colour * (all - 1) / (most_coloured - 1)) return colour;
+  return std::nullopt;
 }
 
 std::string chart_as_svg(const Chart& chart) {
@@ -309,7 +315,9 @@ std::string chart_as_svg(const Chart& chart) {
   const Paper paper = paper_for(chart);
   draw_axes(drawing, chart, paper);
   draw_level(drawing, chart, paper);
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) draw_curve(drawing, paper, chart, i);
+  for (const bool is_grey : {true, false})
+    for (std::size_t i = 0; i < chart.curves.size(); ++i)
+      if (!colour_of(chart, i) == is_grey) draw_curve(drawing, paper, chart, i);
   draw_legend(drawing, legend);
   return drawing.finished();
 }

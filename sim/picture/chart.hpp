@@ -48,8 +48,10 @@ std::string title_of(const ChartAxis& axis);
 /// What stands at the line across: "1 %".
 std::string level_text(double ratio);
 
-/// Which of the colours a curve has: a theory that of the curve before it.
-std::size_t colour_of(const Chart& chart, std::size_t curve);
+/// Of more curves so many have a colour, spread evenly among them; the others are grey.
+inline constexpr std::size_t most_coloured = 6;
+/// Which of the colours a curve has, a theory that of the curve before it; nothing: it is grey.
+std::optional<std::size_t> colour_of(const Chart& chart, std::size_t curve);
 
 /// Lines of characters, each ended by a newline: what the marks are, 15 lines of paper, the lower
 /// axis. Intervals are not shown. A logarithmic axis leaves out what is not positive; it is marked

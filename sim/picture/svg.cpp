@@ -31,6 +31,7 @@ line, path { stroke: currentColor; fill: none; stroke-width: 1; }
 .curve10 { stroke: #7d3c5f; }
 .curve11 { stroke: #806000; }
 .curve12 { stroke: #2a5f80; }
+.grey { stroke: #999; stroke-opacity: .6; }
 .frame { fill: none; stroke: currentColor; stroke-opacity: .3; }
 .fill0 { fill: #999; fill-opacity: .35; }
 .fill1 { fill: #0072b2; }

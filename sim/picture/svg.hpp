@@ -14,8 +14,8 @@ struct SvgPoint {
   double x = 0, y = 0;
 };
 
-/// Of curves: six, and another tone of each; more come again.
-inline constexpr std::size_t curve_colours = 12, curve_hues = 6;
+/// Six, and another tone of each; more come again.
+inline constexpr std::size_t curve_colours = 12;
 
 /// The style of a curve.
 std::string curve_style(std::size_t colour);

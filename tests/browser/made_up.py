@@ -34,14 +34,21 @@ CHART = {
           "level": {"at": 0.3, "text": "30 %"}},
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
-               curve("square", 7, [point(1, 1)]), curve("triangle", 13, [point(1, 1)]),
-               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (0, 7, 13))]}
+               curve("third", 2, [point(1, 1)]), curve("fourth", 3, [point(1, 1)]),
+               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (0, 2, 3))]}
 
 
 # Two decades of room for marks between powers of ten; the level is far below all points, whose theory is one alone.
 LOGARITHMIC = {**CHART, "x": {**CHART["x"], "logarithmic": True},
                "y": {**CHART["y"], "level": {"at": 0.01, "text": "1 %"}},
                "curves": [curve("c", 1, [point(0.2, 0.5), point(20, 1)]), curve("law", 1, [point(20, 1)], "theory")]}
+
+
+# Two curves of a colour, and grey ones between them.
+HEIGHTS = {"above": 1, "upper grey": 0.1, "lower grey": 0.01, "below": 1e-3}
+GREY = {**CHART, "y": {"label": "y", "title": "y", "logarithmic": True, "is_count": False},
+        "curves": [curve(name, None if "grey" in name else len(name) % 2, [point(x, y) for x in (1, 2, 3)])
+                   for name, y in HEIGHTS.items()]}
 
 
 # One abscissa, below the least of a linear axis.
@@ -114,7 +121,7 @@ def look_at_narrow_legends(driver):
            };
            return [...document.querySelectorAll('.u-series:not(.folded)')].filter((row) => {
              const label = row.querySelector('.u-label');
-             return ![...row.querySelectorAll('.u-marker:has(line, circle, polygon), .u-value')].every((part) => within(part, label));
+             return ![...row.querySelectorAll('.u-marker:has(line, circle), .u-value')].every((part) => within(part, label));
            }).map((row) => row.textContent);""")
     expect(not torn, f"in a narrow window these fall apart: {torn}")
 
@@ -156,6 +163,20 @@ def look_at_logarithmic_marks(driver, report):
     expect(len(steps) >= 2 and max(steps) < 1.01 * min(steps), f"a part of a decade is marked {labels}")
 
 
+def look_at_grey_curves(driver, report):
+    """The one that is pointed at has a name; the others have none, and none is left when another is."""
+    chart = open_changed(driver, report, GREY)
+    over = chart.find_element(By.CLASS_NAME, "u-over")
+    expect(chart.find_element(By.CLASS_NAME, "greyed").text.startswith("2 more curves are grey"), "nobody says of them")
+    actions(driver).scroll_to_element(chart).perform()
+    for name, part in (("upper grey", 1 / 3), ("lower grey", 2 / 3), ("upper grey", 1 / 3)):
+        down = round((part - 0.5) * over.size["height"])
+        actions(driver).move_to_element_with_offset(over, 0, down).perform()
+        rows = [row.text.split("\n")[0] for row in chart.find_elements(By.CSS_SELECTOR, ".u-series:not(.folded)")]
+        expect(rows[1:] == [one for one in HEIGHTS if "grey" not in one or one == name],
+               f"at {name} the legend has {rows}")
+
+
 def look_at_single_point(driver, report):
     """It is in the middle, whatever key is pressed."""
     chart = open_changed(driver, report, SINGLE)
@@ -193,6 +214,7 @@ def look_at_made_up(driver, report):
     expect_no_complaints(driver)
     look_at_failing_chart(driver, report)
     look_at_single_point(driver, report)
+    look_at_grey_curves(driver, report)
     look_at_logarithmic_marks(driver, report)
     chart = open_changed(driver, report, CHART)
     look_at_words(driver, chart)

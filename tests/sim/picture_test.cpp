@@ -278,35 +278,47 @@ TEST(Chart, GivesATheoryTheColourOfWhatItIsTheTheoryOf) {
             0U);
 }
 
-TEST(Chart, TellsManyCurvesApartByColourAndMarkAndDashesTheoryAlone) {
+Chart chart_of_so_many(int curves) {
   Chart chart = chart_of({}, false);
   chart.curves.clear();
-  for (int i = 0; i < 18; ++i) {
+  for (int i = 0; i < curves; ++i) {
     chart.curves.push_back({fmt::format("m{}", i), {{1, 1, 1, 1}, {2, 2, 2, 2}}});
     chart.curves.push_back({fmt::format("m{}, theory", i), {{1, 1}, {2, 2}}, CurveKind::theory});
   }
+  return chart;
+}
+
+TEST(Chart, GivesSixCurvesAColourEachAndDashesTheoryAlone) {
+  Chart chart = chart_of_so_many(6);
   const std::string text = chart_as_svg(chart);
   std::erase_if(chart.curves, [](const ChartCurve& c) { return c.kind == CurveKind::theory; });
   const std::string bare = chart_as_svg(chart);
-  const std::regex lines("<path class=\"(curve[0-9]+)\" d=\"M[^h]*\"/>");
-  const std::regex dashed("<path class=\"(curve[0-9]+) theory\" d=\"M[^h]*\"/>");
-  std::vector<std::string> measured, theory;
-  for (std::sregex_iterator i(bare.begin(), bare.end(), lines), end; i != end; ++i)
-    measured.push_back((*i)[1]);
-  for (std::sregex_iterator i(text.begin(), text.end(), dashed), end; i != end; ++i)
-    theory.push_back((*i)[1]);
-  ASSERT_EQ(measured.size(), 18U);
-  EXPECT_EQ(theory, measured) << "each theory has the colour of its curve";
-  const std::regex marks("<path class=\"(curve[0-9]+) dot\" d=\"M[-0-9.]+ [-0-9.]+([^\"]*)\"/>");
-  std::set<std::string> looks;
-  for (std::sregex_iterator i(text.begin(), text.end(), marks), end; i != end; ++i)
-    looks.insert((*i)[1].str() + (*i)[2].str());
-  EXPECT_EQ(looks.size(), 18U);
-  EXPECT_EQ(std::set<std::string>(measured.begin(), measured.end()).size(), 12U);
-  for (int colour = 1; colour <= 12; ++colour)
+  for (int colour = 1; colour <= 6; ++colour) {
+    EXPECT_EQ(occurrences(bare, fmt::format("<path class=\"curve{}\" d=\"M", colour)), 1U)
+        << colour;
+    EXPECT_EQ(occurrences(text, fmt::format("<path class=\"curve{} theory\" d=\"M", colour)), 1U);
+    EXPECT_EQ(occurrences(text, fmt::format("<path class=\"curve{} dot\" d=\"M", colour)), 3U)
+        << "two points, and the legend";
     EXPECT_EQ(occurrences(text, fmt::format(".curve{} {{ stroke: #", colour)),
-              0U + (colour == 1 || colour > 6 ? 2 : 1))
+              colour == 1 ? 2U : 1U)
         << colour << ", and in the dark where it needs another";
+  }
+  EXPECT_EQ(occurrences(text, "class=\"grey\""), 0U);
+}
+
+TEST(Chart, HasGreyCurvesBetweenSixOfMore) {
+  const Chart chart = chart_of_so_many(18);
+  std::vector<std::size_t> coloured;
+  for (std::size_t i = 0; i < 18; ++i) {
+    EXPECT_EQ(colour_of(chart, 2 * i), colour_of(chart, 2 * i + 1)) << "a theory is as its curve";
+    if (colour_of(chart, 2 * i)) coloured.push_back(i);
+  }
+  EXPECT_EQ(coloured, (std::vector<std::size_t>{0, 3, 6, 10, 13, 17}));
+  const std::string text = chart_as_svg(chart);
+  EXPECT_EQ(occurrences(text, "<path class=\"grey\" d=\"M"), 12U);
+  EXPECT_EQ(occurrences(text, ">12 more, between these</text>"), 1U);
+  EXPECT_EQ(occurrences(text, ">m1</text>"), 0U);
+  EXPECT_LT(text.rfind("<path class=\"grey\""), text.find("<path class=\"curve1")) << "below";
 }
 
 TEST(Chart, HasOneLineOfItsLegendForSeveralTheories) {
