@@ -95,6 +95,11 @@ const std::vector<std::uint32_t>& telling_frames(const PointCheck& check) {
 
 /// What would end a doubt.
 std::string wish(const CheckReport& report, const PointCheck& check) {
+  if (check.no_worse)
+    return fmt::format(
+        "{} accepted wrongly, {} by the baseline, by chance in one of {:.0f} checks; "
+        "more frames would tell\n",
+        check.candidate.undetected_error, check.baseline.undetected_error, 1 / check.p_undetected);
   if (check.frames_needed > 0) return fmt::format("{} frames would tell\n", check.frames_needed);
   return fmt::format("{} frames, none of them lost, would show that it loses less than {:g} %\n",
                      frames_to_be_negligible(report.setup.rule),

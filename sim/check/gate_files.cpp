@@ -42,11 +42,10 @@ std::string quoted_yaml(std::string text) {
   return "'" + text + "'";
 }
 
-std::string filled(std::string_view form, const GateCommand& command, std::string_view check,
-                   std::size_t columns) {
+std::string filled(std::string_view form, const GateCommand& command, std::size_t columns) {
   std::string text(form);
   replace_all(text, "@INSTALL@", indented(gate_install, columns));
-  replace_all(text, "@CHECK@", check);
+  replace_all(text, "@CHECK@", command.check);
   replace_all(text, "@BUILD@", quoted_yaml(command.build));
   replace_all(text, "@VERSION@", command.program.version);
   replace_all(text, "@COMMIT@", commit_of(command.program));
@@ -55,14 +54,14 @@ std::string filled(std::string_view form, const GateCommand& command, std::strin
 
 }  // namespace
 
-std::vector<GateFile> gate_files(const GateCommand& command, const fs::path& folder) {
+std::vector<WholeFile> gate_files(const GateCommand& command, const fs::path& folder) {
   const fs::path gitlab = gitlab_file, included = ".gitlab/receiver-gate.yml";
   const bool is_free = !fs::exists(folder / gitlab) || is_gate_file(folder / gitlab);
-  return {{".github/workflows/receiver-gate.yml", filled(gate_github, command, command.check, 10)},
-          {is_free ? gitlab : included, filled(gate_gitlab, command, command.check, 6)}};
+  return {{".github/workflows/receiver-gate.yml", filled(gate_github, command, 10)},
+          {is_free ? gitlab : included, filled(gate_gitlab, command, 6)}};
 }
 
-std::string gate_hint(const std::vector<GateFile>& files) {
+std::string gate_hint(const std::vector<WholeFile>& files) {
   std::string text;
   if (files.back().place != gitlab_file)
     text += fmt::format("{} has jobs of its own: add a line there, include: {}\n", gitlab_file,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/program_info.hpp"
+#include "sim/text/new_file.hpp"
 
 namespace sim {
 
@@ -15,17 +16,12 @@ struct GateCommand {
   ProgramInfo program;
 };
 
-struct GateFile {
-  std::filesystem::path place;  // in the repository
-  std::string text;
-};
-
 /// GitLab reads .gitlab-ci.yml alone: where the repository in `folder` has one of its own, the file
 /// is another, to be included there.
-std::vector<GateFile> gate_files(const GateCommand& command, const std::filesystem::path& folder);
+std::vector<WholeFile> gate_files(const GateCommand& command, const std::filesystem::path& folder);
 
 /// What is left to do, some lines.
-std::string gate_hint(const std::vector<GateFile>& files);
+std::string gate_hint(const std::vector<WholeFile>& files);
 
 /// Whether such a file was written by it.
 bool is_gate_file(const std::filesystem::path& path);

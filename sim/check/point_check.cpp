@@ -181,11 +181,17 @@ bool is_same(const PointCheck& check) {
          check.undetected_errors.discordant() == 0;
 }
 
-Verdict verdict_of(const PointCheck& check, bool worse, bool golden) {
+/// Whether it accepts more that was not sent than an equal one would in most checks.
+bool seems_to_accept_more(const PointCheck& check, const SequentialTestRule& rule) {
+  return check.p_undetected <= 1 - rule.power;
+}
+
+Verdict verdict_of(const PointCheck& check, bool worse, const CheckSetup& setup) {
   if (check.fault) return Verdict::broken;
-  if (golden) return is_same(check) ? Verdict::passed : Verdict::worse;
+  if (setup.golden) return is_same(check) ? Verdict::passed : Verdict::worse;
   if (worse) return Verdict::worse;
-  return check.no_worse ? Verdict::passed : Verdict::inconclusive;
+  const bool passes = check.no_worse && !seems_to_accept_more(check, setup.rule);
+  return passes ? Verdict::passed : Verdict::inconclusive;
 }
 
 }  // namespace
@@ -211,7 +217,7 @@ void judge(std::vector<PointCheck>& checks, const CheckSetup& setup) {
   }
   const std::vector<bool> worse = rejected_by_holm(p_values, setup.rule.alpha);
   for (std::size_t i = 0; i < checks.size(); ++i)
-    checks[i].verdict = verdict_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup.golden);
+    checks[i].verdict = verdict_of(checks[i], worse[2 * i] || worse[2 * i + 1], setup);
 }
 
 Verdict verdict_of(const std::vector<PointCheck>& checks) {

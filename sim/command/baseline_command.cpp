@@ -79,10 +79,12 @@ std::string change_of(const std::optional<Baseline>& old, const BaselinePoint& p
                      flipped, frames, light > 0 ? fmt::format(", {} of other light", light) : "");
 }
 
-/// Frames `have.size()` to `frames` of a point. Throws where the decoder fails: there is nothing to
-/// judge others by.
+/// The frames of a point that are not there yet, up to `frames`. A capture that ended early is
+/// played again: what a decoder remembers of its frames is then as in a check. Throws where the
+/// decoder fails: there is nothing to judge others by.
 void play_to(std::uint64_t frames, const JudgedPoint& point, const Decoder& decoder,
              const Workers& workers, std::vector<FrameRecord>& have) {
+  have.resize(have.size() / frames_per_capture * frames_per_capture);
   const auto first = static_cast<std::uint32_t>(have.size());
   const auto n = static_cast<std::uint32_t>(frames) - first;
   const DecodedFrames decoded =

@@ -1,7 +1,6 @@
 // `cosys-sim fit --plan`: what it takes to measure a receiver module.
 #include <fmt/format.h>
 
-#include <deque>
 #include <vector>
 
 #include "sim/command/commands.hpp"
@@ -20,14 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct BenchFile {
-  fs::path place;
-  std::string text;
-};
-
 constexpr const char* bench_led = "TSAL6200";
 
-std::vector<BenchFile> bench_files(const FitRequest& request) {
+std::vector<WholeFile> bench_files(const FitRequest& request) {
   const PartSources parts{.folders = request.parts, .carried = {}, .carrier = {}};
   const channel::ModuleData like =
       load_module(request.module, parts, "--module " + request.module).data;
@@ -43,7 +37,7 @@ std::vector<BenchFile> bench_files(const FitRequest& request) {
 }
 
 /// A plan is lost that something was recorded of, or a sketch that somebody has changed.
-void refuse_to_replace(const BenchFile& file) {
+void refuse_to_replace(const WholeFile& file) {
   std::error_code error;
   if (!fs::exists(file.place, error)) return;
   if (fs::is_regular_file(file.place, error) && fs::file_size(file.place, error) == 0) return;
@@ -52,21 +46,13 @@ void refuse_to_replace(const BenchFile& file) {
                     "choose another folder, or remove it");
 }
 
-/// All of them or none.
-void write_bench(const std::vector<BenchFile>& all) {
-  for (const BenchFile& file : all) refuse_to_replace(file);
-  for (const BenchFile& file : all) make_folder(file.place.parent_path());
-  std::deque<NewFile> files;
-  for (const BenchFile& file : all) files.emplace_back(file.place).write(file.text);
-  take_places(files);
-}
-
 }  // namespace
 
 ExitCode bench_command(const FitRequest& request) {
-  const std::vector<BenchFile> files = bench_files(request);
-  write_bench(files);
-  for (const BenchFile& file : files) print(file.place.string() + "\n");
+  const std::vector<WholeFile> files = bench_files(request);
+  for (const WholeFile& file : files) refuse_to_replace(file);
+  write_files(files);
+  for (const WholeFile& file : files) print(file.place.string() + "\n");
   return ExitCode::done;
 }
 

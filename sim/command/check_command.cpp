@@ -85,15 +85,12 @@ ExitCode write_gate(const CheckRequest& request) {
     check += " " + shell_word(scenario.string());
   }
   refuse_outside(request.baseline);
-  const std::vector<GateFile> files =
+  const std::vector<WholeFile> files =
       gate_files({check + repeated_options(request), build_command("."), request.program}, ".");
-  for (const GateFile& file : files)
+  for (const WholeFile& file : files)
     refuse_to_lose(file.place, {is_gate_file, "a workflow of cosys-sim check --init"});
-  for (const GateFile& file : files) {
-    if (file.place.has_parent_path()) make_folder(file.place.parent_path());
-    write_file(file.place, file.text);
-    print(file.place.string() + "\n");
-  }
+  write_files(files);
+  for (const WholeFile& file : files) print(file.place.string() + "\n");
   print(gate_hint(files));
   return ExitCode::done;
 }

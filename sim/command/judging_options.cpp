@@ -120,9 +120,11 @@ void add_check(CLI::App& app, CheckRequest& request) {
   add_gate_rule(check, request.rule);
   check.add_flag("--golden", request.golden,
                  "fail if one frame comes out otherwise than in the baseline");
-  check.add_option("--point", request.point, "only this point of each scenario, counted from 0")
-      ->type_name("K")
-      ->check(an_index);
+  auto* point =
+      check
+          .add_option("--point", request.point, "only this point of each scenario, counted from 0")
+          ->type_name("K")
+          ->check(an_index);
   check
       .add_option_function<std::string>(
           "-n,--max-frames",
@@ -138,16 +140,20 @@ void add_check(CLI::App& app, CheckRequest& request) {
                       ->type_name("N")
                       ->check(an_index)
                       ->check(between(0, most_frames - 1));
-  check
-      .add_option("--minimise", request.minimise,
-                  "in place of the check: the fewest disturbed bits by which only the candidate "
-                  "loses this frame of a point, as a test vector")
-      ->type_name("N")
-      ->check(an_index)
-      ->check(between(0, most_frames - 1))
-      ->excludes(explain);
+  auto* minimise =
+      check
+          .add_option(
+              "--minimise", request.minimise,
+              "in place of the check: the fewest disturbed bits by which only the candidate "
+              "loses this frame of a point, as a test vector")
+          ->type_name("N")
+          ->check(an_index)
+          ->check(between(0, most_frames - 1))
+          ->excludes(explain);
   check.add_flag("--init", request.init, "in place of the check: write CI workflows that run it")
-      ->excludes(explain);
+      ->excludes(explain)
+      ->excludes(minimise)
+      ->excludes(point);
   add_place(check, "--summary", request.summary, "F.md",
             "page of Markdown for a CI server to show");
   add_place(check, "--junit", request.junit, "F.xml", "JUnit file for a CI server to read");

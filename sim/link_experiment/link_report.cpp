@@ -38,7 +38,7 @@ std::string progress_of(const LinkPoint& point) {
 bool carries(const LinkPoint& point) {
   const Tally& tally = point.tally;
   if (tally.is_weighted()) return frame_loss_ratio(tally, LinkResult::ci_level).value <= 0.01;
-  return 100 * tally.n_frames_lost <= tally.n_frames;
+  return tally.n_frames > 0 && 100 * tally.n_frames_lost <= tally.n_frames;
 }
 
 std::string carried_so_far(const std::vector<LinkPoint>& points, std::size_t done) {

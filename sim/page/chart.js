@@ -8,7 +8,7 @@ const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
 const shadeOf = (colour) => (isDark() && inDark[colour]) || colour;
 /** Of more than six curves the others are grey, but for the one that is pointed at. */
 const isGrey = (curve) => curve.colour === null && !curve.isPicked;
-const colourOf = (curve) => (curve.colour === null ? styled('--ink') : shadeOf(colours[curve.colour % colours.length]));
+const colourOf = (curve) => (curve.colour === null ? styled('--ink') : shadeOf(colours[curve.colour]));
 const dashOf = (curve) => (curve.kind === 'theory' ? [6, 4] : undefined);
 const chartHeight = 420;
 const plotHeight = 320;  // of it, without what stands at the axes

@@ -317,7 +317,7 @@ std::string chart_as_svg(const Chart& chart) {
   draw_level(drawing, chart, paper);
   for (const bool is_grey : {true, false})
     for (std::size_t i = 0; i < chart.curves.size(); ++i)
-      if (!colour_of(chart, i) == is_grey) draw_curve(drawing, paper, chart, i);
+      if (colour_of(chart, i).has_value() != is_grey) draw_curve(drawing, paper, chart, i);
   draw_legend(drawing, legend);
   return drawing.finished();
 }

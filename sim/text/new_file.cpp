@@ -89,6 +89,14 @@ void write_file(const fs::path& place, std::string_view bytes) {
   file.take_place();
 }
 
+void write_files(const std::vector<WholeFile>& files) {
+  for (const WholeFile& file : files)
+    if (file.place.has_parent_path()) make_folder(file.place.parent_path());
+  std::deque<NewFile> written;
+  for (const WholeFile& file : files) written.emplace_back(file.place).write(file.text);
+  take_places(written);
+}
+
 NewFile::NewFile(const fs::path& place)
     : place_(resolved(place)), beside_(place_.string() + "." + std::to_string(::getpid())) {
   beside_ += ending;

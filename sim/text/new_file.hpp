@@ -4,7 +4,9 @@
 // signal, leaves nothing behind. All files that users name as outputs are written so.
 #include <deque>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/threads/stop_signals.hpp"
 
@@ -28,6 +30,13 @@ void make_folder(const std::filesystem::path& folder);
 
 /// The whole of a file.
 void write_file(const std::filesystem::path& place, std::string_view bytes);
+
+struct WholeFile {
+  std::filesystem::path place;
+  std::string text;
+};
+/// All of them or none, in folders that are made for them.
+void write_files(const std::vector<WholeFile>& files);
 
 /// All of it throws Failure(environment) where the machine refuses, and Failure(bad_input) for a
 /// link that leads nowhere. One that leads to a file is written through.

@@ -165,6 +165,21 @@ TEST(Check, FindsADecoderThatAcceptsWrongMessages) {
   EXPECT_GT(checks[0].undetected_errors.candidate_only, 10U);
 }
 
+TEST(Check, DoesNotPassWhatSeemsToAcceptMoreThanTheBaseline) {
+  const ScriptedDecoder decoder(losing(0, 0));
+  const CheckSetup setup{.rule = rule, .candidate = decoder, .baseline = nullptr};
+  const auto verdict_at = [&](double p_undetected) {
+    std::vector<PointCheck> checks{
+        {.point = judged_point("0"), .p_undetected = p_undetected, .no_worse = true}};
+    judge(checks, setup);
+    return checks[0].verdict;
+  };
+  EXPECT_EQ(verdict_at(0.5), Verdict::passed);
+  EXPECT_EQ(verdict_at(2 * (1 - rule.power)), Verdict::passed);
+  EXPECT_EQ(verdict_at(0.5 * (1 - rule.power)), Verdict::inconclusive);
+  EXPECT_EQ(verdict_at(1e-9), Verdict::worse);
+}
+
 // Few losses settle a point at its first look, of 64 frames; wrong messages may come later.
 TEST(Check, ListensUntilWrongMessagesAreToldToo) {
   const JudgedPoint point = judged_point("0");

@@ -277,6 +277,18 @@ TEST_F(CheckCommand, ABaselineHasTheFramesThatFindWhatItIsToDetect) {
                  "--help");
 }
 
+// 600 frames end in the midst of a capture, which is played again with those that follow.
+TEST_F(CheckCommand, ABaselineThatGrowsIsThatOfSoManyFrames) {
+  ASSERT_EQ(program({"baseline", "weak.toml", "-q", "-o", "d.h5", "--detect", "1.3x"}).code, 0);
+  const Outcome same =
+      program({"check", "weak.toml", "--baseline", "d.h5", "-q", "--golden", "--json"});
+  EXPECT_EQ(same.code, 0) << same.err;
+  for (const auto& point : json_of(same)["points"]) {
+    EXPECT_GT(point["candidate"]["n_frames"], 600);
+    EXPECT_EQ(point["pairing"], "stored");
+  }
+}
+
 TEST_F(CheckCommand, ABaselineStartsNoProgram) {
   write("mine.sh", "#!/bin/sh\ntouch started\ncat\n");
   ASSERT_EQ(program({"baseline", "weak.toml", "-n", "128", "-q", "-o", "p.h5", "--decoder",
