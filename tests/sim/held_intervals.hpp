@@ -1,6 +1,6 @@
 #pragma once
 // How often the intervals that the program prints hold the truth: an experiment is repeated with
-// other seeds, and a row of the table of held intervals (sim/README.md) is printed. In the gate
+// other seeds, and a row of the table of held intervals (DECISIONS.md) is printed. In the gate
 // each row has a few seeds, in the weekly run 40 at least, with COSYS_SEEDS=1000 so many
 // (tests/held_intervals).
 #include <fmt/format.h>
