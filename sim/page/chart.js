@@ -96,6 +96,29 @@ function drawLevel(plot, {level}) {
   context.restore();
 }
 
+const roomForNames = 480;  // pixels of a plot's width; the narrower has its legend alone
+
+/** Names beside their curves, while all is shown: those that the still picture has, in the same places. */
+function addNames(plot, chart, isWhole) {
+  const names = chart.labels.map(({name, is_left, is_above}) => {
+    const words = document.createElement('span');
+    words.className = `name ${is_left ? 'left' : 'right'} ${is_above ? 'above' : 'below'}`;
+    words.textContent = name;
+    words.setAttribute('aria-hidden', 'true');  // the legend tells it
+    plot.over.append(words);
+    return words;
+  });
+  return () => chart.labels.forEach(({curve, point, along}, i) => {
+    const {points} = chart.curves[curve], ends = [points[point], points[point + 1] || points[point]];
+    const [x, y] = ['x', 'y'].map((axis) => {
+      const [from, to] = ends.map((end) => plot.valToPos(end[axis], axis));
+      return along > 0 ? from + along * (to - from) : from;
+    });
+    Object.assign(names[i].style, {left: `${x}px`, top: `${y}px`});
+    names[i].hidden = !plot.series[curve + 1].show || !isWhole() || plot.over.clientWidth < roomForNames;
+  });
+}
+
 /** Two digits, or three where half the interval is at most a tenth of the value, as tables have them. */
 const digitsOf = ({y, low, high}) => ((high - low) / 2 / y <= 0.1 ? 3 : 2);
 
@@ -165,7 +188,8 @@ const hasGrey = (chart) => chart.curves.some((curve) => curve.colour === null);
 
 function sayWhatIsGrey(figure, chart) {
   const more = chart.curves.filter((curve) => curve.colour === null && curve.kind !== 'theory').length;
-  addNote(figure, 'greyed', `${more} more curves are grey: point at one, or tap it, for its name and numbers`);
+  const curves = more === 1 ? '1 more curve is' : `${more} more curves are`;
+  addNote(figure, 'greyed', `${curves} grey: point at one, or tap it, for its name and numbers`);
 }
 
 /** Lines of the curves' colours, dashes and marks in the legend. */
@@ -229,6 +253,7 @@ function drawLive(figure, chart) {
   const whole = {x: reachAcross(chart.x, [...x, ...besideBars(chart, x)]),
                  y: reach(chart.y, values, ends, limits, arrow / plotHeight)};
   const all = askedForAll(chart.x, x);
+  let placeNames = () => null;
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
@@ -246,12 +271,15 @@ function drawLive(figure, chart) {
     hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change),
                         (u, i, change) => { if (change.focus && i !== null) pick(u, chart, i - 1); }],
             draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
-                   (u) => drawSwatches(u, chart)]},
+                   (u) => drawSwatches(u, chart), () => placeNames()]},
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
   if (hasSeveralTheories(chart)) addNote(figure, 'dashed', 'dashed: theory');
   if (hasGrey(chart)) sayWhatIsGrey(figure, chart);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   makePressable(plot);
+  const isWhole = () => whole.x.every((end, i) => end === [plot.scales.x.min, plot.scales.x.max][i]);
+  placeNames = addNames(plot, chart, isWhole);
+  placeNames();
   const view = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale('x', {min, max});
   const tell = (ends) => `${chart.x.label}: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;

@@ -73,6 +73,24 @@ std::string section_html(const PageSection& section, std::size_t number) {
   return html + "</section>\n";
 }
 
+/// Whether the first section is a picture of the answer.
+bool leads(const Page& page) {
+  if (page.sections.empty()) return false;
+  const PageSection& first = page.sections.front();
+  return first.picture && first.table && first.table->is_answer;
+}
+
+/// The first sentence, its picture, and what else is to be said.
+std::string answer_html(const Page& page) {
+  const auto told = [](const char* kind, const std::string& text) {
+    return fmt::format("<div class=\"{}\">\n{}</div>\n", kind, paragraphs(text));
+  };
+  if (!leads(page)) return told("verdict", page.summary);
+  const std::size_t end = std::min(page.summary.find('\n'), page.summary.size());
+  return told("verdict", page.summary.substr(0, end)) + section_html(page.sections.front(), 0) +
+         told("words", page.summary.substr(end));
+}
+
 /// Links to all sections.
 std::string contents_html(const std::vector<PageSection>& sections) {
   std::string html = "<nav aria-label=\"Contents\">\n";
@@ -119,7 +137,16 @@ std::string chart_json(const Chart& chart) {
                       {"colour", colour ? Json(*colour) : Json(nullptr)},
                       {"points", points}});
   }
-  const Json json{{"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}};
+  Json labels = Json::array();
+  for (const auto& [name, label] : named_places(chart))
+    labels.push_back({{"name", name},
+                      {"curve", label.curve},
+                      {"point", label.point},
+                      {"along", label.along},
+                      {"is_left", label.is_left},
+                      {"is_above", label.is_above}});
+  const Json json{
+      {"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"curves", curves}, {"labels", labels}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -166,9 +193,9 @@ std::string page_as_html(const Page& page) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       page_head, content_policy(scripts), xml_escaped(page.title), uplot_style, report_style);
-  html += element("h1", page.title) + "<div class=\"verdict\">\n" + paragraphs(page.summary) +
-          "</div>\n" + contents_html(page.sections);
-  for (std::size_t i = 0; i < page.sections.size(); ++i) html += section_html(page.sections[i], i);
+  html += element("h1", page.title) + answer_html(page) + contents_html(page.sections);
+  for (std::size_t i = leads(page) ? 1 : 0; i < page.sections.size(); ++i)
+    html += section_html(page.sections[i], i);
   html += "</main>\n" + data_of(page);
   for (const std::string& script : scripts) html += "<script>" + script + "</script>\n";
   return html + "</body>\n</html>\n";

@@ -17,11 +17,13 @@ struct Page {
   std::vector<PageSection> sections;
 };
 
-/// At least one section of a result. First come scenarios. Where there are several results,
-/// headings and curves say whose they are, and before them stands how far links reach, and in what
-/// the scenarios differ.
+/// At least one section of a result. Scenarios come last. Where there are several results, headings
+/// and curves say whose they are, and before them stands how far links reach, and in what the
+/// scenarios differ.
 Page page_of(std::vector<ReportSection> results);
 
+/// A first section that has a picture and the table of an answer stands right below the summary's
+/// first line.
 std::string page_as_html(const Page& page);
 
 /// Whether a file is such a page.

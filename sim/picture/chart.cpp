@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/picture/axis_span.hpp"
+#include "sim/picture/curve_labels.hpp"
 #include "sim/picture/scale.hpp"
 #include "sim/picture/svg.hpp"
 
@@ -169,36 +170,51 @@ void draw_level(SvgDrawing& drawing, const Chart& chart, const Paper& paper) {
   drawing.text({chart_right - 4, y - 4}, level_text(*chart.y.level), "end small");
 }
 
+/// Nothing where nothing is known.
+std::optional<SvgPoint> place_of(const ChartPoint& point, const Paper& paper) {
+  if (point.is_limit || !paper.x.shows(point.x) || !paper.y.shows(point.y)) return std::nullopt;
+  return SvgPoint{paper.x(point.x), paper.y(point.y)};
+}
+
 /// From point to point; broken where nothing is known.
 std::string line_through(const ChartCurve& curve, const Paper& paper) {
   std::string path;
   bool down = false;
   for (const ChartPoint& point : curve.points) {
-    const bool shown = !point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y);
-    if (shown)
-      path += fmt::format("{}{:.2f} {:.2f}", down ? 'L' : 'M', paper.x(point.x), paper.y(point.y));
-    down = shown;
+    const auto place = place_of(point, paper);
+    if (place) path += fmt::format("{}{:.2f} {:.2f}", down ? 'L' : 'M', place->x, place->y);
+    down = place.has_value();
   }
   return path;
 }
 
-/// An arrow downward from the upper end, shorter where the axis is near.
-void draw_limit(SvgDrawing& drawing, double x, double y, const std::string& style) {
-  const double length = std::min(arrow_length, chart_bottom - y);
-  drawing.path(
-      fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker, y,
-                  2 * whisker, x, y, length, whisker, whisker, whisker, whisker, whisker, whisker),
-      style);
+/// An arrow downward from the upper end.
+void draw_limit(SvgDrawing& drawing, const PaperLine& limit, const std::string& style) {
+  const auto [x, y] = limit.from;
+  drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}v{}m-{} -{}l{} {}l{} -{}", x - whisker,
+                           y, 2 * whisker, x, y, limit.to.y - y, whisker, whisker, whisker, whisker,
+                           whisker, whisker),
+               style);
+}
+
+/// From its upper end to its lower one, or to the foot of the paper; nothing where there is none.
+std::optional<PaperLine> interval_of(const ChartPoint& point, const Paper& paper) {
+  if (!paper.x.shows(point.x) || !paper.y.shows(point.high)) return std::nullopt;
+  if (point.low == point.high && !point.is_limit) return std::nullopt;
+  const double x = paper.x(point.x), high = paper.y(point.high);
+  const bool has_end = paper.y.shows(point.low) && paper.y(point.low) <= chart_bottom;
+  if (point.is_limit) return PaperLine{{x, high}, {x, std::min(high + arrow_length, chart_bottom)}};
+  return PaperLine{{x, high}, {x, has_end ? paper.y(point.low) : chart_bottom}};
 }
 
 void draw_interval(SvgDrawing& drawing, const Paper& paper, const ChartPoint& point,
                    const std::string& style) {
-  if (!paper.x.shows(point.x) || !paper.y.shows(point.high)) return;
-  if (point.low == point.high && !point.is_limit) return;
-  const double x = paper.x(point.x), high = paper.y(point.high);
-  if (point.is_limit) return draw_limit(drawing, x, high, style);
-  const bool has_end = paper.y.shows(point.low) && paper.y(point.low) <= chart_bottom;
-  const double low = has_end ? paper.y(point.low) : chart_bottom;
+  const auto interval = interval_of(point, paper);
+  if (!interval) return;
+  const auto [x, high] = interval->from;
+  if (point.is_limit) return draw_limit(drawing, *interval, style);
+  const double low = interval->to.y;
+  const bool has_end = low < chart_bottom;
   drawing.path(fmt::format("M{:.2f} {:.2f}h{}M{:.2f} {:.2f}V{:.2f}", x - whisker, high, 2 * whisker,
                            x, high, low) +
                    (has_end ? fmt::format("m-{} 0h{}", whisker, 2 * whisker) : ""),
@@ -241,9 +257,58 @@ void draw_curve(SvgDrawing& drawing, const Paper& paper, const Chart& chart, std
   if (curve.kind != CurveKind::measured || !colour) return;
   for (const ChartPoint& point : curve.points) {
     draw_interval(drawing, paper, point, style);
-    if (!point.is_limit && paper.x.shows(point.x) && paper.y.shows(point.y))
-      drawing.path(disc_at(paper.x(point.x), paper.y(point.y)), style + " dot");
+    if (const auto place = place_of(point, paper))
+      drawing.path(disc_at(place->x, place->y), style + " dot");
   }
+}
+
+/// One of several curves that has a colour, and is no theory of another.
+bool is_named(const Chart& chart, std::size_t i) {
+  const auto is_own = [](const ChartCurve& curve) {
+    return curve.kind == CurveKind::measured || curve.kind == CurveKind::continuous;
+  };
+  return std::ranges::count_if(chart.curves, is_own) > 1 && is_own(chart.curves[i]) &&
+         colour_of(chart, i);
+}
+
+/// What all names of several curves begin with: "receiver.range_m = ".
+std::size_t alike_until(const std::vector<ChartCurve>& curves) {
+  constexpr std::string_view before_value = " = ";
+  const std::string& first = curves.front().name;
+  const std::size_t found = first.find(before_value);
+  if (found == std::string::npos) return 0;
+  const std::string_view head(first.data(), found + before_value.size());
+  const auto is_alike = [&](const ChartCurve& curve) { return curve.name.starts_with(head); };
+  return std::ranges::all_of(curves, is_alike) ? head.size() : 0;
+}
+
+std::vector<LaidCurve> laid_curves(const Chart& chart, const Paper& paper) {
+  std::vector<LaidCurve> laid;
+  const std::size_t alike = chart.curves.empty() ? 0 : alike_until(chart.curves);
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const ChartCurve& curve = chart.curves[i];
+    laid.push_back({is_named(chart, i) ? curve.name.substr(alike) : "",
+                    {},
+                    {},
+                    curve.kind == CurveKind::theory});
+    for (const ChartPoint& point : curve.points) {
+      laid.back().points.push_back(place_of(point, paper));
+      if (curve.kind != CurveKind::measured || !colour_of(chart, i)) continue;
+      if (const auto interval = interval_of(point, paper))
+        laid.back().intervals.push_back(*interval);
+    }
+  }
+  return laid;
+}
+
+std::vector<CurveLabel> labels_on(const std::vector<LaidCurve>& curves) {
+  return curve_labels(curves, {chart_left, chart_top, chart_right, chart_bottom});
+}
+
+void draw_names(SvgDrawing& drawing, const std::vector<LaidCurve>& curves) {
+  for (const CurveLabel& label : labels_on(curves))
+    drawing.text(anchor_of(label, curves[label.curve]), curves[label.curve].name,
+                 label.is_left ? "end" : "");
 }
 
 /// One line of the legend is for several, as each has the colour of what it is the theory of.
@@ -308,6 +373,14 @@ std::optional<std::size_t> colour_of(const Chart& chart, std::size_t curve) {
   return std::nullopt;
 }
 
+std::vector<NamedPlace> named_places(const Chart& chart) {
+  const std::vector<LaidCurve> curves = laid_curves(chart, paper_for(chart));
+  std::vector<NamedPlace> places;
+  for (const CurveLabel& label : labels_on(curves))
+    places.push_back({curves[label.curve].name, label});
+  return places;
+}
+
 std::string chart_as_svg(const Chart& chart) {
   const std::vector<LegendLine> legend = legend_of(chart);
   const double height = chart_legend_top + chart_legend_step * static_cast<double>(legend.size());
@@ -318,6 +391,7 @@ std::string chart_as_svg(const Chart& chart) {
   for (const bool is_grey : {true, false})
     for (std::size_t i = 0; i < chart.curves.size(); ++i)
       if (colour_of(chart, i).has_value() != is_grey) draw_curve(drawing, paper, chart, i);
+  draw_names(drawing, laid_curves(chart, paper));
   draw_legend(drawing, legend);
   return drawing.finished();
 }

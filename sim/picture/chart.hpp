@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/picture/curve_labels.hpp"
+
 namespace sim {
 
 struct ChartPoint {
@@ -52,6 +54,13 @@ std::string level_text(double ratio);
 inline constexpr std::size_t most_coloured = 6;
 /// Which of the colours a curve has, a theory that of the curve before it; nothing: it is grey.
 std::optional<std::size_t> colour_of(const Chart& chart, std::size_t curve);
+
+struct NamedPlace {
+  std::string name;  // without what all names begin with: "5" of "receiver.range_m = 5"
+  CurveLabel place;
+};
+/// Of several curves those that have a colour are named beside them; also on larger paper.
+std::vector<NamedPlace> named_places(const Chart& chart);
 
 /// Lines of characters, each ended by a newline: what the marks are, 15 lines of paper, the lower
 /// axis. Intervals are not shown. A logarithmic axis leaves out what is not positive; it is marked

@@ -35,7 +35,8 @@ CHART = {
     "curves": [curve("broken", 1, [point(0, 0.5), point(2, 0.5), point(4, 0.1, True), point(6, 0.5), point(8, 0.5)]),
                curve("between", 0, [point(x, 1) for x in (1, 3, 5, 7)]),
                curve("third", 2, [point(1, 1)]), curve("fourth", 3, [point(1, 1)]),
-               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (0, 2, 3))]}
+               *(curve(f"theory {colour}", colour, [point(1, 1)], "theory") for colour in (0, 2, 3))],
+    "labels": []}
 
 
 # Two decades of room for marks between powers of ten; the level is far below all points, whose theory is one alone.
@@ -49,6 +50,10 @@ HEIGHTS = {"above": 1, "upper grey": 0.1, "lower grey": 0.01, "below": 1e-3}
 GREY = {**CHART, "y": {"label": "y", "title": "y", "logarithmic": True, "is_count": False},
         "curves": [curve(name, None if "grey" in name else len(name) % 2, [point(x, y) for x in (1, 2, 3)])
                    for name, y in HEIGHTS.items()]}
+
+
+# A name halfway from a point to the next, left of the curve and above it.
+NAMED = {**GREY, "labels": [{"name": "above", "curve": 0, "point": 1, "along": 0.5, "is_left": True, "is_above": True}]}
 
 
 # One abscissa, below the least of a linear axis.
@@ -168,13 +173,31 @@ def look_at_grey_curves(driver, report):
     chart = open_changed(driver, report, GREY)
     over = chart.find_element(By.CLASS_NAME, "u-over")
     expect(chart.find_element(By.CLASS_NAME, "greyed").text.startswith("2 more curves are grey"), "nobody says of them")
-    actions(driver).scroll_to_element(chart).perform()
+    enter(driver, chart)
     for name, part in (("upper grey", 1 / 3), ("lower grey", 2 / 3), ("upper grey", 1 / 3)):
         down = round((part - 0.5) * over.size["height"])
         actions(driver).move_to_element_with_offset(over, 0, down).perform()
         rows = [row.text.split("\n")[0] for row in chart.find_elements(By.CSS_SELECTOR, ".u-series:not(.folded)")]
         expect(rows[1:] == [one for one in HEIGHTS if "grey" not in one or one == name],
                f"at {name} the legend has {rows}")
+
+
+def look_at_names(driver, report):
+    """They stand at their curves while these are shown, while all is shown, and where there is room."""
+    chart = open_changed(driver, report, NAMED)
+    over, name = (chart.find_element(By.CSS_SELECTOR, selector) for selector in (".u-over", ".name"))
+    top = over.rect["y"]  # a curve of ones lies at the upper end
+    at = over.rect["x"] + over.rect["width"] * (0.5 + 0.25 / 1.04)  # 1 to 3 with margins of a fiftieth
+    expect(name.is_displayed() and name.text == "above", f"a curve's name is {name.text!r}")
+    right, foot = name.rect["x"] + name.rect["width"], name.rect["y"] + name.rect["height"]
+    expect(0 < at - right < 10, f"a name ends at {right}, left of {at}")
+    expect(0 < top - foot < 10, f"a name has its foot at {foot}, above {top}")
+    hide = chart.find_elements(By.CSS_SELECTOR, ".u-series th")[1]
+    for press, is_shown in ((hide.click, False), (hide.click, True), (lambda: send(driver, "+"), False),
+                            (lambda: send(driver, "0"), True), (lambda: set_width(driver, WIDTH), False)):
+        press()
+        expect(name.is_displayed() == is_shown, "a name is shown without its curve, or hidden beside it")
+    set_width(driver, 1100)
 
 
 def look_at_single_point(driver, report):
@@ -215,6 +238,7 @@ def look_at_made_up(driver, report):
     look_at_failing_chart(driver, report)
     look_at_single_point(driver, report)
     look_at_grey_curves(driver, report)
+    look_at_names(driver, report)
     look_at_logarithmic_marks(driver, report)
     chart = open_changed(driver, report, CHART)
     look_at_words(driver, chart)
