@@ -119,7 +119,6 @@ Page page_of(std::vector<ReportSection> results) {
     name_lone_charts(results);
     std::ranges::for_each(results, say_whose);
   }
-  for (ReportSection& result : results) page.sections.push_back(std::move(result.scenario));
   for (ReportSection& result : results) {
     page.summary += result.summary;
     std::ranges::move(result.first, std::back_inserter(page.sections));
@@ -128,6 +127,7 @@ Page page_of(std::vector<ReportSection> results) {
   for (Chart& chart : charts) page.sections.push_back(chart_section(std::move(chart)));
   for (ReportSection& result : results)
     std::ranges::move(result.sections, std::back_inserter(page.sections));
+  for (ReportSection& result : results) page.sections.push_back(std::move(result.scenario));
   return page;
 }
 

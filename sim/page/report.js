@@ -13,7 +13,7 @@ function addHint() {
   hint.className = 'hint';
   hint.id = 'keys';
   hint.textContent = 'Charts: drag to zoom, Shift and drag to move, double-click for all; by keyboard + and -, arrows, 0 for all.';
-  document.querySelector('.verdict').after(hint);
+  document.querySelector('nav').before(hint);
 }
 
 /** What is wider than the window is scrolled by the keyboard too. */
@@ -46,19 +46,13 @@ function drawEach(kind, draw) {
   document.querySelectorAll(`.${kind}`).forEach((figure, i) => drawOne(figure, () => draw(figure, data[i], i)));
 }
 
-/** On paper the text that ran is whole, behind all pictures. */
-function printScenarios() {
-  document.querySelectorAll('section:has(pre)').forEach((section) => {
-    const place = document.createComment('');
-    section.querySelector('details').open = true;
-    section.replaceWith(place);
-    place.parentElement.append(section);
-    window.addEventListener('afterprint', () => place.replaceWith(section), {once: true});
-  });
+/** On paper the text that ran is whole. */
+function openScenarios() {
+  document.querySelectorAll('section:has(pre) details').forEach((details) => { details.open = true; });
 }
 
 document.querySelectorAll('table').forEach(makeLive);
-window.addEventListener('beforeprint', printScenarios);
+window.addEventListener('beforeprint', openScenarios);
 watchWidths();
 if (typeof uPlot !== 'undefined') {
   addHint();

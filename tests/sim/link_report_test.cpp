@@ -24,19 +24,20 @@ TEST(Report, HasThePicturesAndTablesOfAResult) {
   EXPECT_EQ(page.title, "Title");
   std::vector<std::string> headings;
   for (const PageSection& section : page.sections) headings.push_back(section.heading);
-  EXPECT_EQ(headings, (std::vector<std::string>{"The scenario", "Frame loss", "Bit errors",
-                                                "What became of the frames", "All numbers"}));
-  const PageTable& fates = *page.sections[3].table;
+  EXPECT_EQ(headings,
+            (std::vector<std::string>{"Frame loss", "Bit errors", "What became of the frames",
+                                      "All numbers", "The scenario"}));
+  const PageTable& fates = *page.sections[2].table;
   EXPECT_EQ(fates.rows[0], (std::vector<std::string>{"1", "10", "0", "0", "0"}));
   EXPECT_EQ(fates.rows[1], (std::vector<std::string>{"2", "0", "0", "0", "10"}));
-  EXPECT_EQ(page.sections[0].text.find("To repeat it: command\nHere is all that ran"), 0U);
-  EXPECT_EQ(page.sections[0].preformatted, "text");
+  EXPECT_EQ(page.sections[4].text.find("To repeat it: command\nHere is all that ran"), 0U);
+  EXPECT_EQ(page.sections[4].preformatted, "text");
 }
 
 TEST(Report, NamesCurvesInTablesWhereThereAreSeveral) {
   const LinkReport link =
       link_report_of("file", sweep_of({point_of(1, 10, 0), point_of(2, 10, 10)}));
-  const PageTable alone = *page_of({link_section(link)}).sections[1].table;
+  const PageTable alone = *page_of({link_section(link)}).sections[0].table;
   EXPECT_EQ(alone.head,
             (std::vector<std::string>{"receiver.range_m [m]", "frame loss ratio (FLR)"}));
   EXPECT_EQ(alone.rows[1][0], "2");
@@ -96,7 +97,7 @@ TEST(Report, OfSeveralResultsHasAPlaceForAllOfThemOnItsAxes) {
     return page_of({one, two});
   };
   for (const Page& both : {page(tens, from_zero), page(from_zero, tens)}) {
-    const Chart& chart = both.sections.back().picture->live.value();
+    const Chart& chart = both.sections[1].picture->live.value();
     EXPECT_EQ(chart.curves.size(), 2U);
     EXPECT_FALSE(chart.x.logarithmic) << "0 has no place there";
     EXPECT_TRUE(chart.y.logarithmic);

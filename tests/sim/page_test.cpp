@@ -1,6 +1,7 @@
 // Pages: what stands in them, and that texts stay texts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,23 @@ TEST(Page, OpensTablesThatAreShortOrTheAnswer) {
   EXPECT_TRUE(opens(20, false));
   EXPECT_FALSE(opens(21, false));
   EXPECT_TRUE(opens(1000, true));
+}
+
+TEST(Page, BeginsWithASentenceAndThePictureOfTheAnswer) {
+  PageSection ranges{.heading = "Ranges", .picture = picture_of(chart_named("Reach"))};
+  const auto places = [&] {
+    const std::string page = page_as_html(
+        {.title = "t", .summary = "First.\nSecond.\n", .sections = {ranges, {.heading = "Last"}}});
+    EXPECT_EQ(occurrences(page, "<h2>Ranges</h2>"), 1U);
+    return std::vector{page.find("First."), page.find("<h2>Ranges</h2>"), page.find("Second."),
+                       page.find("<nav"), page.find("<h2>Last</h2>")};
+  };
+  const auto no_answer = places();
+  EXPECT_LT(no_answer[2], no_answer[3]);
+  EXPECT_LT(no_answer[3], no_answer[1]);
+  ranges.table = PageTable{.head = {"a"}, .rows = {}, .is_answer = true};
+  const auto answer = places();
+  EXPECT_TRUE(std::ranges::is_sorted(answer)) << "sentence, picture, more words, contents, others";
 }
 
 TEST(Page, HasEachLiveChartAsAStillPictureToo) {
