@@ -98,7 +98,10 @@ function drawLevel(plot, {level}) {
 
 const roomForNames = 480;  // pixels of a plot's width; the narrower has its legend alone
 
-/** Names beside their curves, while all is shown: those that the still picture has, in the same places. */
+/**
+ * Adds names beside their curves: those that the still picture has, in the same places, while all is shown. Gives back
+ * what puts them there, to be called whenever the curves are drawn.
+ */
 function addNames(plot, chart, isWhole) {
   const names = chart.labels.map(({name, is_left, is_above}) => {
     const words = document.createElement('span');
@@ -253,7 +256,6 @@ function drawLive(figure, chart) {
   const whole = {x: reachAcross(chart.x, [...x, ...besideBars(chart, x)]),
                  y: reach(chart.y, values, ends, limits, arrow / plotHeight)};
   const all = askedForAll(chart.x, x);
-  let placeNames = () => null;
   const scale = (axis, range) => ({time: false, distr: axis.logarithmic ? 3 : 1, range});
   const plot = new uPlot({
     width: figure.clientWidth,
@@ -271,15 +273,14 @@ function drawLive(figure, chart) {
     hooks: {setSeries: [(u, i, change) => hideTheory(u, chart, i, change),
                         (u, i, change) => { if (change.focus && i !== null) pick(u, chart, i - 1); }],
             draw: [(u) => drawLevel(u, chart.y), (u) => drawIntervals(u, chart, rows),
-                   (u) => drawSwatches(u, chart), () => placeNames()]},
+                   (u) => drawSwatches(u, chart)]},
   }, [x, ...rows.map((row) => ordinates(row, chart))], figure);
   if (hasSeveralTheories(chart)) addNote(figure, 'dashed', 'dashed: theory');
   if (hasGrey(chart)) sayWhatIsGrey(figure, chart);
   keepUp(figure, plot, chartHeight, `${chart.y.label} over ${chart.x.label}; the table below has its numbers`);
   makePressable(plot);
   const isWhole = () => whole.x.every((end, i) => end === [plot.scales.x.min, plot.scales.x.max][i]);
-  placeNames = addNames(plot, chart, isWhole);
-  placeNames();
+  plot.hooks.draw.push(addNames(plot, chart, isWhole));
   const view = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale('x', {min, max});
   const tell = (ends) => `${chart.x.label}: ${ends.map((end) => end.toPrecision(4)).join(' to ')}`;

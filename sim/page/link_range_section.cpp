@@ -67,7 +67,7 @@ std::string doubt_of(const LinkResult& result, const Ranking& ranking, const Row
 std::string doubts_text(const Ranking& ranking) {
   if (!has_doubts(ranking)) return "";
   return "Ranges are those of the parts as assumed. Not all of them is known: 8 of 10 units, "
-         "each with what nobody printed drawn within its bounds, end where the last column says. A "
+         "each with what nobody printed drawn within its bounds, end within the grey of its bar. A "
          "run with --doubt says more; cosys-sim fit measures yours.";
 }
 

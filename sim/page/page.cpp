@@ -38,12 +38,15 @@ std::string row_html(const std::vector<std::string>& cells, const char* kind) {
   return html + "</tr>\n";
 }
 
-std::string table_html(const PageTable& table) {
+bool is_open(const PageTable& table) {
   constexpr std::size_t long_table = 20;  // rows; these open by a click
+  return table.is_answer || table.rows.size() <= long_table;
+}
+
+std::string table_html(const PageTable& table, bool is_open) {
   std::string html =
       fmt::format("<details{}><summary>Table ({} row{})</summary>\n<div class=\"table\">",
-                  table.rows.size() > long_table && !table.is_answer ? "" : " open",
-                  table.rows.size(), table.rows.size() == 1 ? "" : "s") +
+                  is_open ? " open" : "", table.rows.size(), table.rows.size() == 1 ? "" : "s") +
       "<table class=\"numbers\">\n<thead>" + row_html(table.head, "th scope=\"col\"") +
       "</thead>\n<tbody>\n";
   for (const auto& cells : table.rows) html += row_html(cells, "td");
@@ -61,7 +64,8 @@ std::string picture_html(const PagePicture& picture, const std::string& kind) {
 }
 
 /// `number`: in the order of the page, by which its contents lead here.
-std::string section_html(const PageSection& section, std::size_t number) {
+/// `leads`: it shows the first sentence, so its table makes room for what else is said.
+std::string section_html(const PageSection& section, std::size_t number, bool leads) {
   std::string html = fmt::format("<section id=\"section-{}\">\n", number) +
                      element("h2", section.heading) + paragraphs(section.text);
   if (!section.preformatted.empty())
@@ -69,7 +73,7 @@ std::string section_html(const PageSection& section, std::size_t number) {
             "</details>\n";
   if (section.picture) html += picture_html(*section.picture, section.picture->live ? "chart" : "");
   if (section.trial) html += picture_html(section.trial->still, "trial");
-  if (section.table) html += table_html(*section.table);
+  if (section.table) html += table_html(*section.table, !leads && is_open(*section.table));
   return html + "</section>\n";
 }
 
@@ -82,13 +86,12 @@ bool leads(const Page& page) {
 
 /// The first sentence, its picture, and what else is to be said.
 std::string answer_html(const Page& page) {
-  const auto told = [](const char* kind, const std::string& text) {
-    return fmt::format("<div class=\"{}\">\n{}</div>\n", kind, paragraphs(text));
-  };
-  if (!leads(page)) return told("verdict", page.summary);
-  const std::size_t end = std::min(page.summary.find('\n'), page.summary.size());
-  return told("verdict", page.summary.substr(0, end)) + section_html(page.sections.front(), 0) +
-         told("words", page.summary.substr(end));
+  const std::size_t end = leads(page) ? page.summary.find('\n') : std::string::npos;
+  const std::string first = page.summary.substr(0, end);
+  std::string html = "<div class=\"verdict\">\n" + paragraphs(first) + "</div>\n";
+  if (!leads(page)) return html;
+  return html + section_html(page.sections.front(), 0, true) +
+         paragraphs(page.summary.substr(first.size()));
 }
 
 /// Links to all sections.
@@ -195,7 +198,7 @@ std::string page_as_html(const Page& page) {
       page_head, content_policy(scripts), xml_escaped(page.title), uplot_style, report_style);
   html += element("h1", page.title) + answer_html(page) + contents_html(page.sections);
   for (std::size_t i = leads(page) ? 1 : 0; i < page.sections.size(); ++i)
-    html += section_html(page.sections[i], i);
+    html += section_html(page.sections[i], i, false);
   html += "</main>\n" + data_of(page);
   for (const std::string& script : scripts) html += "<script>" + script + "</script>\n";
   return html + "</body>\n</html>\n";

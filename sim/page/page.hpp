@@ -23,7 +23,7 @@ struct Page {
 Page page_of(std::vector<ReportSection> results);
 
 /// A first section that has a picture and the table of an answer stands right below the summary's
-/// first line.
+/// first line, and its table opens by a click.
 std::string page_as_html(const Page& page);
 
 /// Whether a file is such a page.

@@ -78,13 +78,14 @@ TEST(Page, BeginsWithASentenceAndThePictureOfTheAnswer) {
     const std::string page = page_as_html(
         {.title = "t", .summary = "First.\nSecond.\n", .sections = {ranges, {.heading = "Last"}}});
     EXPECT_EQ(occurrences(page, "<h2>Ranges</h2>"), 1U);
+    EXPECT_EQ(occurrences(page, "<details open"), 0U) << "what else is said follows the picture";
     return std::vector{page.find("First."), page.find("<h2>Ranges</h2>"), page.find("Second."),
                        page.find("<nav"), page.find("<h2>Last</h2>")};
   };
   const auto no_answer = places();
   EXPECT_LT(no_answer[2], no_answer[3]);
   EXPECT_LT(no_answer[3], no_answer[1]);
-  ranges.table = PageTable{.head = {"a"}, .rows = {}, .is_answer = true};
+  ranges.table = PageTable{.head = {"a"}, .rows = {{"b"}}, .is_answer = true};
   const auto answer = places();
   EXPECT_TRUE(std::ranges::is_sorted(answer)) << "sentence, picture, more words, contents, others";
 }
