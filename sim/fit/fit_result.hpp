@@ -29,6 +29,7 @@ struct FittedStep {
   std::string quantity;             // "time until the output lets go"
   std::string unit;                 // "ms", "cycle", "1"
   bool is_of_first_bursts = false;  // of a train: chance does not move them
+  bool is_of_comeback = false;      // of seldom bursts right behind a carrier
   double carrier_hz = 0;
 };
 

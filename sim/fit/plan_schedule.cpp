@@ -95,17 +95,19 @@ BenchTrials tune_part(const ExpectedModule& module, int pass) {
   return trials;
 }
 
-/// Weak short bursts behind a carrier: those that come first are dense, for parts that come back at
-/// once, the others seldom, for parts that wait until it has been dark for a while.
+/// Weak short bursts, one a period, for so long.
+TrialBursts following_bursts(const ExpectedModule& module, double level_db, double period_ms,
+                             double all_ms) {
+  TrialBursts bursts = train(level_db, 20, module.cycles(period_ms), module.cycles(all_ms));
+  bursts.rest_ms = period_ms;
+  return bursts;
+}
+
+/// Behind a carrier: those that come first are dense, for parts that come back at once, the others
+/// seldom, for parts that wait until it has been dark for a while.
 void follow_by_short_bursts(const ExpectedModule& module, double level_db, BenchTrial& trial) {
-  struct Bursts {
-    double period_ms, all_ms;
-  };
-  for (const auto& [period_ms, all_ms] : {Bursts{3.5, 350}, Bursts{40, 1050}}) {
-    TrialBursts bursts = train(level_db, 20, module.cycles(period_ms), module.cycles(all_ms));
-    bursts.rest_ms = period_ms;
-    trial.push_back(bursts);
-  }
+  trial.push_back(following_bursts(module, level_db, 3.5, 350));
+  trial.push_back(following_bursts(module, level_db, 40, 1050));
 }
 
 /// The weakest first, as the strongest leave the gain low for longest. Weaker bursts behind the
@@ -122,31 +124,47 @@ BenchTrials attack_part(const ExpectedModule& module, int pass) {
   return trials;
 }
 
+/// Dense bursts keep the gain of some parts where they are nearly reported, so seldom ones alone
+/// tell how it comes back from afar.
 BenchTrials release_part(const ExpectedModule& module) {
-  constexpr double suppressed_db = -16;
+  struct Release {
+    double carrier_db, weaker_db;
+    double period_ms = 0;  // of seldom ones alone
+  };
+  constexpr Release all[]{{-16, 8},  {-8, 36, 32}, {-16, 16}, {-16, 0},     {0, 42, 35},
+                          {-16, 20}, {-8, 28, 45}, {-16, 4},  {-8, 22, 38}, {-16, 12}};
+  constexpr double all_ms = 1400;
   BenchTrials trials;
-  for (const double weaker_db : {8, 16, 0, 20, 4, 12}) {
-    trials.push_back({{.rest_ms = 1200, .level_db = suppressed_db, .on = module.cycles(1200)}});
-    follow_by_short_bursts(module, suppressed_db - weaker_db, trials.back());
+  for (const auto& [carrier_db, weaker_db, period_ms] : all) {
+    trials.push_back({{.rest_ms = 1200, .level_db = carrier_db, .on = module.cycles(1200)}});
+    const double level_db = carrier_db - weaker_db;
+    if (period_ms > 0)
+      trials.back().push_back(following_bursts(module, level_db, period_ms, all_ms));
+    else
+      follow_by_short_bursts(module, level_db, trials.back());
   }
   return trials;
 }
 
 /// Near Emin, where little gain is to be lost until the output lets go.
 constexpr double held_level_db = -38;
+/// Nearer still: bursts that charge only a little let go there, if they come often.
+constexpr double weakly_held_level_db = -46;
 
-BenchTrial held_train(const ExpectedModule& module, double on, double duty) {
+BenchTrial held_train(const ExpectedModule& module, double on, double duty,
+                      double level_db = held_level_db) {
   const std::uint32_t cycles = ExpectedModule::whole(on);
-  TrialBursts bursts = train(held_level_db, cycles, ExpectedModule::whole(on / std::min(duty, 0.9)),
-                             module.cycles(2000));
+  TrialBursts bursts =
+      train(level_db, cycles, ExpectedModule::whole(on / std::min(duty, 0.9)), module.cycles(2000));
   constexpr std::uint32_t enough = 300;  // the gain has let go of it by then, or never does
   bursts.repeats = std::min(bursts.repeats, enough);
   bursts.rest_ms = 900;
   return {bursts};
 }
 
-BenchTrial short_train(const ExpectedModule& module, double on, double gap) {
-  return held_train(module, on, on / (on + gap));
+BenchTrial short_train(const ExpectedModule& module, double on, double gap,
+                       double level_db = held_level_db) {
+  return held_train(module, on, on / (on + gap), level_db);
 }
 
 /// Round by round: bursts of each length at another duty or gap, those that are expected to be the
@@ -177,10 +195,14 @@ BenchTrials short_part(const ExpectedModule& module) {
   constexpr std::array lengths{0.9, 0.5, 1.165, 0.7, 1.35};
   constexpr std::array gaps{1.2, 0.8, 1.6, 0.5, 2.2};
   BenchTrials trials;
-  for (std::size_t round = 0; round < gaps.size(); ++round)
+  for (std::size_t round = 0; round < gaps.size(); ++round) {
     for (std::size_t i = 0; i < lengths.size(); ++i)
       trials.push_back(short_train(module, lengths[i] * module.long_burst,
-                                   gaps[(i + round) % gaps.size()] * module.min_gap));
+                                   gaps[(i + round) % gaps.size()] * module.min_gap,
+                                   held_level_db));
+    trials.push_back(short_train(module, 0.8 * module.long_burst, gaps[round] * module.min_gap,
+                                 weakly_held_level_db));
+  }
   return trials;
 }
 

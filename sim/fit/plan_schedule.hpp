@@ -7,7 +7,8 @@
 //   tune  the same on carriers 5 and 10 % off: centre and Q of the band-pass
 //   A     1.2 s of carrier at eight levels, 8 dB apart: how fast the gain falls; behind the strong
 //         ones short bursts 16 dB weaker: how far it has fallen; then at levels between
-//   B     carrier, then short bursts 0 to 20 dB weaker: how fast the gain comes back
+//   B     carrier, then short bursts 0 to 20 dB weaker: how fast the gain comes back; behind some
+//         only seldom ones, 22 to 42 dB weaker: how it comes back from afar
 //   C     trains of bursts, at lengths and gaps in steps: which duty is held, of which bursts
 //   D     dense trains of five lengths by five gaps: which bursts are short, which gaps end one;
 //         from the second pass on

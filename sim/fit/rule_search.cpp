@@ -32,9 +32,8 @@ class RuleSearch {
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     scan_levels(whole);
-    x_ = restarted_search(whole, x_, without_jumps(), [&](int starts) {
-      return starts < 16 && all_.bursts_played() < bursts_of_a_fit;
-    });
+    x_ = restarted_search(whole, x_, without_jumps(),
+                          [&](int starts) { return starts < 16 && has_time_left(); });
     const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
@@ -51,8 +50,12 @@ class RuleSearch {
  private:
   static constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
   static constexpr double furthest_range_db = 140;
-  /// What may be played: a fit is to take no more than 10 s, and a million bursts take 0.1 s.
-  static constexpr std::uint64_t bursts_of_a_fit = 60'000'000;
+
+  /// A fit is to take no more than 10 s, and a million bursts take 0.1 s.
+  bool has_time_left() const {
+    constexpr std::uint64_t bursts_of_a_fit = 60'000'000;
+    return all_.bursts_played() < bursts_of_a_fit;
+  }
 
   /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
   /// better side, and returns the best numbers of the other one.
@@ -84,7 +87,7 @@ class RuleSearch {
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     const Numbers begin = x_;
     search(few, whole, 1);
-    if (!is_poor()) return;
+    if (!is_poor() || !has_time_left()) return;
     const Numbers first = std::exchange(x_, begin);
     search(few, whole, 2);
     all_.take_wide_deviations();
