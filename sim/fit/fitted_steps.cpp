@@ -106,8 +106,8 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
     const char* light = words_of(kind);
     const ToldFeature told = told_feature(step);
     const double level_db = likelihood.level_db(x, s);
-    const auto deviation = [&](FeatureKind kind) {
-      return -deviations[s * n_feature_kinds + static_cast<std::size_t>(kind)];
+    const auto deviation = [&](FeatureKind feature) {
+      return -deviations[s * n_feature_kinds + static_cast<std::size_t>(feature)];
     };
     steps.push_back({.capture = origin.capture,
                      .step = origin.step,
