@@ -19,6 +19,13 @@ struct FittedNumber {
   std::string more;          // which light would tell it, where it is not told
 };
 
+/// How much a step says of the rule, where it is far off.
+enum class StepEvidence {
+  usual,
+  first_bursts,  // of a train: chance does not move them
+  way_back       // of seldom bursts right behind a carrier: only the gain's way back moves them
+};
+
 /// Steps of one kind: what the pin did and what the fitted rule says.
 struct FittedStep {
   std::size_t capture = 0;          // which one
@@ -28,8 +35,7 @@ struct FittedStep {
   double deviation = 0;             // of the two, in its standard deviations
   std::string quantity;             // "time until the output lets go"
   std::string unit;                 // "ms", "cycle", "1"
-  bool is_of_first_bursts = false;  // of a train: chance does not move them
-  bool is_of_comeback = false;      // of seldom bursts right behind a carrier
+  StepEvidence evidence = StepEvidence::usual;
   double carrier_hz = 0;
 };
 

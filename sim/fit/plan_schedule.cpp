@@ -198,8 +198,7 @@ BenchTrials short_part(const ExpectedModule& module) {
   for (std::size_t round = 0; round < gaps.size(); ++round) {
     for (std::size_t i = 0; i < lengths.size(); ++i)
       trials.push_back(short_train(module, lengths[i] * module.long_burst,
-                                   gaps[(i + round) % gaps.size()] * module.min_gap,
-                                   held_level_db));
+                                   gaps[(i + round) % gaps.size()] * module.min_gap));
     trials.push_back(short_train(module, 0.8 * module.long_burst, gaps[round] * module.min_gap,
                                  weakly_held_level_db));
   }

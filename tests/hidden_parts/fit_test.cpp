@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -143,6 +145,30 @@ TEST(FitOfHiddenParts, SaysWhereAPartBreaksTheRule) {
     }
     ASSERT_FALSE(fitted.misfits.empty());
     EXPECT_TRUE(fitted.misfits.front().what.starts_with("long carriers"));
+  }
+}
+
+// Short gaps of trains show the first rate at which a gain comes back, seldom weak bursts right
+// behind a carrier the later one.
+TEST(FitOfHiddenParts, SaysThatAGainComesBackAtTwoRates) {
+  sim::Plan plan = short_plan();
+  for (const std::uint64_t off : {380u, 260u, 180u, 130u, 95u, 70u})
+    add(plan, 2500, {0, carrier_hz, 150, off, 300, -50});
+  for (const auto& [carrier_db, weaker_db, period_ms] :
+       {std::array{-8., 36., 32.}, {0., 42., 35.}, {-8., 28., 45.}, {-8., 22., 38.}}) {
+    add(plan, 2500, {0, carrier_hz, 67200, 0, 1, carrier_db});
+    const auto dark = static_cast<std::uint64_t>(1e-3 * period_ms * carrier_hz) - 20;
+    add(plan, period_ms, {0, carrier_hz, 20, dark, 40, carrier_db - weaker_db});
+  }
+  for (const Broken broken : {Broken::nothing, Broken::two_releases}) {
+    HiddenPart part = usual_part(2, plan);
+    part.broken = broken;
+    const auto fitted = sim::fit_module(
+        {{plan, recording_in(part, plan, first_level), first_level}}, channel::ModuleData{});
+    const bool is_told = std::ranges::any_of(fitted.misfits, [](const sim::FitMisfit& misfit) {
+      return misfit.what.starts_with("seldom bursts behind a carrier");
+    });
+    EXPECT_EQ(is_told, broken == Broken::two_releases);
   }
 }
 

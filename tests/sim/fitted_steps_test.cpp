@@ -31,6 +31,17 @@ TEST(FittedSteps, AreAMisfitWhereSomeAreFarOff) {
   EXPECT_EQ(misfits[0].by_how_much, "+7 bursts beside the rule in 5 of 30 steps");
 }
 
+// A plan has few steps that tell how the gain comes back, and chance does not move them.
+TEST(FittedSteps, OfTheWayBackAreAMisfitWhereTwoAreFarOff) {
+  std::vector<sim::FittedStep> steps = steps_off(6, 0.1);
+  steps[2].deviation = steps[5].deviation = 5;
+  EXPECT_TRUE(sim::misfits_of(steps).empty());
+  for (sim::FittedStep& step : steps) step.evidence = sim::StepEvidence::way_back;
+  EXPECT_EQ(sim::misfits_of(steps).size(), 1U);
+  steps[5].deviation = 3.9;
+  EXPECT_TRUE(sim::misfits_of(steps).empty()) << "one alone";
+}
+
 TEST(FittedSteps, AreAMisfitOnTheWhole) {
   EXPECT_TRUE(sim::misfits_of(steps_off(200, 0.79)).empty());
   const auto misfits = sim::misfits_of(steps_off(200, 0.9));

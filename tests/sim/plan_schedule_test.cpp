@@ -126,6 +126,21 @@ TEST(PlanSchedule, OfFiveMinutesHasShortTrainsOfManyGaps) {
       std::ranges::any_of(trains, [](const auto& t) { return t.first > 100 && t.second > 40; }));
 }
 
+// Dense bursts hold the gain of some parts, so its way back from afar shows in seldom ones alone.
+TEST(PlanSchedule, OfFiveMinutesHasSeldomBurstsAloneBehindCarriers) {
+  const Plan plan = scheduled("TSOP4856", 5);
+  std::set<double> weaker;
+  for (std::size_t s = 1; s < plan.steps.size(); ++s) {
+    const PlanStep &carrier = plan.steps[s - 1], &bursts = plan.steps[s];
+    if (!is_like(carrier, 67200, 1) || bursts.cycles_on != 20) continue;
+    const double dark_ms = 1e3 * static_cast<double>(bursts.cycles_off) / bursts.carrier_hz;
+    if (dark_ms > 30) weaker.insert(std::round(carrier.level_db - bursts.level_db));
+  }
+  ASSERT_EQ(weaker.size(), 4U);
+  EXPECT_NEAR(*weaker.begin(), 22, 1);
+  EXPECT_NEAR(*weaker.rbegin(), 42, 1);
+}
+
 TEST(PlanSchedule, RefusesWhatCannotBeMeasured) {
   const auto refusal = [](channel::ModuleData like) -> std::string {
     try {
