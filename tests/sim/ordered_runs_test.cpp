@@ -55,21 +55,21 @@ class ThreadMember : public ProcessGroup {
   int rank_;
 };
 
-using Numbers = std::vector<std::uint32_t>;
+using RunNumbers = std::vector<std::uint32_t>;
 
 /// What a member of a group did, and what it has in the end.
 struct Member {
-  Numbers done, sum;
+  RunNumbers done, sum;
 };
 
 /// Spans of five runs, the last of a batch maybe fewer, until `enough` runs are counted.
 Member count_as(ProcessGroup* processes, const SharedRuns& shared, std::size_t enough) {
   Member member;
   std::mutex mutex;
-  OrderedRuns<Numbers> runs(shared, [&](std::uint32_t first, int n, const std::atomic<bool>*) {
-    std::vector<RunSpan<Numbers>> spans;
+  OrderedRuns<RunNumbers> runs(shared, [&](std::uint32_t first, int n, const std::atomic<bool>*) {
+    std::vector<RunSpan<RunNumbers>> spans;
     for (std::uint32_t at = 0; at < static_cast<std::uint32_t>(n); at += 5) {
-      RunSpan<Numbers> span{std::min(5U, static_cast<std::uint32_t>(n) - at), {}};
+      RunSpan<RunNumbers> span{std::min(5U, static_cast<std::uint32_t>(n) - at), {}};
       span.tally.resize(span.n);
       std::iota(span.tally.begin(), span.tally.end(), first + at);
       spans.push_back(std::move(span));
@@ -80,7 +80,7 @@ Member count_as(ProcessGroup* processes, const SharedRuns& shared, std::size_t e
     return spans;
   });
   runs.add_to(
-      [&](const RunSpan<Numbers>& span) {
+      [&](const RunSpan<RunNumbers>& span) {
         member.sum.insert(member.sum.end(), span.tally.begin(), span.tally.end());
         return member.sum.size() < enough;
       },
@@ -102,8 +102,8 @@ std::vector<Member> count_in_group(int members, const SharedRuns& shared, std::s
   return all;
 }
 
-Numbers numbers(std::uint32_t first, std::size_t n) {
-  Numbers all(n);
+RunNumbers numbers(std::uint32_t first, std::size_t n) {
+  RunNumbers all(n);
   std::iota(all.begin(), all.end(), first);
   return all;
 }
@@ -119,7 +119,7 @@ TEST(OrderedRuns, OfAllMembersAreTheSameAndInOrder) {
 
 TEST(OrderedRuns, EachMemberDoesItsShareAndNoRunIsDoneTwice) {
   const SharedRuns shared{.runs = 4000, .most_at_once = 10, .workers = {1}};
-  Numbers done;
+  RunNumbers done;
   for (const Member& member : count_in_group(4, shared, 4001)) {
     EXPECT_GT(member.done.size(), 500U);
     done.insert(done.end(), member.done.begin(), member.done.end());

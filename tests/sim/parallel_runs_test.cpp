@@ -9,29 +9,29 @@
 namespace sim {
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
+using RunNumbers = std::vector<std::uint32_t>;
 
 using Over = const std::atomic<bool>*;
 
-Numbers numbers(std::uint32_t first, int n) {
-  Numbers of_batch(static_cast<std::size_t>(n));
+RunNumbers numbers(std::uint32_t first, int n) {
+  RunNumbers of_batch(static_cast<std::size_t>(n));
   std::iota(of_batch.begin(), of_batch.end(), first);
   return of_batch;
 }
 
-Numbers numbers_of_batch(std::uint32_t first, int n, Over) { return numbers(first, n); }
+RunNumbers numbers_of_batch(std::uint32_t first, int n, Over) { return numbers(first, n); }
 int size_of_batch(std::uint32_t, int n, Over) { return n; }
 
-Numbers joined(const std::vector<Numbers>& batches) {
-  Numbers all;
-  for (const Numbers& batch : batches) all.insert(all.end(), batch.begin(), batch.end());
+RunNumbers joined(const std::vector<RunNumbers>& batches) {
+  RunNumbers all;
+  for (const RunNumbers& batch : batches) all.insert(all.end(), batch.begin(), batch.end());
   return all;
 }
 
 TEST(ParallelRuns, GivesEveryRunOnceInOrderHoweverManyThreadsThereAre) {
   for (const std::uint32_t runs : {0U, 1U, 7U, 100U})
     for (const int threads : {1, 2, 16}) {
-      ParallelRuns<Numbers> parallel({runs, 5, {threads}}, numbers_of_batch);
+      ParallelRuns<RunNumbers> parallel({runs, 5, {threads}}, numbers_of_batch);
       EXPECT_EQ(joined(parallel()), numbers(0, static_cast<int>(runs)));
     }
 }
@@ -46,17 +46,17 @@ TEST(ParallelRuns, DoesNoMoreAtOnceThanAllowedAndLeavesNoThreadWithout) {
 
 TEST(ParallelRuns, KeepsWhatWasFinishedBeforeAStop) {
   std::atomic<bool> stop = false;
-  ParallelRuns<Numbers> parallel({100, 1, {1, &stop}}, [&](std::uint32_t first, int n, Over) {
+  ParallelRuns<RunNumbers> parallel({100, 1, {1, &stop}}, [&](std::uint32_t first, int n, Over) {
     if (first == 4) stop = true;
     return numbers(first, n);
   });
   EXPECT_EQ(joined(parallel()),
-            (Numbers{0, 1, 2, 3}));  // of the fifth nobody knows how far it came
+            (RunNumbers{0, 1, 2, 3}));  // of the fifth nobody knows how far it came
 }
 
 TEST(ParallelRuns, LeavesNoGapWhereALaterBatchWasFinishedFirst) {
   std::atomic<bool> stop = false;
-  ParallelRuns<Numbers> parallel({3, 1, {2, &stop}}, [&](std::uint32_t first, int n, Over) {
+  ParallelRuns<RunNumbers> parallel({3, 1, {2, &stop}}, [&](std::uint32_t first, int n, Over) {
     while (first == 0 && !stop) std::this_thread::yield();  // while another thread does the second
     if (first == 2) stop = true;
     return numbers(first, n);
@@ -67,16 +67,16 @@ TEST(ParallelRuns, LeavesNoGapWhereALaterBatchWasFinishedFirst) {
 // Whoever takes them needs no lock, and has the first before the last is done.
 TEST(ParallelRuns, GivesBatchesInOrderWhileOthersGoOn) {
   std::atomic<bool> first_taken = false;
-  ParallelRuns<Numbers> parallel({.runs = 20, .most_at_once = 2, .workers = {3}, .first = 7},
-                                 [&](std::uint32_t first, int n, Over) {
-                                   while (first > 20 && !first_taken) std::this_thread::yield();
-                                   return numbers(first, n);
-                                 });
-  Numbers all;
+  ParallelRuns<RunNumbers> parallel({.runs = 20, .most_at_once = 2, .workers = {3}, .first = 7},
+                                    [&](std::uint32_t first, int n, Over) {
+                                      while (first > 20 && !first_taken) std::this_thread::yield();
+                                      return numbers(first, n);
+                                    });
+  RunNumbers all;
   std::uint32_t runs = 0;
   std::atomic<int> inside = 0;
   parallel.in_order(
-      [&](Numbers&& batch, std::uint32_t n) {
+      [&](RunNumbers&& batch, std::uint32_t n) {
         EXPECT_EQ(++inside, 1);
         EXPECT_EQ(batch.size(), n);
         all.insert(all.end(), batch.begin(), batch.end());
@@ -95,13 +95,14 @@ TEST(ParallelRuns, GivesBatchesInOrderWhileOthersGoOn) {
 
 TEST(ParallelRuns, GivesNoMoreThanAreWantedAndTellsTheOthers) {
   for (const int threads : {1, 2, 5}) {
-    Numbers all;
-    ParallelRuns<Numbers> parallel({.runs = 4'000'000'000, .most_at_once = 3, .workers = {threads}},
-                                   [&](std::uint32_t first, int n, Over over) {
-                                     while (first >= 30 && !*over) std::this_thread::yield();
-                                     return numbers(first, n);
-                                   });
-    parallel.in_order([&](Numbers&& batch, std::uint32_t) {
+    RunNumbers all;
+    ParallelRuns<RunNumbers> parallel(
+        {.runs = 4'000'000'000, .most_at_once = 3, .workers = {threads}},
+        [&](std::uint32_t first, int n, Over over) {
+          while (first >= 30 && !*over) std::this_thread::yield();
+          return numbers(first, n);
+        });
+    parallel.in_order([&](RunNumbers&& batch, std::uint32_t) {
       all.insert(all.end(), batch.begin(), batch.end());
       return all.size() < 30;
     });
