@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/fit/grid_search.hpp"
+#include "sim/fit/profile_search.hpp"
 
 namespace sim {
 namespace {
@@ -25,6 +26,12 @@ std::vector<std::size_t> bursts_and_carriers_of(const JoinedLight& light, std::s
 /// What they tell.
 constexpr std::array numbers_of_first_steps{
     centre, q, threshold, integrator, comparator_hold, attack, duty, margin, range, start, clock};
+
+std::vector<bool> numbers_told(const PlanLikelihood& likelihood) {
+  std::vector<bool> told(likelihood.parameters(), false);
+  for (const RuleParameter one : numbers_of_first_steps) told[place_of(one)] = true;
+  return told;
+}
 
 /// The first of those that lie more than a grid's step or two apart in the threshold or the attack.
 std::vector<GridPoint> distinct(const std::vector<GridPoint>& points, std::size_t most) {
@@ -47,8 +54,10 @@ class FirstSearch {
   Numbers operator()() {
     PlanLikelihood first = likelihood_of(0);
     x_ = first.start();
-    x_.resize(first.before_levels());
-    if (!first.plan().steps.empty()) find_constants(first);
+    if (!first.plan().steps.empty()) {
+      find_constants(first);
+      find_levels(first);
+    }
     for (std::size_t k = 1; k < light_.captures.size(); ++k) find_light_of(k);
     return x_;
   }
@@ -60,9 +69,7 @@ class FirstSearch {
 
   /// The first capture tells the constants.
   void find_constants(PlanLikelihood& likelihood) {
-    std::vector<bool> is_free(likelihood.parameters(), false);
-    for (const RuleParameter one : numbers_of_first_steps) is_free[place_of(one)] = true;
-    const LeastSquaresProblem problem = problem_of(likelihood, is_free);
+    const LeastSquaresProblem problem = problem_of(likelihood, numbers_told(likelihood));
     likelihood.take_wide_deviations();
     auto points =
         best_of_grid(problem, likelihood.start(),
@@ -84,6 +91,30 @@ class FirstSearch {
     for (const RuleParameter one : numbers_of_first_steps) x_[place_of(one)] = best[place_of(one)];
   }
 
+  /// Bursts near Emin are all reported, or none of them, so a difference sees neither that Emin nor
+  /// that a level is another one: Emin is tried as far off as levels are, each time with the levels
+  /// that go best with it.
+  void find_levels(PlanLikelihood& likelihood) {
+    constexpr std::uint64_t most_bursts = 15'000'000;
+    const std::vector<bool> constants = numbers_told(likelihood);
+    std::vector<bool> is_free = constants;
+    std::fill(is_free.begin() + static_cast<std::ptrdiff_t>(likelihood.before_levels()),
+              is_free.end(), true);
+    const LeastSquaresProblem problem = problem_of(likelihood, is_free);
+    likelihood.take_deviations_at(x_);
+    LeastSquaresFit best{x_, HUGE_VAL};
+    for (const double off_db : steps_between(-1.5, 1.5, 13)) {
+      Numbers x = x_;
+      x[place_of(threshold)] += off_db;
+      x = best_of_each_level(problem, x, likelihood.before_levels());
+      LeastSquaresFit fit = least_squares(problem, x, 4);
+      if (fit.cost < best.cost) best = std::move(fit);
+    }
+    likelihood.take_deviations_at(best.x);
+    x_ = profile_search(problem, best.x, constants,
+                        [&] { return likelihood.bursts_played() < most_bursts; });
+  }
+
   /// Each other one how strong its light is against the first one's; and how far the gain falls,
   /// where it is stronger.
   void find_light_of(std::size_t capture) {
@@ -100,16 +131,13 @@ class FirstSearch {
     ranges.push_back(x_[place_of(range)]);
     const LeastSquaresProblem problem = problem_of(likelihood, is_free);
     likelihood.take_wide_deviations();
-    Numbers x = likelihood.start();
-    std::ranges::copy(x_, x.begin());
-    x = best_of_grid(problem, x,
-                     {{level, steps_between(prior.middle - reach, prior.middle + reach, 61)},
-                      {place_of(range), ranges}},
-                     1)
-            .front()
-            .x;
-    x = least_squares(problem, x, 6).x;
-    std::copy_n(x.begin(), x_.size(), x_.begin());
+    x_ = best_of_grid(problem, x_,
+                      {{level, steps_between(prior.middle - reach, prior.middle + reach, 61)},
+                       {place_of(range), ranges}},
+                      1)
+             .front()
+             .x;
+    x_ = least_squares(problem, x_, 6).x;
   }
 
   const JoinedLight& light_;
@@ -125,6 +153,16 @@ LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_
             likelihood.visit_deviations(x, take);
           },
           likelihood.priors(), std::move(is_free)};
+}
+
+Numbers best_of_each_level(const LeastSquaresProblem& problem, Numbers x, std::size_t first) {
+  for (std::size_t place = first; place < x.size(); ++place) {
+    if (!problem.is_free[place]) continue;
+    const std::vector<double> errors_db = steps_between(-1.5, 1.5, 13);
+    GridPoint best = best_of_grid(problem, x, {{place, errors_db}}, 1).front();
+    if (best.cost < cost_of(problem, x)) x = std::move(best.x);
+  }
+  return x;
 }
 
 Numbers first_numbers(const JoinedLight& light, const ParameterPriors& priors,

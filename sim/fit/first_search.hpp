@@ -11,7 +11,11 @@ namespace sim {
 /// The deviations of a likelihood, with the numbers that may move.
 LeastSquaresProblem problem_of(PlanLikelihood& likelihood, std::vector<bool> is_free);
 
-/// The numbers before those of the levels; those that these steps do not tell are the priors'.
+/// Numbers of which each level in turn takes the best of those that a bench may have: bursts near
+/// Emin are all reported, or none, so a difference does not see that another level would do.
+Numbers best_of_each_level(const LeastSquaresProblem& problem, Numbers x, std::size_t first_level);
+
+/// All numbers; those that these steps do not tell are the priors'.
 Numbers first_numbers(const JoinedLight& light, const ParameterPriors& priors,
                       double level_error_db);
 

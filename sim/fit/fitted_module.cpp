@@ -28,7 +28,7 @@ std::vector<FittedCapture> fitted_captures(const RuleFit& fit, const JoinedLight
   for (std::size_t k = 0; k < light.captures.size(); ++k) {
     const PlanAlignment& alignment = light.captures[k].alignment;
     captures.push_back(
-        {.start_s = alignment.start_s + fit.x[place_of(CaptureNumber::start, k)] * cycle_s,
+        {.start_s = alignment.start_s + start_cycles(fit.x, k) * cycle_s,
          .clock_error = alignment.clock_error + 1e-6 * fit.x[place_of(CaptureNumber::clock, k)],
          .level_db = k == 0 ? 0 : fit.x[place_of(CaptureNumber::level, k)],
          .fitted_steps = light.captures[k].steps,

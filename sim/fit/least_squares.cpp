@@ -80,10 +80,9 @@ struct Normal {
   arma::vec gradient;
 };
 
-Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
-                 const std::vector<std::size_t>& places, Slope kind) {
-  const Numbers here = deviations_at(problem, x);
-  const arma::mat slope = slopes(problem, x, here, places, kind);
+/// Of deviations at `x`, and how they change there, or near by.
+Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x, const Numbers& here,
+                 const std::vector<std::size_t>& places, const arma::mat& slope) {
   const arma::vec deviations(here);
   arma::vec weights(deviations.n_elem);
   for (std::size_t i = 0; i < weights.n_elem; ++i)
@@ -96,6 +95,12 @@ Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
     normal.gradient(k) += precision * (x[places[k]] - prior.middle);
   }
   return normal;
+}
+
+Normal normal_of(const LeastSquaresProblem& problem, const Numbers& x,
+                 const std::vector<std::size_t>& places, Slope kind) {
+  const Numbers here = deviations_at(problem, x);
+  return normal_of(problem, x, here, places, slopes(problem, x, here, places, kind));
 }
 
 /// Numbers are in units of many sizes: with these their matrix has a diagonal of 1.
@@ -173,6 +178,25 @@ LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers&
 Covariance covariance_at(const LeastSquaresProblem& problem, const Numbers& x) {
   const std::vector<std::size_t> places = free_numbers(problem);
   return covariance_of(normal_of(problem, x, places, Slope::lesser), places, x.size());
+}
+
+struct NearbySteps::Slopes {
+  std::vector<std::size_t> places;
+  arma::mat all;
+};
+
+NearbySteps::NearbySteps(const LeastSquaresProblem& problem, const Numbers& x)
+    : problem_(problem), slopes_(std::make_unique<Slopes>()) {
+  slopes_->places = free_numbers(problem);
+  slopes_->all = slopes(problem, x, deviations_at(problem, x), slopes_->places, Slope::mean);
+}
+NearbySteps::~NearbySteps() = default;
+
+Numbers NearbySteps::step_from(const Numbers& x) const {
+  constexpr double damping = 0.01;
+  const Normal normal =
+      normal_of(problem_, x, deviations_at(problem_, x), slopes_->places, slopes_->all);
+  return stepped(normal, damping, x, slopes_->places).value_or(x);
 }
 
 }  // namespace sim

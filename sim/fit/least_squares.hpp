@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "sim/fit/rule_parameters.hpp"
@@ -41,6 +42,20 @@ double cost_of(const LeastSquaresProblem& problem, const Numbers& x, double most
 
 LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Numbers& start,
                               int iterations);
+
+/// Steps of Gauss and Newton from several places, with the slopes of one that is near to all: each
+/// looks at the deviations once.
+class NearbySteps {
+ public:
+  NearbySteps(const LeastSquaresProblem& problem, const Numbers& x);
+  ~NearbySteps();
+  Numbers step_from(const Numbers& x) const;
+
+ private:
+  struct Slopes;
+  const LeastSquaresProblem& problem_;
+  std::unique_ptr<Slopes> slopes_;
+};
 
 /// Of the free numbers; zeros in the rows of the others. A number that a jump holds from one side
 /// alone counts as not held.

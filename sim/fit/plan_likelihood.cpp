@@ -50,7 +50,12 @@ PlanLikelihood::PlanLikelihood(const JoinedLight& light, const std::vector<std::
     priors_.push_back(captures_[k].level);
   }
   first_level_ = priors_.size();
-  for (std::size_t s = 0; s < plan_.steps.size(); ++s) add_level(s, level_error_db);
+  for (std::size_t s = 0; s < light.plan.steps.size(); ++s)
+    add_level({captures_[light.steps[s].capture].levels_of, light.plan.steps[s].level_db},
+              level_error_db);
+  for (std::size_t s = 0; s < plan_.steps.size(); ++s)
+    level_of_step_.push_back(
+        place_of_level({captures_[origin_[s].capture].levels_of, plan_.steps[s].level_db}));
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
     const auto bursts = bursts_of(recorded_, first_, s);
     heard_.push_back(features_of(plan_.steps[s], bursts));
@@ -59,13 +64,15 @@ PlanLikelihood::PlanLikelihood(const JoinedLight& light, const std::vector<std::
   compared_.resize(plan_.steps.size());
 }
 
-void PlanLikelihood::add_level(std::size_t step, double level_error_db) {
-  const PlanLevel level{captures_[origin_[step].capture].levels_of, plan_.steps[step].level_db};
+std::size_t PlanLikelihood::place_of_level(const PlanLevel& level) const {
   const auto found = std::ranges::find_if(levels_, [&](const PlanLevel& other) {
     return other.levels_of == level.levels_of && std::abs(other.db - level.db) < 0.005;
   });
-  level_of_step_.push_back(static_cast<std::size_t>(found - levels_.begin()));
-  if (found != levels_.end()) return;
+  return first_level_ + static_cast<std::size_t>(found - levels_.begin());
+}
+
+void PlanLikelihood::add_level(const PlanLevel& level, double level_error_db) {
+  if (place_of_level(level) < priors_.size()) return;
   levels_.push_back(level);
   priors_.push_back({"", 0, level_error_db, 0.1, true});
 }
@@ -101,7 +108,7 @@ double PlanLikelihood::level_db(const Numbers& x, std::size_t step) const {
 std::vector<double> PlanLikelihood::amplitudes(const Numbers& x) const {
   std::vector<double> all;
   for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
-    const double error_db = x[first_level_ + level_of_step_[s]];
+    const double error_db = x[level_of_step_[s]];
     all.push_back(std::pow(10, (level_db(x, s) + error_db) / 20));
   }
   return all;
@@ -134,9 +141,9 @@ PlanLikelihood::Compared PlanLikelihood::compared_step(const Numbers& x, std::si
   Compared compared = compared_[s];
   const double cycle_s = 1 / value_of(RuleParameter::centre, x[place_of(RuleParameter::centre)]);
   const std::size_t capture = origin_[s].capture;
-  compared.ruled.start_s += x[place_of(CaptureNumber::start, capture)] * cycle_s +
-                            x[place_of(CaptureNumber::clock, capture)] * 1e-6 *
-                                (step.start_ms - captures_[capture].begin_ms) * 1e-3;
+  compared.ruled.start_s +=
+      start_cycles(x, capture) * cycle_s + x[place_of(CaptureNumber::clock, capture)] * 1e-6 *
+                                               (step.start_ms - captures_[capture].begin_ms) * 1e-3;
   return compared;
 }
 

@@ -23,7 +23,8 @@ std::vector<std::size_t> all_steps_of(const Plan& plan);
 
 class PlanLikelihood {
  public:
-  /// The steps that are looked at; the others are not played either.
+  /// The steps that are looked at; the others are not played either. Numbers are the same
+  /// whichever they are.
   PlanLikelihood(const JoinedLight& light, const std::vector<std::size_t>& steps,
                  const ParameterPriors& priors, double level_error_db);
 
@@ -60,7 +61,14 @@ class PlanLikelihood {
   }
 
  private:
-  void add_level(std::size_t step, double level_error_db);
+  /// A level that may be wrong: of one plan.
+  struct PlanLevel {
+    std::size_t levels_of;
+    double db;
+  };
+  /// Among all numbers; where there is none yet, the next place.
+  std::size_t place_of_level(const PlanLevel& level) const;
+  void add_level(const PlanLevel& level, double level_error_db);
   std::vector<double> amplitudes(const Numbers& x) const;
   /// Of how many steps on this one's carrier the feature is alike.
   double alike(std::size_t step, FeatureKind kind) const;
@@ -79,19 +87,13 @@ class PlanLikelihood {
   std::array<double, n_feature_kinds> differences(const Compared& compared, std::size_t step) const;
   std::vector<double> differences(const Played& played) const;
 
-  /// A level that may be wrong: of one plan.
-  struct PlanLevel {
-    std::size_t levels_of;
-    double db;
-  };
-
   Plan plan_;
   std::vector<BurstOutput> recorded_;
   std::vector<std::size_t> first_;
   std::vector<JoinedStep> origin_;
   std::vector<JoinedCapture> captures_;
-  std::vector<PlanLevel> levels_;           // distinct ones
-  std::vector<std::size_t> level_of_step_;  // its place in them
+  std::vector<PlanLevel> levels_;           // distinct ones of all steps of the light
+  std::vector<std::size_t> level_of_step_;  // its place among all numbers
   std::size_t first_level_;                 // their first number
   std::vector<StepFeatures> heard_;         // of the recording alone
   std::vector<ParameterPrior> priors_;

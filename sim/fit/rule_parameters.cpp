@@ -55,7 +55,7 @@ ParameterPriors parameter_priors(const channel::ModuleData& like, double carrier
       {"agc_hold_ms", gain.agc_hold_ms, 12, 0.6, false, 0},
       {"agc_margin_db", gain.agc_margin_db, 2.5, 0.3, false, 0},
       {"agc_range_db", gain.agc_range_db, 100, 1.5},
-      {"", -9, 10, 0.1},  // carrier cycles from the alignment's start to the plan's
+      {"", -2, 10, 0.1},  // where the plan begins and the integrator is full: carrier cycles
       {"", 0, 30, 1},     // parts in a million of the clock beside the alignment's
   }};
 }
@@ -100,6 +100,11 @@ RuleConstants constants_of(const Numbers& x) {
   c.margin_db = value(RuleParameter::margin);
   c.range_db = value(RuleParameter::range);
   return c;
+}
+
+double start_cycles(const Numbers& x, std::size_t capture) {
+  return x[place_of(CaptureNumber::start, capture)] -
+         value_of(RuleParameter::integrator, x[place_of(RuleParameter::integrator)]);
 }
 
 channel::ModuleData module_of(const Numbers& x, const channel::ModuleData& like,

@@ -71,6 +71,11 @@ channel::ModuleData module_of(const Numbers& x, const channel::ModuleData& like,
 /// What the numbers say. `x` has n_rule_parameters numbers at least.
 RuleConstants constants_of(const Numbers& x);
 
+/// Carrier cycles from the start of a capture's alignment to where its plan begins. Edges tell
+/// where the integrator is full, so the number `start` is that: what the integrator has does not
+/// move it.
+double start_cycles(const Numbers& x, std::size_t capture);
+
 /// The value of a part file; of the threshold it is the comparator's level, relative to the light
 /// of the plan's first step.
 double value_of(RuleParameter parameter, double x);

@@ -10,7 +10,7 @@
 #include "sim/fit/global_search.hpp"
 #include "sim/fit/grid_search.hpp"
 #include "sim/fit/least_squares.hpp"
-#include "sim/fit/restarted_search.hpp"
+#include "sim/fit/profile_search.hpp"
 
 namespace sim {
 namespace {
@@ -24,16 +24,13 @@ class RuleSearch {
         priors_(priors),
         all_(light, all_steps_of(light.plan), priors, level_error_db),
         scale_error_(scale_error(light, level_error_db)),
-        x_(all_.start()) {
-    std::ranges::copy(first_numbers(light, priors, level_error_db), x_.begin());
-  }
+        x_(first_numbers(light, priors, level_error_db)) {}
 
   RuleFit operator()() {
     all_steps();
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     scan_levels(whole);
-    x_ = restarted_search(whole, x_, without_jumps(),
-                          [&](int starts) { return starts < 16 && has_time_left(); });
+    x_ = profile_search(whole, x_, constants(), [&] { return has_time_left(); });
     const Numbers mirrored = try_mirrored_centre(whole);
     RuleFit fit{x_, covariance_at(whole, x_), x_, x_, scale_error_};
     for (const GridAxis& way : ways_of_jumps()) widen(fit, whole, way);
@@ -52,9 +49,9 @@ class RuleSearch {
   static constexpr double furthest_range_db = 140;
 
   /// A fit is to take no more than 10 s, and a million bursts take 0.1 s.
-  bool has_time_left() const {
+  bool has_time_left(std::uint64_t for_bursts = 0) const {
     constexpr std::uint64_t bursts_of_a_fit = 60'000'000;
-    return all_.bursts_played() < bursts_of_a_fit;
+    return all_.bursts_played() + for_bursts < bursts_of_a_fit;
   }
 
   /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
@@ -81,13 +78,12 @@ class RuleSearch {
   }
 
   void all_steps() {
-    std::vector<bool> constants(all_.parameters(), false);
-    std::fill_n(constants.begin(), all_.before_levels(), true);
-    const LeastSquaresProblem few = problem_of(all_, constants);
+    const LeastSquaresProblem few = problem_of(all_, constants());
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     const Numbers begin = x_;
     search(few, whole, 1);
-    if (!is_poor() || !has_time_left()) return;
+    const std::uint64_t taken = all_.bursts_played();
+    if (!is_poor() || !has_time_left(taken)) return;
     const Numbers first = std::exchange(x_, begin);
     search(few, whole, 2);
     all_.take_wide_deviations();
@@ -103,29 +99,21 @@ class RuleSearch {
     x_ = best_of_holds(few);
     for (int round = 0; round < 2; ++round) {
       all_.take_deviations_at(x_);
-      x_ = global_search(whole, x_, nearby(), evaluations(8e6, 400, 1000), seed);
       scan_jumps(whole);
       try_without_hold(whole);
       x_ = least_squares(whole, x_, 6).x;
     }
   }
 
-  /// Bursts near Emin are all reported, or none of them: a difference does not see that another
-  /// level would do, so those of each level are tried.
   void scan_levels(const LeastSquaresProblem& problem) {
-    const std::vector<double> errors_db = steps_between(-1.5, 1.5, 13);
-    for (std::size_t place = all_.before_levels(); place < all_.parameters(); ++place) {
-      const GridPoint best = best_of_grid(problem, x_, {{place, errors_db}}, 1).front();
-      if (best.cost < cost_of(problem, x_)) x_ = best.x;
-    }
+    x_ = best_of_each_level(problem, x_, all_.before_levels());
     x_ = least_squares(problem, x_, 6).x;
   }
 
-  /// All but the numbers with which whole trains jump.
-  std::vector<bool> without_jumps() const {
-    std::vector<bool> numbers(all_.parameters(), true);
-    for (const RuleParameter one : {duty, long_burst, free_cycles, min_gap, dark_hold, margin})
-      numbers[place_of(one)] = false;
+  /// Those of the rule and of captures: all but the levels.
+  std::vector<bool> constants() const {
+    std::vector<bool> numbers(all_.parameters(), false);
+    std::fill_n(numbers.begin(), all_.before_levels(), true);
     return numbers;
   }
 
@@ -205,11 +193,6 @@ class RuleSearch {
             near(threshold, 3)};
   }
 
-  std::vector<SearchedNumber> nearby() const {
-    return {near(duty, 0.06),     near(dark_hold, 1), near(long_burst, 0.03), near(margin, 0.5),
-            near(free_cycles, 4), near(min_gap, 0.2), near(attack, 0.04),     near(threshold, 0.7)};
-  }
-
   /// Numbers with which the output jumps: whole trains are held or not.
   std::vector<GridAxis> ways_of_jumps() const {
     const double length = x_[place_of(long_burst)], hold = x_[place_of(dark_hold)];
@@ -225,6 +208,7 @@ class RuleSearch {
     std::ranges::sort(ranges);
     const GridAxis hold_way = hold_for_free_cycles(holds);
     return {
+        {place_of(integrator), steps_between(std::log(3), std::log(14), 17)},
         hold_way,
         {place_of(free_cycles), steps_between(0, 40, 41), place_of(dark_hold), 1 / hold_way.slope},
         {place_of(long_burst), lengths},

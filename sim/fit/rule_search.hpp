@@ -1,6 +1,7 @@
 #pragma once
-// From a recording to the most likely constants, in stages: short bursts at rest (threshold, tune),
-// long carriers (attack, range), then all steps, from the best that a search of the rest finds.
+// From a recording to the most likely constants, in stages: short bursts at rest (threshold, tune)
+// and long carriers (attack, range) with their levels, then all steps, from the best that a search
+// of the rest finds, and from there beyond the jumps that hold it.
 #include <vector>
 
 #include "sim/fit/least_squares.hpp"
