@@ -69,6 +69,8 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
     EXPECT_NEAR(emin.value / parts[i].module.emin_mw_per_m2, 1, 0.25)
         << i;  // levels are off by 10 %
     EXPECT_NEAR(fitted.captures[0].clock_error, parts[i].clock_error, 1e-5) << i;
+    EXPECT_NEAR(fitted.captures[0].start_s, parts[i].start_s, 6 / carrier_hz)
+        << i;  // the integrator is not told
   }
 }
 
