@@ -109,6 +109,16 @@ std::string default_of(const PartNumber<Part>& number) {
   return number.facts.range.contains(value) ? fmt::format("{}", value) : "none";
 }
 
+/// What holds where a file does not give the key.
+template <class Part>
+std::string unless_given(const PartKeys<Part>& keys, const std::string& name, bool required,
+                         const std::string& otherwise) {
+  for (const auto& [one, other] : keys.either)
+    if (name == one || name == other)
+      return fmt::format("required, or `{}`", name == one ? other : one);
+  return required ? "required" : otherwise;
+}
+
 template <class Part>
 std::string part_table(const PartKeys<Part>& keys, const std::string& heading) {
   std::string out = table_head(heading);
@@ -116,13 +126,15 @@ std::string part_table(const PartKeys<Part>& keys, const std::string& heading) {
     out += table_row(c.facts, c.facts.name, "`" + Part{}.*c.member + "`",
                      fmt::format("`{}`", fmt::join(c.choices, "` or `")));
   for (const auto& n : keys.numbers)
-    out += table_row(n.facts, n.facts.name, n.required ? "required" : default_of(n),
+    out += table_row(n.facts, n.facts.name,
+                     unless_given(keys, n.facts.name, n.required, default_of(n)),
                      in_words(n.facts.range));
   for (const auto& c : keys.curves)
     for (const KeyFacts* axis : {&c.x, &c.y}) {
       KeyFacts facts = *axis;
       facts.note = c.long_name;
-      out += table_row(facts, c.name + "." + facts.name, c.required ? "required" : "none",
+      out += table_row(facts, c.name + "." + facts.name,
+                       unless_given(keys, c.name, c.required, "none"),
                        "list, " + in_words(facts.range));
     }
   return out;
