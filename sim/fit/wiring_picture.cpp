@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <string_view>
-#include <vector>
 
 #include "sim/fit/bench_light.hpp"
+#include "sim/picture/path_data.hpp"
 #include "sim/picture/svg.hpp"
 
 namespace sim {
@@ -28,11 +28,8 @@ constexpr const char* ground_wire = "curve8 dot";
 constexpr const char* supply_wire = "curve4 dot";
 constexpr const char* listening = "theory";
 
-void draw_wire(SvgDrawing& drawing, const std::vector<SvgPoint>& corners, std::string_view style) {
-  std::string way;
-  for (const SvgPoint& corner : corners)
-    way += fmt::format("{}{:.1f} {:.1f}", way.empty() ? "M" : "L", corner.x, corner.y);
-  drawing.path(way, style);
+void draw_wire(SvgDrawing& drawing, const Polyline& corners, std::string_view style) {
+  drawing.path(path_through(corners), style);
 }
 
 /// Where wires meet; those that only cross have none.

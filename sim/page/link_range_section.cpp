@@ -63,7 +63,7 @@ std::string doubt_of(const LinkResult& result, const Ranking& ranking, const Row
   return row.doubt ? span_words(result.axes[ranking.abscissa], row.doubt->quantiles) : "-";
 }
 
-/// What the column of units means.
+/// What the grey of the bars means, and the column of units.
 std::string doubts_text(const Ranking& ranking) {
   if (!has_doubts(ranking)) return "";
   return "Ranges are those of the parts as assumed. Not all of them is known: 8 of 10 units, "

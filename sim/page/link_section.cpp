@@ -13,6 +13,7 @@
 #include "sim/page/frame_charts.hpp"
 #include "sim/page/link_range_section.hpp"
 #include "sim/page/numbers_section.hpp"
+#include "sim/page/scene_section.hpp"
 #include "sim/page/setup_words.hpp"
 #include "sim/page/summary.hpp"
 #include "sim/page/trial_tables.hpp"
@@ -162,6 +163,7 @@ ReportSection link_section(const LinkReport& link) {
     add_units(report, *units, link.effects);
   else
     add_ranking(report, result, link.ranking);
+  if (auto scene = scene_section(link.settings)) report.first.push_back(std::move(*scene));
   const LinkResult drawn = best_first(result, link.ranking);
   report.charts = result_charts(drawn);
   add_maps(report, drawn);

@@ -1,5 +1,7 @@
 #include "sim/picture/path_data.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -182,6 +184,13 @@ class PathReader {
 };
 
 }  // namespace
+
+std::string path_through(const Polyline& corners) {
+  std::string data;
+  for (const SvgPoint& corner : corners)
+    data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", corner.x, corner.y);
+  return data;
+}
 
 std::vector<Polyline> polylines_of(std::string_view data) { return PathReader(data).all(); }
 

@@ -151,7 +151,7 @@ TEST_F(ReportCommand, PutsPicturesIntoAFolder) {
   const Outcome o = program({"report", "near.h5", "--svg", "a/b"});
   std::string names = "report.html\n";
   for (const char* name : {"bit-errors", "bursts-of-wrong-bits", "delay-of-edges", "eye", "fates",
-                           "frame-loss", "how-far-it-reaches", "spectrum", "trial",
+                           "frame-loss", "how-far-it-reaches", "scene", "spectrum", "trial",
                            "wrong-bits-since-the-message-began", "wrong-bits"}) {
     const std::string place = fmt::format("a/b/{}.svg", name);
     names += place + "\n";

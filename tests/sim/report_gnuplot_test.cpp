@@ -92,12 +92,19 @@ TEST_F(ReportGnuplot, DrawsEveryPicture) {
   const Outcome o = program({"report", "near.h5", "--svg", "p", "--png", "p", "--pdf", "d"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(o.err, "");
-  const Words names{"bit-errors",     "bursts-of-wrong-bits",
-                    "delay-of-edges", "eye",
-                    "fates",          "frame-loss",
-                    "frame-loss-map", "how-far-each-reaches",
-                    "spectrum",       "trial",
-                    "wrong-bits",     "wrong-bits-since-the-message-began"};
+  const Words names{"bit-errors",
+                    "bursts-of-wrong-bits",
+                    "delay-of-edges",
+                    "eye",
+                    "fates",
+                    "frame-loss",
+                    "frame-loss-map",
+                    "how-far-each-reaches",
+                    "scene",
+                    "spectrum",
+                    "trial",
+                    "wrong-bits",
+                    "wrong-bits-since-the-message-began"};
   std::set<std::string> printed{"report.html"},
       there{"near.toml", "near.h5", "report.html", "p", "d"};
   for (const std::string& name : names) {
