@@ -25,8 +25,8 @@ constexpr const char* direct_light = "light dot";
 constexpr const char* mirrored_light = "light theory";
 
 std::string fitting(const std::string& words, double room = 330) {
-  constexpr double letter = 7;
-  return shortened(words, static_cast<std::size_t>(std::max(room / letter, 3.0)));
+  constexpr double letter_width = 7;
+  return shortened(words, static_cast<std::size_t>(std::max(room / letter_width, 3.0)));
 }
 
 /// With a tick at both ends.
