@@ -43,6 +43,19 @@ TEST(ProfileSearch, MovesNothingWithoutTime) {
   EXPECT_EQ(profile_search(sum_and_jump(), {0, 3}, both, [] { return false; }), (Numbers{0, 3}));
 }
 
+TEST(ProfileSearch, MovesOnlyWhatItIsTold) {
+  const Numbers start{0, 3};
+  EXPECT_EQ(profile_search(sum_and_jump(), start, {false, false}, [] { return true; }), start);
+}
+
+TEST(ProfileSearch, KeepsTheBestOfAllWays) {
+  const LeastSquaresProblem problem{
+      [](const Numbers& x, const std::function<bool(double)>& take) { take(x[0] < 2 ? 20 : 0); },
+      {{.middle = 0, .deviation = 1}, {.middle = 0, .deviation = 1}},
+      {true, true}};
+  EXPECT_GE(profile_search(problem, {0, 0}, both, [] { return true; })[0], 2);
+}
+
 /// The first number is that of a constant, the other two are levels: bursts at the second one are
 /// reported where it is 0.8 dB stronger than the plan says.
 TEST(FirstSearch, TriesEachLevel) {
@@ -54,6 +67,14 @@ TEST(FirstSearch, TriesEachLevel) {
                                      {.middle = 0, .deviation = 0.6}},
                                     {true, true, true}};
   EXPECT_EQ(best_of_each_level(problem, {5, 0, 0}, 1), (Numbers{5, 0, 1}));
+}
+
+TEST(FirstSearch, LeavesALevelThatIsBetterThanThoseItTries) {
+  const LeastSquaresProblem problem{
+      [](const Numbers& x, const std::function<bool(double)>& take) { take((x[0] - 0.8) / 0.01); },
+      {{.middle = 0, .deviation = 0.6}},
+      {true}};
+  EXPECT_EQ(best_of_each_level(problem, {0.8}, 0), (Numbers{0.8}));
 }
 
 TEST(FirstSearch, LeavesLevelsThatAreNotFree) {
