@@ -48,6 +48,7 @@ TEST(ProfileSearch, MovesOnlyWhatItIsTold) {
   EXPECT_EQ(profile_search(sum_and_jump(), start, {false, false}, [] { return true; }), start);
 }
 
+// The second number's way leads nowhere, and what is fitted from there is dearer.
 TEST(ProfileSearch, KeepsTheBestOfAllWays) {
   const LeastSquaresProblem problem{
       [](const Numbers& x, const std::function<bool(double)>& take) { take(x[0] < 2 ? 20 : 0); },
