@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "sim/columns/text_table.hpp"
@@ -111,10 +112,27 @@ std::optional<std::string> strongest_sentence(const MeasuredModule& measured) {
       text, strongest, led_mw_per_sr, std::sqrt(led_mw_per_sr / strongest));
 }
 
-std::string more_sentence(const FittedNumber& number) {
-  return fmt::format("{} is {}: what would tell it{} is {}.", number.key,
-                     number.is_told ? "told, but not well" : "not told",
-                     number.is_told ? " better" : "", number.more);
+std::string more_sentence(const FittedNumber& number, const std::vector<std::string>& names) {
+  return fmt::format(
+      "{} {} {}: what would tell {}{} is {}.", list_in_words(names),
+      names.size() == 1 ? "is" : "are", number.is_told ? "told, but not well" : "not told",
+      names.size() == 1 ? "it" : "them", number.is_told ? " better" : "", number.more);
+}
+
+/// Which light would tell what is not told: a sentence for all numbers that the same one would.
+std::vector<std::string> more_sentences(const FittedModule& fit) {
+  std::vector<std::string> sentences;
+  for (auto first = fit.numbers.begin(); first != fit.numbers.end(); ++first) {
+    const auto is_alike = [&](const FittedNumber& other) {
+      return other.is_told == first->is_told && other.more == first->more;
+    };
+    if (first->more.empty() || std::any_of(fit.numbers.begin(), first, is_alike)) continue;
+    std::vector<std::string> names;
+    for (auto number = first; number != fit.numbers.end(); ++number)
+      if (is_alike(*number)) names.push_back(number->key);
+    sentences.push_back(more_sentence(*first, names));
+  }
+  return sentences;
 }
 
 /// Where a train is just held, noise decides of a part that has hardly any margin. The rule of the
@@ -178,8 +196,7 @@ std::vector<std::string> further_sentences(const MeasuredModule& measured) {
   std::vector<std::string> sentences = capture_sentences(measured);
   sentences.push_back(level_sentence(measured));
   if (const auto strongest = strongest_sentence(measured)) sentences.push_back(*strongest);
-  for (const FittedNumber& number : fit.numbers)
-    if (!number.more.empty()) sentences.push_back(more_sentence(number));
+  std::ranges::copy(more_sentences(fit), std::back_inserter(sentences));
   for (const std::string& line : fit.not_apart)
     sentences.push_back("Not told apart: " + line + ".");
   return sentences;

@@ -59,6 +59,11 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "The part does what a gain control of this kind does: 3 numbers of the recording differ from "
       "the fit by 1.29 standard deviations on the whole.\n"))
       << measured_text(measured);
+  measured.fit.numbers.push_back({.key = "ambient_k", .more = "a carrier"});
+  EXPECT_EQ(occurrences(measured_text(measured),
+                        "agc_range_db and ambient_k are not told: what would tell them is a "
+                        "carrier.\n"),
+            1U);
   measured.first_level_by = "--irradiance";
   measured.first_level_mw_per_m2 = 30.5;
   measured.fit.captures[0].clock_error = -0.0021;
