@@ -117,6 +117,7 @@ LightReading reading_of(const FitRequest& request, std::size_t which,
   reading.plan = plan_of_drive(capture, capture_settings(request, drive),
                                request.carrier_hz.value_or(like.centre_hz), reached);
   reading.plan_words = "the light on " + escaped_name(drive);
+  reading.is_of_drive = true;
   return reading;
 }
 

@@ -19,6 +19,7 @@ struct LightReading {
   std::string wire;                             // of the module's output
   PinRecording recording;
   bool is_of_messages = false;  // the plan is what the module itself reports of messages
+  bool is_of_drive = false;     // the plan is what the wire of the LED did
 };
 
 /// The capture at that place of the request. Throws Failure(bad_input) for what is none, and where

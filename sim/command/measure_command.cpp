@@ -22,6 +22,7 @@
 #include "sim/fit/measured_part.hpp"
 #include "sim/fit/plan_schedule.hpp"
 #include "sim/page/page.hpp"
+#include "sim/text/existing_file.hpp"
 #include "sim/text/new_file.hpp"
 #include "sim/text/shell_text.hpp"
 #include "sim/text/standard_output.hpp"
@@ -43,8 +44,21 @@ void refuse_places(const FitRequest& request) {
   if (request.output && request.page && place_of(*request.output) == place_of(*request.page))
     throw bad_input("--page " + request.page->string(), "the part is to be written there",
                     "choose another name");
+  if (request.page && request.page->extension() == ".toml")
+    throw bad_input("--page " + request.page->string(), "a page is HTML",
+                    "name a file, such as mine.html");
   if (request.output) refuse_to_lose(*request.output, own_parts);
   if (request.page) check_place(*request.page, own_pages);
+}
+
+void refuse_plans(const std::vector<fs::path>& captures) {
+  constexpr std::size_t first_line = 80;
+  std::error_code ignored;
+  for (const fs::path& capture : captures)
+    if (fs::is_regular_file(capture, ignored) &&
+        is_written_plan_text(beginning_of(capture, first_line)))
+      throw bad_input(capture.string(), "it is a plan, not a recording",
+                      "write cosys-sim fit CAPTURE --plan " + capture.string());
 }
 
 /// It would count as another recording, and make all intervals shorter.
@@ -114,6 +128,7 @@ MeasuredModule measured_module(const FitRequest& request, const channel::ModuleD
                                  .steps = reading.plan.steps.size(),
                                  .ambient_w_per_m2 = ambient,
                                  .is_of_messages = reading.is_of_messages,
+                                 .is_of_drive = reading.is_of_drive,
                                  .is_of_known_level = level.has_value(),
                                  .lost_pairs = lost_pairs_in(request.captures[k])});
     captures.push_back({std::move(reading.plan), std::move(reading.recording), level, ambient});
@@ -122,11 +137,11 @@ MeasuredModule measured_module(const FitRequest& request, const channel::ModuleD
   return measured;
 }
 
-/// All of them or none.
+/// All of them or none; no part that has no number of its own.
 void write_measured(const FitRequest& request, const MeasuredModule& measured,
                     const Part<channel::ModuleData>& like) {
   std::deque<NewFile> files;
-  if (request.output)
+  if (request.output && tells_something(measured))
     files.emplace_back(*request.output)
         .write(measured_part_text(measured.fit, like, request.output->stem().string(),
                                   files_in_words(measured.captures), level_sentence(measured)));
@@ -134,8 +149,23 @@ void write_measured(const FitRequest& request, const MeasuredModule& measured,
   take_places(files);
 }
 
+/// The scenario to begin with: the one that is here, else the one that comes with the program.
+std::string quickstart_place(const FitRequest& request) {
+  const fs::path here = "scenarios/quickstart.toml";
+  std::error_code ignored;
+  if (fs::is_regular_file(here, ignored)) return here.string();
+  for (const fs::path& folder : request.parts)
+    if (const fs::path shipped = folder / here.filename(); fs::is_regular_file(shipped, ignored))
+      return shipped.string();
+  return here.string();
+}
+
 /// What to do with the part's file.
-std::string next_line(const FitRequest& request) {
+std::string next_line(const FitRequest& request, const MeasuredModule& measured) {
+  if (!tells_something(measured))
+    return request.output ? "No part is written, as it would have no number of its own.\n" : "";
+  if (!measured.fit.misfits.empty() && !request.page)
+    return "Next: say --page mine.html, and look at the steps that are off\n";
   if (!request.output) return "Next: write the part with -o modules/mine.toml\n";
   const fs::path folder = request.output->parent_path();
   const std::string name = shell_word(request.output->stem().string());
@@ -143,8 +173,8 @@ std::string next_line(const FitRequest& request) {
   const fs::path root = is_found ? folder.parent_path() : folder;
   const std::string shown = root.empty() ? "." : root.string();
   const std::string run =
-      fmt::format("cosys-sim run scenarios/quickstart.toml --parts {} --set receiver.module={}",
-                  shell_word(shown), name);
+      fmt::format("cosys-sim run {} --parts {} --set receiver.module={}",
+                  shell_word(quickstart_place(request)), shell_word(shown), name);
   if (is_found) return "Next: " + run + "\n";
   return fmt::format("Next: put {} into a folder {}, then {}\n", request.output->string(),
                      (root / parts_folder).string(), run);
@@ -157,6 +187,7 @@ ExitCode measure_command(const FitRequest& request) {
   const auto like = load_module(request.module, parts, "--module " + request.module);
   refuse_no_module(like.data);
   refuse_places(request);
+  refuse_plans(request.captures);
   refuse_one_twice(request.captures);
   std::vector<LightReading> readings;
   for (std::size_t which = 0; which < request.captures.size(); ++which)
@@ -165,7 +196,7 @@ ExitCode measure_command(const FitRequest& request) {
   const MeasuredModule measured = measured_module(request, like.data, std::move(readings));
   write_measured(request, measured, like);
   request.json ? print_json(measured_json(measured))
-               : print(measured_text(measured) + next_line(request));
+               : print(measured_text(measured) + next_line(request, measured));
   return tells_something(measured) ? ExitCode::done : ExitCode::inconclusive;
 }
 

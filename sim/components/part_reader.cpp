@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <iterator>
 #include <variant>
 #include <vector>
 
@@ -68,8 +69,17 @@ class PartReader {
       refuse_bare_number(entry);
       if (std::ranges::find(names, entry.key) == names.end())
         throw bad_input(entry.key + " " + entry.place, "no such key in a part file",
-                        "did you mean " + nearest(entry.key, names) + "?");
+                        "did you mean " + likely_name(entry.key, names) + "?");
     }
+  }
+
+  /// Of an item that there is the likeliest key, else the likeliest item.
+  static std::string likely_name(const std::string& key, const std::vector<std::string>& names) {
+    const auto item_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
+    std::vector<std::string> items;
+    std::ranges::transform(names, std::back_inserter(items), item_of);
+    const bool is_there = std::ranges::find(items, item_of(key)) != items.end();
+    return is_there ? nearest(key, names) : nearest(item_of(key), items);
   }
 
   void refuse_flaw(const Data& part) const {
@@ -203,19 +213,20 @@ class PartReader {
       return;
     }
     const std::string remedy = "add low and high, or neither";
-    const channel::NumberBounds bounds{.number = name,
-                                       .low = number_at(number.facts, "low", remedy),
-                                       .high = number_at(number.facts, "high", remedy),
-                                       .distribution = distribution_of(name),
-                                       .is_measured = is_measured(name)};
+    const channel::NumberBounds bounds{
+        .number = name,
+        .low = number_at(number.facts, "low", remedy),
+        .high = number_at(number.facts, "high", remedy),
+        .distribution = distribution_of(name),
+        .is_measured = source_begins(name, "measured"),
+        .breaks_rule = source_begins(name, channel::source_of_misfit)};
     check_bounds(bounds, part.*number.member);
     part.bounds.push_back(bounds);
   }
 
-  bool is_measured(const std::string& name) const {
-    const std::string source =
-        get<std::string>(name + ".source", "a text", "name document and page");
-    return source.starts_with("measured");
+  bool source_begins(const std::string& name, std::string_view words) const {
+    return get<std::string>(name + ".source", "a text", "name document and page")
+        .starts_with(words);
   }
 
   channel::Distribution distribution_of(const std::string& name) const {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double sigmas_of_95 = 1.96;
 
-/// Steps of one quantity, and what they are drawn over: their levels where these differ, else their
-/// places in the plans, one behind the other.
+/// Steps of one quantity, and what they are drawn over: their levels, where hardly any two are
+/// alike, else their places in the plans, one behind the other.
 struct QuantitySteps {
   std::vector<FittedStep> steps;
   bool by_level = false;
@@ -43,7 +43,8 @@ QuantitySteps steps_of(const MeasuredModule& measured, const std::string& quanti
     all.steps.push_back(step);
     levels.insert(step.level_db);
   }
-  all.by_level = levels.size() > 1;
+  constexpr std::size_t most_at_a_level = 4;
+  all.by_level = levels.size() > 1 && most_at_a_level * levels.size() >= all.steps.size();
   std::ranges::stable_sort(all.steps, {},
                            [&](const FittedStep& step) { return all.x(measured.captures, step); });
   return all;

@@ -19,6 +19,7 @@ struct MeasuredCapture {
   std::size_t steps = 0;          // of the plan
   double ambient_w_per_m2 = 0;    // of a lamp
   bool is_of_messages = false;    // the plan is what the module reports of messages
+  bool is_of_drive = false;       // the plan is what the wire of the LED did
   bool is_of_known_level = true;  // its light was not to be found
   std::uint64_t lost_pairs = 0;   // of edges that the sketch of a bench says it has left out
 };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sim/columns/text_table.hpp"
+#include "sim/fit/fitted_steps.hpp"
 #include "sim/fit/measured_part.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/text/escaped_text.hpp"
@@ -91,6 +92,11 @@ std::vector<std::string> capture_sentences(const MeasuredModule& measured) {
           "little: show it a plan of light (cosys-sim fit --plan).");
     else
       sentences.push_back(clock_sentence(measured.fit.captures[k]));
+    if (capture.is_of_drive)
+      sentences.emplace_back(
+          "No wire tells how strong light is, so all of it is taken to be as strong: where there "
+          "is "
+          "a plan, say --plan.");
     if (k > 0) sentences.push_back(light_sentence(capture, measured.fit.captures[k], first));
   }
   return sentences;
@@ -143,9 +149,24 @@ std::optional<std::string> noise_sentence(const FittedModule& fit) {
   if (fit.misfits.empty() || margin == fit.numbers.end() || margin->value > hardly_any_db)
     return std::nullopt;
   return fmt::format(
-      "With a margin of {:.2g} dB, noise decides whether such bursts are reported, which the rule "
-      "does not have: that may be all.",
+      "With a margin of {:.2g} dB, noise decides whether bursts at the limit are reported, which "
+      "the "
+      "rule does not have: that alone may look like this, too.",
       margin->value);
+}
+
+/// Where the part does not follow the rule, and what else looks like that.
+std::vector<std::string> misfit_sentences(const FittedModule& fit) {
+  if (fit.misfits.empty()) return {};
+  std::vector<std::string> sentences{
+      "The part does not follow the rule of the model, so do not rely on what run makes of it:"};
+  for (const FitMisfit& misfit : fit.misfits)
+    sentences.push_back("- " + misfit_words(misfit) + ".");
+  sentences.emplace_back(
+      "A plan that was not the one played, levels that are not what it says, and captures of "
+      "different modules look like this, too.");
+  if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
+  return sentences;
 }
 
 /// To the left, as wide as need be.
@@ -180,14 +201,14 @@ std::vector<std::string> answer_sentences(const MeasuredModule& measured) {
   const FittedModule& fit = measured.fit;
   std::vector<std::string> sentences{fmt::format(
       "{} of {} constants are told.", number_names(fit, true).size(), fit.numbers.size())};
-  for (const FitMisfit& misfit : fit.misfits)
-    sentences.push_back("The part does not follow the rule: " + misfit_words(misfit) + ".");
-  if (const auto noise = noise_sentence(fit)) sentences.push_back(*noise);
+  const std::vector<std::string> misfits = misfit_sentences(fit);
+  std::ranges::copy(misfits, std::back_inserter(sentences));
+  const bool is_followed = misfits.empty() && tells_something(measured);
   sentences.push_back(fmt::format(
-      "{}: {} numbers of the recording differ from the fit by {:.2f} standard deviations on the "
-      "whole.",
-      fit.misfits.empty() ? "The part does what a gain control of this kind does" : "In all",
-      fit.steps.size(), fit.usual_deviation));
+      "{} {} numbers of the recording differ from the fit by {:.2f} standard deviations on the "
+      "whole; 0.2 to {} is usual.",
+      is_followed ? "The part follows the rule of the model:" : "In all,", fit.steps.size(),
+      fit.usual_deviation, most_usual_deviation));
   return sentences;
 }
 

@@ -59,7 +59,8 @@ ToldFeature told_feature(const PlanStep& step) {
             1e3 * static_cast<double>(step.cycles_on) / step.carrier_hz,
             "time until the output lets go", "ms"};
   if (is_train(step))  // how many are reported behind the first ones is chaotic
-    return {first_run, &StepFeatures::first_run, 1, "first run of bursts, lost below 0", "1"};
+    return {first_run, &StepFeatures::first_run, 1,
+            "bursts before the first change, lost ones below 0", "1"};
   return {reported, &StepFeatures::reported, 100 / static_cast<double>(step.repeats),
           "bursts reported", "%"};
 }
@@ -70,11 +71,12 @@ struct Misfitting {
   std::size_t least, one_of;
 };
 
-/// First bursts need few steps, but these far off; of the way back a plan has few steps.
+/// First bursts need to be far off, as some trains are chaotic from the first change on; of the way
+/// back a plan has few steps.
 Misfitting misfitting(StepEvidence evidence) {
   switch (evidence) {
     case StepEvidence::first_bursts:
-      return {.deviations = 8, .least = 3, .one_of = 20};
+      return {.deviations = 8, .least = 4, .one_of = 8};
     case StepEvidence::way_back:
       return {.deviations = 4, .least = 2, .one_of = 3};
     default:
@@ -87,17 +89,13 @@ StepEvidence evidence_of(StepKind kind, FeatureKind feature) {
   return kind == StepKind::way_back ? StepEvidence::way_back : StepEvidence::usual;
 }
 
-/// Of many numbers. README.md says how many parts that follow the rule are blamed.
+/// Of many numbers.
 std::optional<FitMisfit> misfit_on_the_whole(const std::vector<FittedStep>& steps) {
   constexpr std::size_t many = 100;
-  constexpr double most = 0.8;
   const double usual = usual_deviation_of(steps);
-  if (steps.size() < many || usual <= most) return std::nullopt;
-  return FitMisfit{
-      "all steps",
-      fmt::format("{:.2g} standard deviations beside the rule on the whole, where 0.2 to {} is "
-                  "usual",
-                  usual, most)};
+  if (steps.size() < many || usual <= most_usual_deviation) return std::nullopt;
+  return FitMisfit{"all steps",
+                   fmt::format("{:.2g} standard deviations beside the rule on the whole", usual)};
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace sim {
 
+/// More is not usual of parts that follow the rule (README.md says of how many).
+inline constexpr double most_usual_deviation = 0.8;
+
 /// The number of bursts, of a train those in a row from its first on, of a carrier the time; and
 /// the length of the pulses.
 std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Numbers& x);

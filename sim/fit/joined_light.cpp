@@ -68,6 +68,33 @@ std::size_t covered_steps(const LightCapture& capture, const PlanAlignment& alig
   return std::max<std::size_t>(1, static_cast<std::size_t>(cut - steps.begin()));
 }
 
+/// Levels from the weakest to the strongest.
+double level_span_db(const Plan& plan) {
+  const auto [weakest, strongest] =
+      std::ranges::minmax_element(plan.steps, {}, &PlanStep::level_db);
+  return strongest->level_db - weakest->level_db;
+}
+
+/// The wire of the LED has each burst for as long as its light, however weak that is. What a module
+/// makes of weak and of strong light differs by cycles.
+void refuse_wire_of_light(const LightCapture& capture, const std::vector<BurstOutput>& recorded) {
+  constexpr double least_span_db = 20, alike_cycles = 0.3, clock = 1e-4, most_others = 0.01;
+  if (level_span_db(capture.plan) < least_span_db) return;
+  double bursts = 0, others = 0;
+  auto burst = recorded.begin();
+  for (const PlanStep& step : capture.plan.steps) {
+    const double on_s = static_cast<double>(step.cycles_on) / step.carrier_hz;
+    const double alike_s =
+        alike_cycles / step.carrier_hz + clock * on_s + capture.recording.resolution_s;
+    for (std::uint64_t i = 0; i < step.repeats; ++i, ++bursts, ++burst)
+      if (std::abs(burst->low_s - on_s) > alike_s) ++others;
+  }
+  if (others > most_others * bursts) return;
+  throw bad_input("the recording has every burst as long as its light, however weak",
+                  "it is the wire of the LED, or another copy of the light",
+                  "say --wire, the module's output");
+}
+
 /// Steps of a capture, each with its bursts, at the end of all.
 void append_steps(const LightCapture& capture, std::size_t steps,
                   const std::vector<BurstOutput>& recorded, JoinedLight& all) {
@@ -93,6 +120,7 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
     const PlanAlignment alignment = align(capture.plan, capture.recording);
     const std::vector<BurstOutput> recorded =
         recorded_bursts(capture.plan, capture.recording, alignment);
+    refuse_wire_of_light(capture, recorded);
     const auto same = std::ranges::find(captures, capture.plan, &LightCapture::plan);
     const double begin_ms = all.plan.steps.empty() ? 0 : end_ms(all.plan.steps.back()) + rest_ms;
     const auto levels_of = static_cast<std::size_t>(same - captures.begin());

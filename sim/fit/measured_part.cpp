@@ -158,6 +158,11 @@ class MeasuredPartLines {
     return line_as_like(number);
   }
 
+  std::string source_of_measured() const {
+    if (fit_.misfits.empty()) return "measured";
+    return fmt::format("{} the rule", channel::source_of_misfit);
+  }
+
   std::string line_of_measured(const PartNumber<ModuleData>& number,
                                const FittedNumber& measured) const {
     const auto text = [&](double value, Rounding rounding) {
@@ -169,7 +174,7 @@ class MeasuredPartLines {
         bounds_text(text(measured.low, Rounding::down), text(measured.high, Rounding::up),
                     distribution_for(number, like_.data, measured.low));
     return number_line(number.facts.name, text(measured.value, Rounding::nearest), bounds,
-                       "measured: " + capture_ + ", interval of 95 %");
+                       source_of_measured() + ": " + capture_ + ", interval of 95 %");
   }
 
   /// Nothing of what its files do not give, which is then what it is of any part.

@@ -111,7 +111,8 @@ void add_doubts(Ranking& ranking, const LoadedScenario& scenario, const Workers&
     if (workers.interrupted()) return;
     row.doubt =
         RangeDoubt{module.name, n_units, range_quantiles(std::move(ranges), line.from_above()),
-                   std::ranges::any_of(module.bounds, &channel::NumberBounds::is_measured)};
+                   std::ranges::any_of(module.bounds, &channel::NumberBounds::is_measured),
+                   std::ranges::any_of(module.bounds, &channel::NumberBounds::breaks_rule)};
   }
 }
 

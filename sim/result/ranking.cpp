@@ -204,6 +204,11 @@ std::string without_end_blanks(std::string line) {
 
 /// Below the only row.
 std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
+  if (doubt.breaks_rule)
+    return fmt::format(
+        "do not rely on it: {} was measured, and does not follow the rule of the model (cosys-sim "
+        "fit)\n",
+        doubt.part);
   return fmt::format(
       "as {}; {} for 8 of 10 units, as not all of {} is known (--doubt says more{})\n",
       doubt.is_measured ? "measured" : "assumed", span_words(axis, doubt.quantiles), doubt.part,

@@ -28,6 +28,7 @@ struct RangeDoubt {
   std::size_t units = 0;  // that were drawn
   RangeQuantiles quantiles{};
   bool is_measured = false;  // the part, if not all of it
+  bool breaks_rule = false;  // the part was found not to do what its model does
 };
 
 /// The same axis with its values in rising order.

@@ -56,8 +56,8 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
       "q is told, but not well: what would tell it better is x.\n"
       "agc_range_db is not told: what would tell it is a carrier.\n"
       "2 of 3 constants are told.\n"
-      "The part does what a gain control of this kind does: 3 numbers of the recording differ from "
-      "the fit by 1.29 standard deviations on the whole.\n"))
+      "The part follows the rule of the model: 3 numbers of the recording differ from the fit by "
+      "1.29 standard deviations on the whole; 0.2 to 0.8 is usual.\n"))
       << measured_text(measured);
   measured.fit.numbers.push_back({.key = "ambient_k", .more = "a carrier"});
   EXPECT_EQ(occurrences(measured_text(measured),
@@ -76,8 +76,10 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
         "what a typical one does.\n",
         "of the recording, whose clock runs 0.210 % too slow.\n",
         "Not told apart: a and b: c would.\n",
-        "The part does not follow the rule: short bursts: reported 20 ms later.\n",
-        "In all: 3 numbers of the recording differ"})
+        "The part does not follow the rule of the model, so do not rely on what run makes of it:\n"
+        "- short bursts: reported 20 ms later.\n"
+        "A plan that was not the one played, ",
+        "In all, 3 numbers of the recording differ"})
     EXPECT_EQ(occurrences(text, line), 1U) << line << text;
   measured.is_first_level_measured = true;
   measured.fit.strongest_over_emin_db = std::nullopt;

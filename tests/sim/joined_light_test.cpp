@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "sim/failure.hpp"
+
 namespace sim {
 namespace {
 
@@ -27,8 +29,8 @@ Plan some_plan() {
   return plan;
 }
 
-/// A module that reports all light as it is.
-PinRecording recording_of(const Plan& plan) {
+/// A module that reports all light, for some cycles longer than it was there.
+PinRecording recording_of(const Plan& plan, double longer_cycles = 2) {
   PinRecording recording;
   for (const PlanStep& step : plan.steps)
     for (std::uint64_t i = 0; i < step.repeats; ++i) {
@@ -36,7 +38,7 @@ PinRecording recording_of(const Plan& plan) {
       const double begin_s = 0.3 + step.start_ms * 1e-3 +
                              cycle_s * static_cast<double>(i * (step.cycles_on + step.cycles_off));
       recording.pulses.push_back(
-          {begin_s, begin_s + cycle_s * static_cast<double>(step.cycles_on)});
+          {begin_s, begin_s + cycle_s * (static_cast<double>(step.cycles_on) + longer_cycles)});
     }
   recording.end_s = recording.pulses.back().end_s + 1;
   return recording;
@@ -87,6 +89,15 @@ TEST(JoinedLight, TakesNoStepsBehindARecordingThatWasCutShort) {
   EXPECT_EQ(join({capture}, error_db).steps.size(), 5U);
   capture.recording.end_s += 12;
   EXPECT_EQ(join({capture}, error_db).steps.size(), 8U) << "the last one may have been too weak";
+}
+
+// A wire of the LED has light of any level alike. Where all levels are nearly one, a module may,
+// too.
+TEST(JoinedLight, RefusesTheWireOfTheLight) {
+  Plan plan = some_plan();
+  EXPECT_THROW(join({{plan, recording_of(plan, 0), 60, 0}}, error_db), Failure);
+  for (PlanStep& step : plan.steps) step.level_db /= 3;
+  EXPECT_NO_THROW(join({{plan, recording_of(plan, 0), 60, 0}}, error_db));
 }
 
 TEST(JoinedLight, KnowsLightAsWellAsItIsTold) {

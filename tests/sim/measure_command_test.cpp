@@ -103,8 +103,7 @@ TEST_F(MeasureCommandMinute, SaysTheConstantsAndWritesAPartThatRuns) {
        {"\ncentre_hz ", "TSOP4856", "Read rx of capture.csv, by the plan plan.txt",
         "Emin is for 60.1 mW/m2 at the module in the plan's first step, as the "
         "plan plan.txt says",
-        "Next: cosys-sim run scenarios/quickstart.toml --parts . --set "
-        "receiver.module=mine\n"})
+        "Next: cosys-sim run ", "quickstart.toml --parts . --set receiver.module=mine\n"})
     EXPECT_NE(o.out.find(word), std::string::npos) << word << " in\n" << o.out;
   EXPECT_EQ(files(),
             (std::set<std::string>{"capture.csv", "modules", "modules/mine.toml", "plan.txt"}));
@@ -156,13 +155,16 @@ TEST_F(MeasureCommand, FindsThePlanOnTheWireOfTheLed) {
     EXPECT_EQ(told["captures"][0]["wire"], "rx");
     EXPECT_FALSE(told.contains("first_level"));
   }
+  const char* levels = "No wire tells how strong light is, so all of it is taken to be as strong";
+  EXPECT_NE(measured({"both.csv"}).out.find(levels), std::string::npos);
   expect_refused({"fit", "capture.csv"}, bad_input,
                  "no plan of capture.csv (no plan.txt is beside it, no wire in it drives the LED, "
                  "and no message of 600 Bd is whole in it) say --plan PLAN; of messages --message "
                  "and --baud");
   write("p.txt", bench_.text);
-  EXPECT_NE(measured({"capture.csv", "--plan", "p.txt"}).out.find("by the plan p.txt"),
-            std::string::npos);
+  const std::string planned = measured({"capture.csv", "--plan", "p.txt"}).out;
+  EXPECT_NE(planned.find("by the plan p.txt"), std::string::npos);
+  EXPECT_EQ(planned.find(levels), std::string::npos);
 }
 
 /// What the module made of messages, in light of so much of Emin.
@@ -217,6 +219,31 @@ TEST_F(MeasureCommand, ReadsAChangeFileAsItReadsRows) {
   EXPECT_GE(rows.size(), few_steps);
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_NEAR(changes[i].at("recorded"), rows[i].at("recorded").get<double>(), 1e-6) << i;
+}
+
+// A wire that mirrors the light tells nothing of a module, and a part would have no number of it.
+TEST_F(MeasureCommand, RefusesTheWireOfTheLed) {
+  write("both.csv", bench_.both);
+  expect_refused({"fit", "both.csv", "--wire", "D7", "-o", "mine.toml"}, bad_input,
+                 "the recording has every burst as long as its light, however weak (it is the wire "
+                 "of the LED, or another copy of the light) say --wire, the module's output");
+}
+
+TEST_F(MeasureCommand, WritesNoPartOfWhichNothingIsTold) {
+  std::filesystem::remove(path("plan.txt"));
+  bench_.module.agc_attack_db_per_ms = 0;
+  write("far.csv", recorded_messages(bench_.module, 5));
+  const Outcome o = measured({"far.csv", "--message", "IND 011111 OK", "-o", "mine.toml"});
+  EXPECT_EQ(o.code, 4);
+  EXPECT_NE(o.out.find("\nIn all, "), std::string::npos) << "of no rule";
+  EXPECT_TRUE(o.out.ends_with("No part is written, as it would have no number of its own.\n"));
+  EXPECT_FALSE(std::filesystem::exists(path("mine.toml")));
+}
+
+TEST_F(MeasureCommand, RefusesAPlanInTheCapturesPlace) {
+  expect_refused({"fit", "plan.txt"}, bad_input,
+                 "plan.txt (it is a plan, not a recording) write cosys-sim fit CAPTURE --plan "
+                 "plan.txt");
 }
 
 TEST_F(MeasureCommand, RefusesACaptureThatIsNamedTwice) {
@@ -297,6 +324,8 @@ TEST_F(MeasureCommand, ReplacesItsOwnFilesAndNoOthers) {
                  "modules/mine.toml");
   expect_refused({"fit", "capture.csv", "-o", "a.toml", "--page", "./a.toml"}, bad_input,
                  "--page ./a.toml (the part is to be written there) choose another name");
+  expect_refused({"fit", "capture.csv", "--page", "mine.toml"}, bad_input,
+                 "--page mine.toml (a page is HTML) name a file, such as mine.html");
   expect_refused({"fit", "capture.csv", "-o", "nowhere/mine.toml"}, environment,
                  "cannot write nowhere/mine.toml (its folder does not exist) create the folder or "
                  "choose another");

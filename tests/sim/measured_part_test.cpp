@@ -82,11 +82,23 @@ TEST(MeasuredPart, IntervalsHoldWhatTheyHeld) {
     EXPECT_LE(bounds->low, number.low);
     EXPECT_GE(bounds->high, number.high);
     EXPECT_TRUE(bounds->is_measured) << number.key;
+    EXPECT_FALSE(bounds->breaks_rule) << number.key;
   }
   EXPECT_FALSE(bounds_of(part, "agc_range_db")->is_measured) << "hardly told";
   EXPECT_EQ(bounds_of(part, "agc_attack_db_per_ms")->distribution,
             channel::Distribution::log_uniform);
   EXPECT_EQ(bounds_of(part, "centre_hz")->distribution, channel::Distribution::uniform);
+}
+
+// So that whoever runs it later hears of it.
+TEST(MeasuredPart, SaysInEachSourceThatItDoesNotFollowTheRule) {
+  const auto like = load_module("TSOP4856", catalogue, "");
+  FittedModule fit = some_fit();
+  fit.misfits = {{"short bursts", "reported 20 ms later"}};
+  const channel::ModuleData part = read_again(measured_part_text(fit, like, "mine", "c.csv"));
+  EXPECT_TRUE(bounds_of(part, "centre_hz")->breaks_rule);
+  EXPECT_TRUE(bounds_of(part, "centre_hz")->is_measured);
+  EXPECT_FALSE(bounds_of(part, "agc_range_db")->breaks_rule) << "hardly told";
 }
 
 // What is hardly told goes with the other numbers, and a doubt that the recording has settled is

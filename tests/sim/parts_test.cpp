@@ -113,7 +113,16 @@ TEST_F(Parts, RefusesWithFileLineAndRemedy) {
             "centre_hz = -5 in R/modules/x.toml:2 (centre of the band-pass must be at least 1000 "
             "Hz) use a value 1000 to 1000000");
   EXPECT_EQ(refusal(least + number("qq", "5")),
-            "qq.value in R/modules/x.toml:8 (no such key in a part file) did you mean q.value?");
+            "qq.value in R/modules/x.toml:8 (no such key in a part file) did you mean q?");
+  EXPECT_EQ(refusal(least + number("agc_duty_max", "0.3")),
+            "agc_duty_max.value in R/modules/x.toml:8 (no such key in a part file) did you mean "
+            "agc_max_duty?");
+  EXPECT_EQ(refusal(least + "agc_duty_max = 0.3\n"),
+            "agc_duty_max in R/modules/x.toml:8 (no such key in a part file) did you mean "
+            "agc_max_duty?");
+  EXPECT_EQ(refusal(least + "agc_hold_ms = { valu = 3, source = \"s\" }\n"),
+            "agc_hold_ms.valu in R/modules/x.toml:8 (no such key in a part file) did you mean "
+            "agc_hold_ms.value?");
   EXPECT_EQ(refusal(least + "q = { value = \"5\", source = \"s\" }"),
             "q.value in R/modules/x.toml:8 (text where a number is expected) write q = { value = "
             "NUMBER, source = \"document, page\" }");

@@ -251,6 +251,11 @@ TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
             lines(result) +
                 "as measured; 1 m to beyond 4 m for 8 of 10 units, as not all of A is "
                 "known (--doubt says more)\n");
+  ranking.rows[0].doubt->breaks_rule = true;
+  EXPECT_EQ(sim::ranking_lines(result, ranking),
+            lines(result) +
+                "do not rely on it: A was measured, and does not follow the rule of the model "
+                "(cosys-sim fit)\n");
 }
 
 TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
