@@ -40,13 +40,19 @@ bool reports_all(const ModuleData& module, const BurstTrain& train, const dsp::L
   return true;
 }
 
+double long_burst_s(const ModuleData& module) {
+  return module.agc_long_burst_ms > 0 ? module.agc_long_burst_ms * 1e-3
+                                      : module.agc_long_burst_cycles / module.centre_hz;
+}
+
 /// A carrier in front of a train, in seconds, so long that the slow AGC lets go of it: from there a
 /// train that it tolerates comes back, and of another no burst is heard again. From the dark the
-/// gain takes seconds to fall where a train is little more than it tolerates. None for a part that
-/// holds its gain: it would not come back to short bursts either.
-double carrier_before(const ModuleData& module, double e_mw_per_m2) {
-  if (module.agc_attack_db_per_ms == 0 || module.agc_hold_ms > 0) return 0;
-  constexpr double longest_s = 1, further_db = 6;
+/// gain takes seconds to fall where a train is little more than it tolerates. None before short
+/// bursts for a part that holds its gain: it would not come back to them either.
+double carrier_before(const ModuleData& module, double burst_s, double e_mw_per_m2) {
+  if (module.agc_attack_db_per_ms == 0) return 0;
+  if (module.agc_hold_ms > 0 && burst_s <= long_burst_s(module)) return 0;
+  constexpr double longest_s = 2, further_db = 6;
   const double fall_db = 20 * std::log10(e_mw_per_m2 / module.emin_mw_per_m2) + further_db;
   return std::clamp(fall_db / module.agc_attack_db_per_ms * 1e-3, 2 * lead_s, longest_s);
 }
@@ -63,20 +69,24 @@ dsp::LogicTrace drive_after(double carrier_s, const BurstTrain& train) {
   return drive;
 }
 
-BurstTrain two_seconds(const Bench& bench, double burst_s, double period_s) {
+/// As long as the gain control takes to come back from afar.
+BurstTrain settling_train(const Bench& bench, double burst_s, double period_s) {
+  constexpr double rise_db = 600;
+  const double attack_db_per_s = 1e3 * bench.module.agc_attack_db_per_ms;
+  const double seconds = attack_db_per_s > 0 ? std::clamp(rise_db / attack_db_per_s, 2., 12.) : 2;
   return {.carrier_hz = bench.module.centre_hz,
           .burst_s = burst_s,
           .period_s = period_s,
-          .bursts = static_cast<int>(2 / period_s)};
+          .bursts = static_cast<int>(seconds / period_s)};
 }
 
 /// Of eight periods in increasing order, whether each is long enough.
 std::vector<bool> long_enough(const Bench& bench, const std::vector<double>& periods,
                               double burst_s, double e_mw_per_m2) {
-  const double carrier_s = carrier_before(bench.module, e_mw_per_m2);
+  const double carrier_s = carrier_before(bench.module, burst_s, e_mw_per_m2);
   std::vector<BurstTrain> trains;
   std::vector<dsp::LogicTrace> drives;
-  for (const double period : periods) trains.push_back(two_seconds(bench, burst_s, period));
+  for (const double period : periods) trains.push_back(settling_train(bench, burst_s, period));
   for (const BurstTrain& train : trains) drives.push_back(drive_after(carrier_s, train));
   std::vector<ChainInput> inputs;
   for (const dsp::LogicTrace& drive : drives) inputs.push_back(input_of(drive, 1));

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "channel/conditions.hpp"
@@ -18,6 +20,7 @@
 #include "sim/loading/point_scenario.hpp"
 #include "sim/location/location_keys.hpp"  // the kinds that some scenarios are of
 #include "sim/scenario/canonical_text.hpp"
+#include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/trial/trial.hpp"
 
@@ -275,6 +278,32 @@ TEST(PartFiles, EveryAssumedNumberHasBounds) {
     }
   }
   EXPECT_GT(assumed, 50);
+}
+
+// Each kind of gain control has its own reason for the least and the greatest speed, or says that
+// nothing is known of it.
+TEST(PartFiles, BoundsOfTheSpeedNameTheReasonOfTheirKind) {
+  const char* note = "35 m at 1200 bit/s with one TSAL6200";
+  const char* reports = "lets go of a carrier without end after 600 to 1000 ms";
+  const std::map<std::string, std::vector<const char*>> reasons{
+      {note, {"tsdp34156", "tsop31156", "tsop4156"}},  // AGC1
+      {reports, {"tsop34856", "tsop38256", "tsop4856", "tsop57256", "tsop94256"}},
+      {"nothing is printed or reported of AGC3", {"tsop4356"}},
+      {"nothing is printed or reported of AGC4", {"tsop38456", "tsop4456", "tsop94456"}},
+      {"nothing is printed or reported of AGC5", {"tsop39556"}},
+      {"nothing is printed or reported of AGC6", {"tsop94656"}}};
+  std::size_t parts = 0;
+  for (const auto& [reason, names] : reasons)
+    for (const char* name : names) {
+      const CarriedPart file =
+          load_module(name, {{COSYS_SOURCE_DIR "/scenarios"}, {}, {}}, "").source;
+      const std::vector<Entry> entries = read_entries(file.text, file.file);
+      const auto source = std::ranges::find(entries, "agc_attack_db_per_ms.source", &Entry::key);
+      ASSERT_NE(source, entries.end()) << name;
+      EXPECT_NE(std::get<std::string>(source->value).find(reason), std::string::npos) << name;
+      ++parts;
+    }
+  EXPECT_EQ(parts, 14U) << "all that have a gain control";
 }
 
 // No data sheet prints how fast a gain control is.

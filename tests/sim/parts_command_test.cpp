@@ -78,6 +78,16 @@ TEST_F(PartsCommand, ShowsNumbersWithSourcesAndTheModelBesideItsCurves) {
     EXPECT_TRUE(has(o.out, line)) << line << o.out;
 }
 
+// Of a quantity that is no share itself a deviation says little beside small values.
+TEST(SheetComparison, HasItsMedianAsAShareToo) {
+  sim::Comparison duty{.figure = {}, .sheet = {}, .model = {0.22, 0.38, 0.1}};
+  duty.sheet.y = {0.2, 0.4, 0.4};
+  EXPECT_NEAR(duty.median_deviation(), 0.02, 1e-12);
+  EXPECT_NEAR(duty.median_share(), 0.1, 1e-12);
+  duty.sheet.y[0] = 0;
+  EXPECT_TRUE(std::isnan(duty.median_share())) << "of nothing there is no share";
+}
+
 TEST_F(PartsCommand, JsonHasTheSame) {
   write_own_led("[figures]\nintensity = \"c\"\n", "# Maker\nma,mw_per_sr\n10,5\n20,8\n100,50\n");
   const auto json = nlohmann::json::parse(program({"parts", "X", "--parts", "mine", "--json"}).out);
@@ -182,8 +192,8 @@ TEST(ModelAgainstSheet, MeasuredOtherModulesAreNearTheirs) {
                                          {"max_duty", 0.023},
                                          {"directivity", 0.006},
                                          {"directivity_vertical", 0.012}});
-  expect_below(deviations("tsop94256"), {{"max_duty", 0.016}});
-  expect_below(deviations("tsop94456"), {{"max_duty", 0.0075}});
+  expect_below(deviations("tsop94256"), {{"max_duty", 0.0126}});
+  expect_below(deviations("tsop94456"), {{"max_duty", 0.0032}});
   expect_below(deviations("tsop94656"), {{"min_repetition", 0.24}});
 }
 
@@ -208,7 +218,7 @@ TEST(TablesAlone, MeasuredAPartComesNearItsCurvesWithoutThem) {
       {{"pulse_width", 1.8}, {"ambient", 0.16}, {"max_duty", 0.085}, {"directivity", 0.15}});
   expect_below(deviations("tsop38456", folder), {{"max_duty", 0.064}});
   expect_below(deviations("tsop94256", folder), {{"max_duty", 0.03}});
-  expect_below(deviations("tsop94456", folder), {{"max_duty", 0.0125}});
+  expect_below(deviations("tsop94456", folder), {{"max_duty", 0.0063}});
   expect_below(deviations("tsop94656", folder), {{"min_repetition", 1.84}});
   expect_below(deviations("tsal6200", folder),
                {{"intensity", 0.13}, {"temperature", 0.07}, {"pattern", 0.03}});
