@@ -5,6 +5,7 @@
 
 #include "sim/fit/fitted_numbers.hpp"
 #include "sim/fit/fitted_steps.hpp"
+#include "sim/fit/gain_contradiction.hpp"
 #include "sim/fit/rule_search.hpp"
 
 namespace sim {
@@ -64,6 +65,8 @@ FittedModule fit_module(const std::vector<LightCapture>& captures,
   fitted.steps = fitted_steps(likelihood, fit.x);
   fitted.not_apart = pairs_not_apart(fit, priors);
   fitted.misfits = misfits_of(fitted.steps);
+  if (const auto contradiction = contradiction_of_trains(likelihood, fit.x))
+    fitted.misfits.push_back(*contradiction);
   fitted.captures = fitted_captures(fit, joined);
   fitted.strongest_db = strongest_db(fitted.steps, captures);
   if (is_threshold_told(fit, priors))

@@ -22,18 +22,18 @@ struct ConstantNote {
 };
 
 constexpr std::array<ConstantNote, 15> constant_notes{{
-    {centre, 4.5, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
+    {centre, 3, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {q, 3.2, "bursts of 30 cycles near Emin, on carriers 4 and 8 % off"},
     {threshold, 2, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {integrator, 2.5, "bursts of 30 cycles at levels 1 dB apart around Emin"},
     {comparator_hold, 2.5, "a wire of the LED's drive beside the output"},
-    {atc_fraction, 3, "short bursts that are weaker than the ones 3 to 30 ms before them"},
+    {atc_fraction, 2.2, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {atc_release, 1.5, "short bursts that are weaker than the ones 3 to 30 ms before them"},
     {attack, 4.5, "carriers of 1.2 s at eight levels"},
     {duty, 4, "trains of long bursts that the output lets go of, at other duties"},
     {long_burst, 3.5, "trains of bursts between those lengths, too dense to be held"},
     {free_cycles, 2.5, "trains of bursts just longer than the limit, too dense to be held"},
-    {min_gap, 4, "trains of short bursts with gaps of 8 to 40 cycles"},
+    {min_gap, 2.5, "trains of short bursts with gaps of 8 to 40 cycles"},
     {dark_hold, 4, "short bursts behind a carrier, at gaps of 3 to 30 ms"},
     {margin, 6, "a carrier, then short bursts that are weaker by 0 to 20 dB"},
     {range, 0,
