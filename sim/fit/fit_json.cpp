@@ -78,6 +78,9 @@ std::string measured_json(const MeasuredModule& measured) {
              fit.strongest_over_emin_db ? Json(*fit.strongest_over_emin_db) : Json(nullptr)},
             {"usual_deviation", fit.usual_deviation},
             {"steps", steps_json(fit)}};
+  if (fit.output_width)
+    json["output_width_cycles"] = {{"least", fit.output_width->least_cycles},
+                                   {"most", fit.output_width->most_cycles}};
   if (!measured.first_level_by.empty())
     json["first_level"] = {{"mw_per_m2", measured.first_level_mw_per_m2},
                            {"by", measured.first_level_by}};

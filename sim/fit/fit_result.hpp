@@ -39,6 +39,12 @@ struct FittedStep {
   double carrier_hz = 0;
 };
 
+/// By how many cycles the output of short bursts at rest is longer than they are: at one of the
+/// plan's levels the least, at another the most.
+struct OutputWidth {
+  double least_cycles = 0, most_cycles = 0;
+};
+
 /// Where the part does not follow the rule.
 struct FitMisfit {
   std::string what;         // a FittedStep's quantity
@@ -62,6 +68,7 @@ struct FittedModule {
   std::vector<FittedCapture> captures;
   double strongest_db = 0;                         // level of the strongest light
   std::optional<double> strongest_over_emin_db{};  // nothing: the recording does not tell Emin
+  std::optional<OutputWidth> output_width{};       // as recorded; nothing: no such burst is
   double usual_deviation = 0;                      // of all that was fitted, in standard deviations
 };
 

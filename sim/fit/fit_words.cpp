@@ -118,6 +118,15 @@ std::optional<std::string> strongest_sentence(const MeasuredModule& measured) {
       text, strongest, led_mw_per_sr, std::sqrt(led_mw_per_sr / strongest));
 }
 
+/// As data sheets give it: how far the width of an output pulse is from that of its burst.
+std::optional<std::string> width_sentence(const FittedModule& fit) {
+  if (!fit.output_width) return std::nullopt;
+  const auto& [least, most] = *fit.output_width;
+  return fmt::format(
+      "The output of a short burst at rest lasts {:+.1f} to {:+.1f} cycles more than the burst.",
+      least, most);
+}
+
 std::string more_sentence(const FittedNumber& number, const std::vector<std::string>& names) {
   return fmt::format(
       "{} {} {}: what would tell {}{} is {}.", list_in_words(names),
@@ -216,6 +225,7 @@ std::vector<std::string> further_sentences(const MeasuredModule& measured) {
   const FittedModule& fit = measured.fit;
   std::vector<std::string> sentences = capture_sentences(measured);
   sentences.push_back(level_sentence(measured));
+  if (const auto width = width_sentence(fit)) sentences.push_back(*width);
   if (const auto strongest = strongest_sentence(measured)) sentences.push_back(*strongest);
   std::ranges::copy(more_sentences(fit), std::back_inserter(sentences));
   for (const std::string& line : fit.not_apart)

@@ -72,6 +72,7 @@ FittedModule fit_module(const std::vector<LightCapture>& captures,
   if (is_threshold_told(fit, priors))
     fitted.strongest_over_emin_db =
         fitted.strongest_db - 20 * std::log10(module_of(fit.x, like, 1).emin_mw_per_m2);
+  fitted.output_width = output_width(likelihood, fit.x);
   fitted.usual_deviation = usual_deviation_of(fitted.steps);
   return fitted;
 }

@@ -141,6 +141,24 @@ std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Num
   return steps;
 }
 
+std::optional<OutputWidth> output_width(const PlanLikelihood& likelihood, const Numbers& x) {
+  const auto compared = likelihood.compared(x);
+  const Plan& plan = likelihood.plan();
+  const double carrier_hz = plan.steps.front().carrier_hz;
+  std::optional<OutputWidth> width;
+  for (std::size_t s = 0; s < compared.size(); ++s) {
+    const PlanStep& step = plan.steps[s];
+    const StepFeatures& recorded = compared[s].recorded;
+    const bool is_at_rest = is_burst_or_carrier(plan, s) && !is_long_carrier(step);
+    if (!is_at_rest || recorded.with_low == 0 || step.carrier_hz != carrier_hz) continue;
+    const double more = recorded.low_s * carrier_hz - static_cast<double>(step.cycles_on);
+    if (!width) width = OutputWidth{more, more};
+    width->least_cycles = std::min(width->least_cycles, more);
+    width->most_cycles = std::max(width->most_cycles, more);
+  }
+  return width;
+}
+
 std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
   std::vector<FitMisfit> misfits;
   std::vector<std::string> seen;

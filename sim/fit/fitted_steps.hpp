@@ -1,6 +1,7 @@
 #pragma once
 // What a recording has of a plan's steps beside what the fitted rule has, and where these differ by
 // more than chance.
+#include <optional>
 #include <vector>
 
 #include "sim/fit/fit_result.hpp"
@@ -14,6 +15,9 @@ inline constexpr double most_usual_deviation = 0.8;
 /// The number of bursts, of a train those in a row from its first on, of a carrier the time; and
 /// the length of the pulses.
 std::vector<FittedStep> fitted_steps(const PlanLikelihood& likelihood, const Numbers& x);
+
+/// Of the carrier that the plan begins with.
+std::optional<OutputWidth> output_width(const PlanLikelihood& likelihood, const Numbers& x);
 
 /// Steps of one quantity that no constants explain: more of them than chance and chaos have. Behind
 /// these all steps, where they are off on the whole.

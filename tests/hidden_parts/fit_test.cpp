@@ -71,6 +71,9 @@ TEST(FitOfHiddenParts, FindsHowTheGainFalls) {
     EXPECT_NEAR(fitted.captures[0].clock_error, parts[i].clock_error, 1e-5) << i;
     EXPECT_NEAR(fitted.captures[0].start_s, parts[i].start_s, 6 / carrier_hz)
         << i;  // the integrator is not told
+    ASSERT_TRUE(fitted.output_width) << i;
+    EXPECT_LT(fitted.output_width->least_cycles, fitted.output_width->most_cycles) << i;
+    EXPECT_NEAR(fitted.output_width->most_cycles, 3, 4) << i;
   }
 }
 

@@ -81,11 +81,17 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
         "A plan that was not the one played, ",
         "In all, 3 numbers of the recording differ"})
     EXPECT_EQ(occurrences(text, line), 1U) << line << text;
+  measured.fit.output_width = {-5.24, 2.31};
+  EXPECT_EQ(occurrences(measured_text(measured),
+                        "The output of a short burst at rest lasts -5.2 to +2.3 cycles more than "
+                        "the burst.\n"),
+            1U);
   measured.is_first_level_measured = true;
   measured.fit.strongest_over_emin_db = std::nullopt;
   EXPECT_EQ(occurrences(measured_text(measured), "wrong by as much as that.\n"), 1U);
   EXPECT_EQ(occurrences(measured_text(measured), "The strongest light"), 0U) << "Emin is not told";
   EXPECT_TRUE(nlohmann::json::parse(measured_json(measured))["strongest_over_emin_db"].is_null());
+  EXPECT_EQ(nlohmann::json::parse(measured_json(measured))["output_width_cycles"]["most"], 2.31);
 }
 
 // Noise decides where a train is just held: of a misfit of such a part, that is the likely reason.
