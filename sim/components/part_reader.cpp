@@ -185,7 +185,7 @@ class PartReader {
     const std::string sample = name + " = { value = NUMBER, source = \"document, page\" }";
     const bool is_alone = sibling_ == nullptr && needs_numbers(part);
     if (!present(name, sample, number.required && is_alone)) {
-      if (number.unsaid && is_alone) part.bounds.push_back(*number.unsaid);
+      if (number.unsaid && is_alone) part.bounds.push_back(number.unsaid->bounds);
       return;
     }
     forget_bounds(name, part);

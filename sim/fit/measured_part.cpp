@@ -86,7 +86,7 @@ const NumberBounds* bounds_in(const channel::AllBounds& all, const std::string& 
 channel::Distribution distribution_for(const PartNumber<ModuleData>& number, const ModuleData& like,
                                        double low) {
   const NumberBounds* bounds = bounds_in(like.bounds, number.facts.name);
-  if (bounds == nullptr && number.unsaid) bounds = &*number.unsaid;
+  if (bounds == nullptr && number.unsaid) bounds = &number.unsaid->bounds;
   return bounds != nullptr && low > 0 ? bounds->distribution : channel::Distribution::uniform;
 }
 

@@ -108,13 +108,19 @@ std::string bounds_text(const SheetNumber& number) {
                      distribution_name(number.bounds->distribution));
 }
 
+std::string source_text(const SheetNumber& number) {
+  if (!number.source.empty()) return number.source;
+  if (!number.bounds || number.bounds_reason.empty()) return "(default: the file does not say)";
+  return fmt::format("(default: the file does not say; bounds: {})", number.bounds_reason);
+}
+
 std::string number_lines(const PartSheet& sheet) {
   std::string text;
   for (const SheetText& t : sheet.texts) text += fmt::format("  {:<24} {}\n", t.name, t.value);
   for (const SheetNumber& n : sheet.numbers)
-    text += fmt::format("  {:<24} {:<14} {}{}\n", n.name,
-                        with_unit(fmt::format("{}", n.value), n.unit), bounds_text(n),
-                        n.source.empty() ? "(default: the file does not say)" : n.source);
+    text +=
+        fmt::format("  {:<24} {:<14} {}{}\n", n.name, with_unit(fmt::format("{}", n.value), n.unit),
+                    bounds_text(n), source_text(n));
   return text;
 }
 

@@ -136,7 +136,7 @@ void add_keys(PartSheet& sheet, const PartKeys<Data>& keys, const Data& data,
     if (n.facts.range.contains(data.*n.member))  // else it stands for none
       sheet.numbers.push_back({n.facts.name, n.facts.unit, n.facts.long_name,
                                source_of(entries, n.facts.name), data.*n.member,
-                               bounds_of(data, n.facts.name)});
+                               bounds_of(data, n.facts.name), n.unsaid ? n.unsaid->reason : ""});
   for (const auto& c : keys.curves)
     if (!(data.*c.member).empty())
       sheet.curves.push_back({c.name, c.long_name, source_of(entries, c.name), c.x.name, c.x.unit,

@@ -18,6 +18,7 @@ struct SheetNumber {
   std::string name, unit, long_name, source;
   double value = 0;
   std::optional<channel::NumberBounds> bounds{};  // where no document prints it
+  std::string bounds_reason{};                    // where the file does not give them
 };
 
 struct SheetText {

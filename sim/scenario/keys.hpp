@@ -12,14 +12,19 @@
 
 namespace sim {
 
+/// Where a part may lie whose file does not give a number, and why there.
+struct UnsaidBounds {
+  channel::NumberBounds bounds;
+  std::string reason;
+};
+
 /// A number in a part's file. `required`: a data sheet prints it, so that no default can be right.
 template <class Part>
 struct PartNumber {
   KeyFacts facts;
   double Part::*member;
   bool required;
-  /// Where a part may lie whose file does not give the number.
-  std::optional<channel::NumberBounds> unsaid = {};
+  std::optional<UnsaidBounds> unsaid = {};
 };
 
 /// A curve in a part's file: two lists of equal length, x increasing strictly.

@@ -171,30 +171,31 @@ const char* flaw_of(const channel::ModuleData& part) {
 /// the files, are judgement: a number that was taken from a sibling has half to twice of it (Emin,
 /// Emax, ambient light) or a fifth more and less (cycles); a limit that a sheet guarantees lies at
 /// one end of its bounds.
-channel::AllBounds bounds_of_silence() {
+std::vector<UnsaidBounds> bounds_of_silence() {
   using enum channel::Distribution;
   return {
-      {"q", 7, 13},  // 10 where a sheet prints the width; 5 is a part for data
-      {"comparator_hold_cycles", 1.1, 2},
-      {"integrator_cycles", 5, 10},  // of the catalogue's parts, but for those for data
-      {"atc_fraction", 0.3, 0.6},    // 0.4 and 0.5 are fitted to figures
-      {"atc_release_ms", 3, 30, log_uniform},
-      // Least: Vishay's note on TSDP modules, 35 m at 1200 bit/s; most: no faster than the IC of
-      // Vishay 82480 p. 5, which needs as much at least to tell 52 dB of level in 120 ms.
-      {"agc_attack_db_per_ms", 0.05, 0.4, log_uniform},
-      {"agc_margin_db", 0, 6},
-      // Least: Vishay's circuit description of its modules; most: a strong carrier is suppressed.
-      {"agc_range_db", 50, 120},
-      {"responsivity_a_per_w", 0.5, 0.7},  // of silicon photodiodes at 940 nm
-      {"feedback_ohm", 3e5, 3e6, log_uniform},
-      {"front_end_hz", 1e5, 2e5, log_uniform},
+      {{"q", 7, 13}, "10 where a sheet prints the width; 5 is a part for data"},
+      {{"comparator_hold_cycles", 1.1, 2}, "judgement: one carrier cycle to two"},
+      {{"integrator_cycles", 5, 10}, "of the catalogue's parts, but for those for data"},
+      {{"atc_fraction", 0.3, 0.6}, "0.4 and 0.5 are fitted to figures of TSOP48 and TSOP382"},
+      {{"atc_release_ms", 3, 30, log_uniform}, "judgement; not published"},
+      {{"agc_attack_db_per_ms", 0.05, 0.4, log_uniform},
+       "least: 35 m at 1200 bit/s (Vishay, application note on TSDP modules); most: no faster than "
+       "an IC that tells 52 dB of level in 120 ms (Vishay 82480 p. 5)"},
+      {{"agc_margin_db", 0, 6}, "judgement; not published"},
+      {{"agc_range_db", 50, 120},
+       "least: Vishay's circuit description of its modules; most: a strong carrier is suppressed"},
+      {{"responsivity_a_per_w", 0.5, 0.7}, "of silicon photodiodes at 940 nm"},
+      {{"feedback_ohm", 3e5, 3e6, log_uniform}, "judgement; not published"},
+      {{"front_end_hz", 1e5, 2e5, log_uniform}, "judgement; not published"},
   };
 }
 
 void set_bounds_of_silence(std::vector<PartNumber<channel::ModuleData>>& numbers) {
-  for (const channel::NumberBounds& bounds : bounds_of_silence())
-    std::ranges::find(numbers, bounds.number, [](const auto& n) { return n.facts.name; })->unsaid =
-        bounds;
+  for (const UnsaidBounds& unsaid : bounds_of_silence())
+    std::ranges::find(numbers, unsaid.bounds.number, [](const auto& n) {
+      return n.facts.name;
+    })->unsaid = unsaid;
 }
 
 PartKeys<channel::ModuleData> make_module_keys() {

@@ -9,6 +9,7 @@
 #include "sim/components/parts.hpp"
 #include "sim/report/part_sheet.hpp"
 #include "sim/scenario/entries.hpp"
+#include "sim/scenario/keys.hpp"
 #include "sim/text/text_file.hpp"
 
 namespace {
@@ -97,6 +98,17 @@ TEST_F(PartsCommand, JsonHasTheSame) {
   EXPECT_NEAR(json["figures"][0]["rms_deviation"], 0.25 / std::sqrt(3), 1e-9);
   const auto list = nlohmann::json::parse(program({"parts", "--parts", "mine", "--json"}).out);
   EXPECT_GT(list.at("parts").size(), 20u);
+}
+
+TEST_F(PartsCommand, SaysWhyBoundsAreWhereTheFileIsSilent) {
+  const Outcome o = program({"parts", "TSOP4456"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(has(o.out,
+                  "(default: the file does not say; bounds: least: Vishay's circuit "
+                  "description of its modules; most: a strong carrier is suppressed)\n"))
+      << o.out;
+  for (const auto& number : sim::module_keys().numbers)
+    EXPECT_TRUE(!number.unsaid || !number.unsaid->reason.empty()) << number.facts.name;
 }
 
 TEST_F(PartsCommand, RefusesFiguresThatAreNot) {
