@@ -76,7 +76,7 @@ struct Misfitting {
 Misfitting misfitting(StepEvidence evidence) {
   switch (evidence) {
     case StepEvidence::first_bursts:
-      return {.deviations = 8, .least = 4, .one_of = 8};
+      return {.deviations = 8, .least = 3, .one_of = 12};
     case StepEvidence::way_back:
       return {.deviations = 4, .least = 2, .one_of = 3};
     default:
