@@ -3,7 +3,8 @@
 
 Fits each hidden part of a folder that hidden_parts wrote, then finds for both parts the range at which a
 scenario loses 1 % of its messages. A second folder has recordings of the same parts in stronger light.
-Prints a row a part, and how many are within 10 %; a part that carries nowhere has the nearest range.
+Prints a row a part, and how many are within 10 %; a part that carries nowhere has the nearest range. Exit code 1
+says that these are fewer than --least.
 """
 
 import argparse
@@ -12,6 +13,7 @@ import json
 import math
 import pathlib
 import subprocess
+import sys
 
 NEAREST_M, FURTHEST_M = 0.1, 40.0
 OF_THE_BENCH = ("broken", "clock_error", "start_s", "ambient_w_per_m2", "said_first", "first_level", "level_factor")
@@ -27,6 +29,7 @@ def arguments():
     parser.add_argument("--module", default="TSOP4856", help="what the parts are said to be like (TSOP4856)")
     parser.add_argument("--scenario", type=pathlib.Path, required=True)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--least", type=float, default=0, help="share of the parts that are to be within 10 %% (0)")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, help="folder for parts and results")
     return parser.parse_args()
 
@@ -84,6 +87,7 @@ def main():
             within += abs(error) <= 0.1
             print(f"{which},{true_m:.3f},{fitted_m:.3f},{error:+.3f}", flush=True)
     print(f"{within} of {len(parts)} within 10 %")
+    return 0 if within >= asked.least * len(parts) else 1
 
 
-main()
+sys.exit(main())
