@@ -40,9 +40,9 @@ bool reports_all(const ModuleData& module, const BurstTrain& train, const dsp::L
   return true;
 }
 
+/// The longest short burst, in seconds.
 double long_burst_s(const ModuleData& module) {
-  return module.agc_long_burst_ms > 0 ? module.agc_long_burst_ms * 1e-3
-                                      : module.agc_long_burst_cycles / module.centre_hz;
+  return design_slow_agc(module, dsp::Hertz(1)).long_burst;
 }
 
 /// A carrier in front of a train, in seconds, so long that the slow AGC lets go of it: from there a
@@ -69,11 +69,11 @@ dsp::LogicTrace drive_after(double carrier_s, const BurstTrain& train) {
   return drive;
 }
 
-/// As long as the gain control takes to come back from afar.
+/// As long as a gain control takes to settle: while it can fall by 600 dB, 2 to 12 s.
 BurstTrain settling_train(const Bench& bench, double burst_s, double period_s) {
-  constexpr double rise_db = 600;
+  constexpr double fall_db = 600;
   const double attack_db_per_s = 1e3 * bench.module.agc_attack_db_per_ms;
-  const double seconds = attack_db_per_s > 0 ? std::clamp(rise_db / attack_db_per_s, 2., 12.) : 2;
+  const double seconds = attack_db_per_s > 0 ? std::clamp(fall_db / attack_db_per_s, 2., 12.) : 2;
   return {.carrier_hz = bench.module.centre_hz,
           .burst_s = burst_s,
           .period_s = period_s,

@@ -18,16 +18,13 @@ std::span<const DistributionName> distributions();
 
 std::string_view distribution_name(Distribution distribution);
 
-/// How the source of a number begins that was measured of a part which the model does not describe.
-inline constexpr std::string_view source_of_misfit = "measured, but the part does not follow";
-
 /// The unit is that of the number.
 struct NumberBounds {
   std::string number;  // its key in the part's file
   double low, high;
   Distribution distribution = Distribution::uniform;  // log-uniform: low is positive
   bool is_measured = false;                           // of this very unit, as its source says
-  bool breaks_rule = false;                           // this unit, as its source says
+  bool breaks_rule = false;                           // of a unit that the model does not describe
 };
 using AllBounds = std::vector<NumberBounds>;
 

@@ -164,8 +164,8 @@ std::string quickstart_place(const FitRequest& request) {
 std::string next_line(const FitRequest& request, const MeasuredModule& measured) {
   if (!tells_something(measured))
     return request.output ? "No part is written, as it would have no number of its own.\n" : "";
-  if (!measured.fit.misfits.empty() && !request.page)
-    return "Next: say --page mine.html, and look at the steps that are off\n";
+  if (!measured.fit.misfits.empty())
+    return request.page ? "" : "Next: say --page mine.html, and look at the steps that are off\n";
   if (!request.output) return "Next: write the part with -o modules/mine.toml\n";
   const fs::path folder = request.output->parent_path();
   const std::string name = shell_word(request.output->stem().string());

@@ -213,13 +213,12 @@ class PartReader {
       return;
     }
     const std::string remedy = "add low and high, or neither";
-    const channel::NumberBounds bounds{
-        .number = name,
-        .low = number_at(number.facts, "low", remedy),
-        .high = number_at(number.facts, "high", remedy),
-        .distribution = distribution_of(name),
-        .is_measured = source_begins(name, "measured"),
-        .breaks_rule = source_begins(name, channel::source_of_misfit)};
+    const channel::NumberBounds bounds{.number = name,
+                                       .low = number_at(number.facts, "low", remedy),
+                                       .high = number_at(number.facts, "high", remedy),
+                                       .distribution = distribution_of(name),
+                                       .is_measured = source_begins(name, source_of_measured),
+                                       .breaks_rule = source_begins(name, source_of_misfit)};
     check_bounds(bounds, part.*number.member);
     part.bounds.push_back(bounds);
   }

@@ -3,10 +3,17 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/scenario/keys.hpp"
 
 namespace sim {
+
+/// How the source begins of a number that was measured of the very unit.
+inline constexpr std::string_view source_of_measured = "measured";
+/// And of a unit that does not do what the model does.
+inline constexpr std::string_view source_of_misfit =
+    "measured, but the part does not follow the rule";
 
 /// Equal but for case, as names of parts are.
 bool same_name(const std::string& a, const std::string& b);

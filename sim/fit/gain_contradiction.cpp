@@ -30,6 +30,13 @@ std::vector<bool> carriers_and_bursts(const Plan& plan) {
   return are;
 }
 
+/// Carriers tell of the gain; beside bursts at rest alone trains would contradict what is known
+/// beforehand.
+bool are_both_kinds(const Plan& plan, const std::vector<bool>& looked_at) {
+  return std::ranges::any_of(plan.steps, is_long_carrier) &&
+         std::ranges::count(looked_at, false) > 0;
+}
+
 LeastSquaresProblem problem_of_gain(PlanLikelihood& likelihood,
                                     const std::vector<bool>& looked_at) {
   std::vector<bool> is_free(likelihood.parameters(), false);
@@ -75,7 +82,7 @@ RuleParameter most_needed(const LeastSquaresProblem& problem, const Numbers& bef
 std::optional<FitMisfit> contradiction_of_trains(PlanLikelihood& likelihood, const Numbers& x) {
   constexpr double much = 28;  // chi squared of 7 numbers: by chance 24.3 in 1 of 1000
   const std::vector<bool> looked_at = carriers_and_bursts(likelihood.plan());
-  if (!std::ranges::count(looked_at, false)) return std::nullopt;
+  if (!are_both_kinds(likelihood.plan(), looked_at)) return std::nullopt;
   const LeastSquaresProblem problem = problem_of_gain(likelihood, looked_at);
   const LeastSquaresFit alone = best_of_duties(problem, x);
   const double less = cost_of(problem, x) - alone.cost;

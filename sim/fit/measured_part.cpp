@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "sim/components/part_reader.hpp"
 #include "sim/scenario/entries.hpp"
 #include "sim/scenario/keys.hpp"
 #include "sim/text/existing_file.hpp"
@@ -158,11 +159,6 @@ class MeasuredPartLines {
     return line_as_like(number);
   }
 
-  std::string source_of_measured() const {
-    if (fit_.misfits.empty()) return "measured";
-    return fmt::format("{} the rule", channel::source_of_misfit);
-  }
-
   std::string line_of_measured(const PartNumber<ModuleData>& number,
                                const FittedNumber& measured) const {
     const auto text = [&](double value, Rounding rounding) {
@@ -173,8 +169,10 @@ class MeasuredPartLines {
     const std::string bounds =
         bounds_text(text(measured.low, Rounding::down), text(measured.high, Rounding::up),
                     distribution_for(number, like_.data, measured.low));
-    return number_line(number.facts.name, text(measured.value, Rounding::nearest), bounds,
-                       source_of_measured() + ": " + capture_ + ", interval of 95 %");
+    return number_line(
+        number.facts.name, text(measured.value, Rounding::nearest), bounds,
+        fmt::format("{}: {}, interval of 95 %",
+                    fit_.misfits.empty() ? source_of_measured : source_of_misfit, capture_));
   }
 
   /// Nothing of what its files do not give, which is then what it is of any part.

@@ -111,5 +111,14 @@ TEST(GainContradiction, NeedsBothKindsOfSteps) {
   EXPECT_FALSE(contradiction_at(light_with(trains, usual_duty), 0.42));
 }
 
+// Bursts at rest say nothing of the gain, so beside them any part would have numbers that are
+// likelier beforehand.
+TEST(GainContradiction, NeedsCarriers) {
+  Plan plan;
+  for (const double db : {-30.0, -40.0}) add(plan, 500, {0, played_hz, 30, 2000, 10, db});
+  add_trains(plan);
+  EXPECT_FALSE(contradiction_at(light_with(plan, 0.004), 0.004));
+}
+
 }  // namespace
 }  // namespace sim
