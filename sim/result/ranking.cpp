@@ -1,11 +1,14 @@
 #include "sim/result/ranking.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -202,17 +205,33 @@ std::string without_end_blanks(std::string line) {
   return line + '\n';
 }
 
+std::string broken_rule_line(const RangeDoubt& doubt) {
+  return fmt::format(
+      "do not rely on it: {} was measured, and does not follow the rule of the model (cosys-sim "
+      "fit)\n",
+      doubt.part);
+}
+
 /// Below the only row.
 std::string doubt_line(const Axis& axis, const RangeDoubt& doubt) {
-  if (doubt.breaks_rule)
+  if (doubt.breaks_rule) return broken_rule_line(doubt);
+  const std::string span = span_words(axis, doubt.quantiles);
+  if (doubt.is_measured)
     return fmt::format(
-        "do not rely on it: {} was measured, and does not follow the rule of the model (cosys-sim "
-        "fit)\n",
+        "as measured; {} in 8 of 10 cases, as not all of {} is told (--doubt says more)\n", span,
         doubt.part);
   return fmt::format(
-      "as {}; {} for 8 of 10 units, as not all of {} is known (--doubt says more{})\n",
-      doubt.is_measured ? "measured" : "assumed", span_words(axis, doubt.quantiles), doubt.part,
-      doubt.is_measured ? "" : "; measure yours: cosys-sim fit");
+      "as assumed; {} for 8 of 10 units, as not all of {} is known (--doubt says "
+      "more; measure yours: cosys-sim fit)\n",
+      span, doubt.part);
+}
+
+/// Of the parts of all rows that were found to break the rule, each once.
+std::string broken_rule_lines(const Ranking& ranking) {
+  std::set<std::string> lines;
+  for (const RowCrossing& row : ranking.rows)
+    if (row.doubt && row.doubt->breaks_rule) lines.insert(broken_rule_line(*row.doubt));
+  return fmt::format("{}", fmt::join(lines, ""));
 }
 
 /// Below all rows: what their doubts mean.
@@ -222,8 +241,8 @@ std::string doubt_note(const Ranking& ranking) {
   if (doubted == ranking.rows.end()) return "";
   return fmt::format(
       "as assumed; 8 of 10 units: of {} drawn within what is not known of a part (--doubt says "
-      "more; measure yours: cosys-sim fit)\n",
-      doubted->doubt->units);
+      "more; measure yours: cosys-sim fit)\n{}",
+      doubted->doubt->units, broken_rule_lines(ranking));
 }
 
 std::string list(const LinkResult& result, const Ranking& ranking) {

@@ -249,8 +249,8 @@ TEST(Ranking, SaysTheDoubtOfItsOnlyRow) {
   ranking.rows[0].doubt->is_measured = true;
   EXPECT_EQ(sim::ranking_lines(result, ranking),
             lines(result) +
-                "as measured; 1 m to beyond 4 m for 8 of 10 units, as not all of A is "
-                "known (--doubt says more)\n");
+                "as measured; 1 m to beyond 4 m in 8 of 10 cases, as not all of A is told "
+                "(--doubt says more)\n");
   ranking.rows[0].doubt->breaks_rule = true;
   EXPECT_EQ(sim::ranking_lines(result, ranking),
             lines(result) +
@@ -270,6 +270,16 @@ TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
             "   2  A       1 to 2 m       1 m to beyond 4 m\n"
             "as assumed; 8 of 10 units: of 16 drawn within what is not known of a part (--doubt "
             "says more; measure yours: cosys-sim fit)\n");
+  const std::string sound = sim::ranking_lines(result, ranking);
+  ranking.rows[0].doubt = ranking.rows[1].doubt;
+  for (sim::RowCrossing& row : ranking.rows) row.doubt->breaks_rule = true;
+  const std::string broken = sim::ranking_lines(result, ranking);
+  EXPECT_NE(broken, sound);
+  EXPECT_TRUE(
+      broken.ends_with("fit)\ndo not rely on it: A was measured, and does not follow the "
+                       "rule of the model (cosys-sim fit)\n"))
+      << broken;
+  EXPECT_EQ(broken.find("do not rely"), broken.rfind("do not rely")) << "once a part";
 }
 
 TEST(Ranking, IsEmptyForOtherSweeps) {
