@@ -19,7 +19,7 @@ printf '[receiver]\nmodule = "TSOP4856"\n[led]\npart = "MINE"\n[stop]\nmax_frame
 "$program" run mine.toml --quiet >table.txt
 "$program" run "$shared/quickstart.toml" --quiet --set receiver.range_m=1 -n 1 >>table.txt
 [[ -s mine.h5 && -s quickstart.h5 ]] || fail 'no result file' "$(cat table.txt)"
-! "$program" run mine.toml --set receiver.module=none 2>error.txt || fail 'a module that nobody has was found'
+! "$program" run mine.toml --set receiver.module=nobody 2>error.txt || fail 'a module that nobody has was found'
 grep -qF "$shared/modules" error.txt || fail 'its own modules are not looked for:' "$(cat error.txt)"
 
 # What the program wrote of itself: a manual page with all commands, and what shells complete.

@@ -38,18 +38,36 @@ std::vector<PartFile> all_parts(const PartKeys<Data>& keys, const PartRoots& roo
   return all;
 }
 
+/// The kind of a part of this name; empty where there is none.
+std::string kind_named(const std::string& name, const PartRoots& folders) {
+  const std::vector<PartFile> all = list_parts(folders);
+  const auto found =
+      std::ranges::find_if(all, [&](const PartFile& part) { return same_name(part.name, name); });
+  return found == all.end() ? "" : found->kind;
+}
+
+std::string name_instead(const std::string& name, const std::vector<std::string>& names) {
+  const std::string guess = nearest(name, names);
+  return is_near(name, guess) ? fmt::format("did you mean {}?", guess)
+                              : "cosys-sim parts lists all that there are";
+}
+
 template <class Data>
 Failure no_such_part(const PartKeys<Data>& keys, const std::string& name, const PartSources& from,
                      const std::vector<PartFile>& parts, const std::string& asked) {
   std::vector<std::string> folders, names;
   for (const auto& root : from.folders) folders.push_back((root / keys.folder).generic_string());
   for (const auto& part : parts) names.push_back(part.name);
+  if (const std::string other = kind_named(name, from.folders); !other.empty())
+    return bad_input(
+        asked, fmt::format("{} is the name of a part of the kind {}", name, other),
+        fmt::format("name a part of the kind {}: cosys-sim parts lists them", keys.kind));
   return bad_input(
       asked,
       fmt::format("no {} of this name in {}", keys.kind,
                   folders.empty() ? "any folder" : fmt::format("{}", fmt::join(folders, ", "))),
       names.empty() ? fmt::format("add a file {}/NAME.toml", keys.folder)
-                    : fmt::format("did you mean {}?", nearest(name, names)));
+                    : name_instead(name, names));
 }
 
 std::string file_of(const std::string& folder, const std::string& name) {

@@ -226,8 +226,8 @@ TEST_F(Parts, RefusesSiblingsThatAreNone) {
       "like = \"X\" in R/modules/x.toml:2 (parts that are like each other in a circle have no "
       "numbers) give one of them its own");
   EXPECT_EQ(refusal("name = \"X\"\nlike = \"nobody\"\n"),
-            "like = \"nobody\" in R/modules/x.toml:2 (no module of this name in R/modules) did you "
-            "mean x?");
+            "like = \"nobody\" in R/modules/x.toml:2 (no module of this name in R/modules) "
+            "cosys-sim parts lists all that there are");
   EXPECT_EQ(refusal("name = \"X\"\nlike = 3\n"),
             "like in R/modules/x.toml:2 (a number where text is expected) name a part, as like = "
             "\"TSOP94256\"");
@@ -300,6 +300,12 @@ TEST_F(Parts, UnknownNameNamesTheNearestAndWhereItWasSought) {
   write("modules/irm.toml", "");
   EXPECT_EQ(answer("TSOP4857"),
             "asked (no module of this name in R/modules) did you mean tsop4856?");
+  EXPECT_EQ(answer("BPW34"),
+            "asked (no module of this name in R/modules) cosys-sim parts lists all that there are");
+  write("leds/bpw34.toml", "");
+  EXPECT_EQ(answer("BPW34"),
+            "asked (BPW34 is the name of a part of the kind LED) name a part of the kind module: "
+            "cosys-sim parts lists them");
   EXPECT_EQ(answer("../modules/irm").substr(0, 25), "asked (no module of this ");
 }
 
