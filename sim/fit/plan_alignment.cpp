@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/failure.hpp"
@@ -115,14 +117,23 @@ int most_by_chance(std::size_t planned, std::size_t heard, double recorded_s) {
   return static_cast<int>(3 + usual + 5 * std::sqrt(usual));
 }
 
-void refuse_chance(int matched, std::size_t planned, int by_chance) {
+/// Where a recording lasts about a thousand times as long as its plan, or a million times, its
+/// times are hardly seconds.
+std::string what_to_look_at(double planned_s, double recorded_s) {
+  const double times = recorded_s / planned_s;
+  for (const auto& [unit, ticks] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
+    if (times > 0.1 * ticks && times < 10 * ticks)
+      return fmt::format("its times may be in {0}: say --time-unit {0}", unit);
+  return "look whether plan and capture belong together";
+}
+
+void refuse_chance(int matched, std::size_t planned, int by_chance, const std::string& suggestion) {
   const int needed = by_chance + 1;
   if (matched >= needed) return;
   throw bad_input(
       fmt::format("the recording does not follow the plan: {} of its {} bursts are found", matched,
                   planned),
-      fmt::format("{} at least must be, within 3 % of its time", needed),
-      "look whether plan and capture belong together");
+      fmt::format("{} at least must be, within 3 % of its time", needed), suggestion);
 }
 
 }  // namespace
@@ -138,8 +149,10 @@ PlanAlignment align(const Plan& plan, const PinRecording& recording) {
       if (one.matched > best.matched) best = one;
     }
   const double recorded_s = std::max(recording.end_s - recording.begin_s, 1.0);
+  const double planned_s = 1e-3 * (end_ms(plan.steps.back()) - plan.steps.front().start_ms);
   refuse_chance(best.matched, planned.size(),
-                most_by_chance(planned.size(), heard.size(), recorded_s));
+                most_by_chance(planned.size(), heard.size(), recorded_s),
+                what_to_look_at(planned_s, recorded_s));
   return best;
 }
 

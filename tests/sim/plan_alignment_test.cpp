@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "sim/failure.hpp"
 
@@ -59,6 +60,20 @@ TEST(PlanAlignment, RefusesARecordingOfAnotherPlan) {
     EXPECT_THROW(align(plan, other), Failure) << pulses;
   }
   EXPECT_THROW(align(plan, {}), Failure);
+}
+
+TEST(PlanAlignment, SaysThatTimesMayBeInAnotherUnit) {
+  const Plan plan = uneven_plan(150);
+  PinRecording in_ms = heard_of(plan, 2);
+  for (PinPulse& pulse : in_ms.pulses) pulse.start_s *= 1e3, pulse.end_s *= 1e3;
+  in_ms.end_s *= 1e3;
+  try {
+    align(plan, in_ms);
+    FAIL() << "taken";
+  } catch (const Failure& failure) {
+    EXPECT_TRUE(std::string(failure.what()).ends_with("its times may be in ms: say --time-unit ms"))
+        << failure.what();
+  }
 }
 
 }  // namespace
