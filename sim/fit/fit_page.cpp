@@ -7,6 +7,7 @@
 #include "sim/fit/fit_words.hpp"
 #include "sim/fit/measured_part.hpp"
 #include "sim/section/picture_sections.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {
@@ -15,18 +16,20 @@ namespace {
 constexpr double sigmas_of_95 = 1.96;
 
 /// Steps of one quantity, and what they are drawn over: their levels, where hardly any two are
-/// alike, else their places in the plans, one behind the other.
+/// alike, else what the fitted module makes of them.
 struct QuantitySteps {
   std::vector<FittedStep> steps;
   bool by_level = false;
 
-  double x(const std::vector<MeasuredCapture>& captures, const FittedStep& step) const {
-    if (by_level) return step.level_db;
-    std::size_t place = step.step;
-    for (std::size_t k = 0; k < step.capture; ++k) place += captures[k].steps;
-    return static_cast<double>(place);
-  }
+  double x(const FittedStep& step) const { return by_level ? step.level_db : step.fitted; }
 };
+
+/// In the plans, one behind the other.
+double place_of(const std::vector<MeasuredCapture>& captures, const FittedStep& step) {
+  std::size_t place = step.step;
+  for (std::size_t k = 0; k < step.capture; ++k) place += captures[k].steps;
+  return static_cast<double>(place);
+}
 
 std::vector<std::string> quantities_of(const FittedModule& fit) {
   std::vector<std::string> names;
@@ -45,14 +48,8 @@ QuantitySteps steps_of(const MeasuredModule& measured, const std::string& quanti
   }
   constexpr std::size_t most_at_a_level = 4;
   all.by_level = levels.size() > 1 && most_at_a_level * levels.size() >= all.steps.size();
-  std::ranges::stable_sort(all.steps, {},
-                           [&](const FittedStep& step) { return all.x(measured.captures, step); });
+  std::ranges::stable_sort(all.steps, {}, [&](const FittedStep& step) { return all.x(step); });
   return all;
-}
-
-ChartAxis lower_axis(const QuantitySteps& all) {
-  if (all.by_level) return {.label = "light over the first step's [dB]"};
-  return {.label = "step", .words = "place in the plan", .is_count = true};
 }
 
 /// What was recorded, with the interval that its deviation from the rule is measured in. Shares are
@@ -74,14 +71,19 @@ std::string upright_label(const FittedStep& step) {
          (unit.empty() ? "" : " " + unit);
 }
 
+ChartAxis lower_axis(const QuantitySteps& all) {
+  if (all.by_level) return {.label = "light over the first step's [dB]"};
+  return {.label = "fitted " + upright_label(all.steps.front())};
+}
+
 /// Steps of one carrier: a module is deafer to others than its own.
-void add_curves(const MeasuredModule& measured, const QuantitySteps& all, double carrier_hz,
-                const std::string& of, std::vector<ChartCurve>& curves) {
+void add_curves(const QuantitySteps& all, double carrier_hz, const std::string& of,
+                std::vector<ChartCurve>& curves) {
   ChartCurve recorded{.name = "recorded" + of, .points = {}};
   ChartCurve fitted{.name = "fitted" + of, .points = {}, .kind = CurveKind::theory};
   for (const FittedStep& step : all.steps) {
     if (step.carrier_hz != carrier_hz) continue;
-    const double x = all.x(measured.captures, step);
+    const double x = all.x(step);
     recorded.points.push_back(recorded_point(x, step));
     fitted.points.push_back({x, step.fitted, step.fitted, step.fitted});
   }
@@ -93,13 +95,13 @@ Chart fit_chart(const MeasuredModule& measured, const std::string& quantity) {
   const QuantitySteps all = steps_of(measured, quantity);
   std::set<double> carriers;
   for (const FittedStep& step : all.steps) carriers.insert(step.carrier_hz);
-  Chart chart{.title = "Recorded and fitted: " + quantity,
+  Chart chart{.title = capitalised(quantity),
               .description = quantity + ", as recorded and as the fitted module has it",
               .x = lower_axis(all),
               .y = {.label = upright_label(all.steps.front())},
               .curves = {}};
   for (const double carrier_hz : carriers)
-    add_curves(measured, all, carrier_hz,
+    add_curves(all, carrier_hz,
                carriers.size() == 1 ? "" : fmt::format(", {:.1f} kHz", carrier_hz / 1e3),
                chart.curves);
   return chart;
@@ -107,16 +109,15 @@ Chart fit_chart(const MeasuredModule& measured, const std::string& quantity) {
 
 /// Of all steps in the order of the plan. Nearly all are within 2, if the part follows the rule.
 Chart residual_chart(const MeasuredModule& measured) {
-  QuantitySteps all{.steps = measured.fit.steps};
   ChartCurve residuals{.name = "recorded less fitted", .points = {}};
-  for (const FittedStep& step : all.steps)
+  for (const FittedStep& step : measured.fit.steps)
     residuals.points.push_back(
-        {all.x(measured.captures, step), step.deviation, step.deviation, step.deviation});
+        {place_of(measured.captures, step), step.deviation, step.deviation, step.deviation});
   return {.title = "Residuals",
           .description =
               "recorded less fitted, in standard deviations, of all that the recording "
               "has of each step",
-          .x = lower_axis(all),
+          .x = {.label = "step", .words = "place in the plan", .is_count = true},
           .y = {.label = "residual [standard deviations]"},
           .curves = {std::move(residuals)}};
 }

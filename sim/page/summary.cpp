@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -17,22 +16,18 @@
 #include "sim/result/point_loss.hpp"
 #include "sim/result/ranking.hpp"
 #include "sim/result/unit_spread.hpp"
+#include "sim/text/letters.hpp"
 #include "sim/text/unit_text.hpp"
 
 namespace sim {
 namespace {
-
-std::string sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 /// Each line as a sentence.
 std::string sentences(const std::string& lines) {
   std::string text;
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);)
-    if (!line.empty()) text += sentence(line) + (line.ends_with('.') ? "\n" : ".\n");
+    if (!line.empty()) text += capitalised(line) + (line.ends_with('.') ? "\n" : ".\n");
   return text;
 }
 
@@ -71,11 +66,11 @@ std::string where_it_fails(const LinkResult& result) {
   const LinkPoint* point = failing_point(result);
   if (point == nullptr) return "";
   const std::string place = place_text(result.axes, point->coordinates);
-  return sentence(fmt::format("{}{}{} of frames are lost{}.\n",
-                              rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
-                              place.empty() ? "" : "at " + place + ", ",
-                              loss_in_percent(frame_loss_of(*point, LinkResult::ci_level)),
-                              noise_note(point->operating)));
+  return capitalised(fmt::format(
+      "{}{}{} of frames are lost{}.\n",
+      rank(result).rows.size() > 1 ? "one point is looked at closer: " : "",
+      place.empty() ? "" : "at " + place + ", ",
+      loss_in_percent(frame_loss_of(*point, LinkResult::ci_level)), noise_note(point->operating)));
 }
 
 /// ", 3 without noise".

@@ -3,19 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "sim/result/place_text.hpp"
 #include "sim/section/dataset_words.hpp"
 #include "sim/section/experiment_section.hpp"
+#include "sim/text/letters.hpp"
 
 namespace sim {
 namespace {
-
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 /// The columns of numbers that are on just these dimensions. Marks come from add_closing, and of
 /// texts a file has only the numbers.

@@ -19,6 +19,12 @@ std::string in_lower_case(std::string_view text) {
   return low;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] + ('A' - 'a'));
+  return text;
+}
+
 std::size_t letters_in(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
 }

@@ -12,6 +12,9 @@ constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 
 /// In lower case, as far as ASCII has it.
 std::string in_lower_case(std::string_view text);
 
+/// With its first letter a capital, as far as ASCII has it: a heading, or a sentence.
+std::string capitalised(std::string text);
+
 /// Code points.
 std::size_t letters_in(std::string_view text);
 
