@@ -14,7 +14,7 @@ namespace sim {
 namespace {
 
 /// Kinds of steps that speak of one part of the rule.
-enum class StepKind { carrier, release, way_back, long_train, short_train, single };
+enum class StepKind { carrier, release, way_back, long_train, short_train, train_of_many, single };
 
 StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
   const PlanStep& step = plan.steps[s];
@@ -23,6 +23,8 @@ StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
     const bool is_next = is_long_carrier(plan.steps[s - 1]);
     return is_next && !is_train(step) ? StepKind::way_back : StepKind::release;
   }
+  constexpr std::uint64_t many = 500;  // what grows a little with each burst shows
+  if (step.repeats > many) return StepKind::train_of_many;
   if (step.repeats > 1 && static_cast<double>(step.cycles_on) > long_burst_cycles)
     return StepKind::long_train;
   const double period = static_cast<double>(step.cycles_on + step.cycles_off) / step.carrier_hz;
@@ -30,12 +32,13 @@ StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
   return step.repeats > 1 && period < dense_s ? StepKind::short_train : StepKind::single;
 }
 
-constexpr std::array<std::pair<StepKind, const char*>, 6> lights{{
+constexpr std::array<std::pair<StepKind, const char*>, 7> lights{{
     {StepKind::carrier, "long carriers"},
     {StepKind::release, "short bursts behind a carrier"},
     {StepKind::way_back, "seldom bursts behind a carrier"},
     {StepKind::long_train, "trains of long bursts"},
     {StepKind::short_train, "trains of short bursts"},
+    {StepKind::train_of_many, "trains of many bursts"},
     {StepKind::single, "short bursts at rest"},
 }};
 
@@ -87,6 +90,14 @@ Misfitting misfitting(StepEvidence evidence) {
 StepEvidence evidence_of(StepKind kind, FeatureKind feature) {
   if (feature == FeatureKind::first_run) return StepEvidence::first_bursts;
   return kind == StepKind::way_back ? StepEvidence::way_back : StepEvidence::usual;
+}
+
+/// Where a train's first bursts are not reported, its light is about as strong as Emin, and noise
+/// decides which one is.
+bool is_off(const FittedStep& step, double deviations) {
+  const bool is_dim =
+      step.evidence == StepEvidence::first_bursts && std::min(step.recorded, step.fitted) <= 0;
+  return !is_dim && std::abs(step.deviation) > deviations;
 }
 
 /// Of many numbers.
@@ -170,7 +181,7 @@ std::vector<FitMisfit> misfits_of(const std::vector<FittedStep>& steps) {
     for (const FittedStep& step : steps) {
       if (step.quantity != first.quantity) continue;
       all.push_back(step.deviation);
-      if (std::abs(step.deviation) > too_far.deviations) off.push_back(step.recorded - step.fitted);
+      if (is_off(step, too_far.deviations)) off.push_back(step.recorded - step.fitted);
     }
     if (off.size() < too_far.least || too_far.one_of * off.size() < all.size()) continue;
     misfits.push_back(

@@ -135,6 +135,20 @@ JoinedLight join(const std::vector<LightCapture>& captures, double level_error_d
   return all;
 }
 
+JoinedLight cut_trains(const JoinedLight& light, std::uint64_t most) {
+  const std::vector<std::size_t> first = first_bursts(light.plan);
+  JoinedLight shorter = light;
+  shorter.recorded.clear();
+  for (std::size_t s = 0; s < light.steps.size(); ++s) {
+    PlanStep& step = shorter.plan.steps[s];
+    step.repeats = std::min(step.repeats, most);
+    const auto begin = light.recorded.begin() + static_cast<std::ptrdiff_t>(first[s]);
+    shorter.recorded.insert(shorter.recorded.end(), begin,
+                            begin + static_cast<std::ptrdiff_t>(step.repeats));
+  }
+  return shorter;
+}
+
 double scale_error(const JoinedLight& light, double level_error_db) {
   std::set<double> levels;  // of one capture, as those of others are as wrong, or further levels
   for (std::size_t s = 0; s < light.plan.steps.size(); ++s)

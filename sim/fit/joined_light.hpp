@@ -2,6 +2,7 @@
 // Captures of one module as a fit sees them: what each plan showed and what each recording has of
 // it, one behind the other in one time.
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct JoinedLight {
 /// taken: trains tell nothing more in other light. Throws Failure(bad_input) where a
 /// recording and its plan have nothing in common, or all are too many bursts.
 JoinedLight join(const std::vector<LightCapture>& captures, double level_error_db);
+
+/// The same with the first bursts alone of each step that has more.
+JoinedLight cut_trains(const JoinedLight& light, std::uint64_t most);
 
 /// By how much the levels of long carriers may be further apart than the plans say, as a share: the
 /// standard deviation of a straight line's slope through them. 0 where they have one level alone.

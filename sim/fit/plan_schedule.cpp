@@ -162,9 +162,12 @@ BenchTrial held_train(const ExpectedModule& module, double on, double duty,
   return {bursts};
 }
 
+/// No denser than the sketch can send: two edges a burst.
 BenchTrial short_train(const ExpectedModule& module, double on, double gap,
                        double level_db = held_level_db) {
-  return held_train(module, on, on / (on + gap), level_db);
+  constexpr double densest_ms = 0.6;
+  const double period = std::max(on + gap, 1.0 * module.cycles(densest_ms));
+  return held_train(module, on, on / period, level_db);
 }
 
 /// Round by round: bursts of each length at another duty or gap, those that are expected to be the
@@ -205,6 +208,35 @@ BenchTrials short_part(const ExpectedModule& module) {
   return trials;
 }
 
+/// Short bursts that come so densely, and so many of them, that the gain falls for them too where
+/// they are charged but a little.
+BenchTrials dense_part(const ExpectedModule& module) {
+  struct Train {
+    double length, gap, level_db;
+  };
+  constexpr double weakest_db = -50;
+  constexpr Train all[]{{0.45, 1.4, held_level_db},
+                        {0.9, 1.05, weakly_held_level_db},
+                        {0.525, 0.75, weakly_held_level_db},
+                        {0.45, 1.5, held_level_db},
+                        {0.75, 0.65, held_level_db},
+                        {0.75, 1.05, weakly_held_level_db},
+                        {0.45, 1.2, held_level_db},
+                        {0.9, 0.9, weakly_held_level_db},
+                        {0.9, 1.05, weakest_db},
+                        {0.6, 0.9, weakly_held_level_db},
+                        {0.75, 1.2, held_level_db},
+                        {0.6, 0.65, held_level_db}};
+  constexpr std::uint32_t many = 1000;
+  BenchTrials trials;
+  for (const auto& [length, gap, level_db] : all) {
+    trials.push_back(
+        short_train(module, length * module.long_burst, gap * module.min_gap, level_db));
+    trials.back().front().repeats = many;
+  }
+  return trials;
+}
+
 /// Those of a list one after the other, with those of a shorter one spread among them.
 BenchTrials spread(const BenchTrials& few, const BenchTrials& many) {
   BenchTrials trials;
@@ -221,7 +253,7 @@ void append(BenchTrials& to, const BenchTrials& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// All parts once. Trains begin with the first pass and those that are short with the second.
+/// All parts once. Trains begin with the first pass, those that are short or dense with the second.
 BenchTrials trials_of_pass(const ExpectedModule& module, int pass) {
   const BenchTrials held = held_part(module, pass);
   BenchTrials trials = emin_part(module, pass);
@@ -231,6 +263,7 @@ BenchTrials trials_of_pass(const ExpectedModule& module, int pass) {
     append(trials, spread(release_part(module), held));
   } else {
     append(trials, short_part(module));
+    append(trials, dense_part(module));
     append(trials, held);
     append(trials, release_part(module));
   }

@@ -20,14 +20,16 @@ using enum RuleParameter;
 class RuleSearch {
  public:
   RuleSearch(const JoinedLight& light, const ParameterPriors& priors, double level_error_db)
-      : plan_(light.plan),
-        priors_(priors),
+      : priors_(priors),
+        searched_(cut_trains(light, first_of_train), all_steps_of(light.plan), priors,
+                  level_error_db),
         all_(light, all_steps_of(light.plan), priors, level_error_db),
         scale_error_(scale_error(light, level_error_db)),
         x_(first_numbers(light, priors, level_error_db)) {}
 
   RuleFit operator()() {
-    all_steps();
+    search_first_bursts();
+    all_.take_deviations_at(x_);
     const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
     scan_levels(whole);
     x_ = profile_search(whole, x_, constants(), [&] { return has_time_left(); });
@@ -47,11 +49,12 @@ class RuleSearch {
  private:
   static constexpr double told_cost = 3.84;  // chi squared of one number, 95 %
   static constexpr double furthest_range_db = 140;
+  static constexpr std::uint64_t first_of_train = 300;  // bursts, which tell most of it
 
   /// A fit is to take no more than 10 s, and a million bursts take 0.1 s.
   bool has_time_left(std::uint64_t for_bursts = 0) const {
     constexpr std::uint64_t bursts_of_a_fit = 60'000'000;
-    return all_.bursts_played() + for_bursts < bursts_of_a_fit;
+    return searched_.bursts_played() + all_.bursts_played() + for_bursts < bursts_of_a_fit;
   }
 
   /// Levels that are wrong may let the centre seem on the other side of the carrier. Takes the
@@ -77,28 +80,30 @@ class RuleSearch {
     return cost_of(others, without) < cost_of(others, x_) + as_good;
   }
 
-  void all_steps() {
-    const LeastSquaresProblem few = problem_of(all_, constants());
-    const LeastSquaresProblem whole = problem_of(all_, std::vector<bool>(all_.parameters(), true));
+  void search_first_bursts() {
+    const LeastSquaresProblem few = problem_of(searched_, constants());
+    const LeastSquaresProblem whole =
+        problem_of(searched_, std::vector<bool>(searched_.parameters(), true));
     const Numbers begin = x_;
     search(few, whole, 1);
-    const std::uint64_t taken = all_.bursts_played();
+    const std::uint64_t taken = searched_.bursts_played();
     if (!is_poor() || !has_time_left(taken)) return;
     const Numbers first = std::exchange(x_, begin);
     search(few, whole, 2);
-    all_.take_wide_deviations();
+    searched_.take_wide_deviations();
     if (cost_of(whole, first) < cost_of(whole, x_)) x_ = first;
-    all_.take_deviations_at(x_);
+    searched_.take_deviations_at(x_);
   }
 
   /// From wherever it is; another seed takes another way.
   void search(const LeastSquaresProblem& few, const LeastSquaresProblem& whole,
               unsigned long seed) {
-    all_.take_wide_deviations();
+    searched_.take_wide_deviations();
     x_ = global_search(few, x_, anywhere(), evaluations(3.5e7, 1500, 4000), seed);
     x_ = best_of_holds(few);
     for (int round = 0; round < 2; ++round) {
-      all_.take_deviations_at(x_);
+      searched_.take_deviations_at(x_);
+      x_ = best_of_lengths_and_gaps(whole);
       scan_jumps(whole);
       try_without_hold(whole);
       x_ = least_squares(whole, x_, 6).x;
@@ -121,7 +126,7 @@ class RuleSearch {
   bool is_poor() const {
     constexpr double far = 4;
     constexpr std::ptrdiff_t one_of = 25;
-    const Numbers deviations = all_.deviations(x_);
+    const Numbers deviations = searched_.deviations(x_);
     const auto all = std::ranges::count_if(deviations, [](double d) { return d != 0; });
     const auto off = std::ranges::count_if(deviations, [](double d) { return std::abs(d) > far; });
     return one_of * off > all;
@@ -162,17 +167,34 @@ class RuleSearch {
     points.resize(tried);
     points.push_back({0, x_});
     for (GridPoint& point : points) {
-      all_.take_deviations_at(point.x);
+      searched_.take_deviations_at(point.x);
       point.x = least_squares(problem, point.x, 4).x;
-      all_.take_wide_deviations();
+      searched_.take_wide_deviations();
       point.cost = cost_of(problem, point.x);
+    }
+    return std::ranges::min(points, {}, &GridPoint::cost).x;
+  }
+
+  /// A length beyond which bursts are long that is wrong holds the gap that ends a burst where it
+  /// is wrong, so pairs of both are tried.
+  Numbers best_of_lengths_and_gaps(const LeastSquaresProblem& problem) const {
+    constexpr std::size_t tried = 4;
+    std::vector<GridPoint> points =
+        best_of_grid(problem, x_,
+                     {{place_of(long_burst), steps_between(std::log(35), std::log(130), 16)},
+                      {place_of(min_gap), steps_between(std::log(7), std::log(42), 14)}},
+                     tried);
+    points.push_back({0, x_});
+    for (GridPoint& point : points) {
+      LeastSquaresFit fit = least_squares(problem, point.x, 4);
+      point = {fit.cost, std::move(fit.x)};
     }
     return std::ranges::min(points, {}, &GridPoint::cost).x;
   }
 
   /// As many as play so many bursts of the plan.
   int evaluations(double bursts, double least, double most) const {
-    const double a_plan = static_cast<double>(first_bursts(plan_).back());
+    const double a_plan = static_cast<double>(first_bursts(searched_.plan()).back());
     return static_cast<int>(std::clamp(bursts / a_plan, least, most));
   }
 
@@ -245,9 +267,8 @@ class RuleSearch {
     fit.low[place] = std::min(fit.low[place], low);
   }
 
-  const Plan& plan_;
   const ParameterPriors& priors_;
-  PlanLikelihood all_;
+  PlanLikelihood searched_, all_;
   double scale_error_;
   Numbers x_;
 };

@@ -177,6 +177,25 @@ TEST(FitOfHiddenParts, SaysThatAGainComesBackAtTwoRates) {
   }
 }
 
+// A fifth of what a long burst is charged adds up where short ones come densely, and many.
+TEST(FitOfHiddenParts, SaysThatShortBurstsAreCharged) {
+  sim::Plan plan = short_plan();
+  for (const std::uint64_t i : {0U, 1U, 2U, 3U, 4U, 5U})
+    add(plan, 1500, {0, carrier_hz, 36 + 8 * i, 45 - 4 * i, 1000, -52});
+  for (const Broken broken : {Broken::nothing, Broken::charged_short_bursts}) {
+    HiddenPart part = usual_part(0, plan);
+    part.broken = broken;
+    part.module.agc_min_gap_cycles = 20;
+    part.module.agc_hold_ms = 10;
+    const auto fitted = sim::fit_module(
+        {{plan, recording_in(part, plan, first_level), first_level}}, channel::ModuleData{});
+    const bool is_told = std::ranges::any_of(fitted.misfits, [](const sim::FitMisfit& misfit) {
+      return misfit.what.starts_with("trains of many bursts");
+    });
+    EXPECT_EQ(is_told, broken == Broken::charged_short_bursts);
+  }
+}
+
 // Trains of one length of bursts tell how much dark each needs: of free cycles, of a hold, or of
 // some of both.
 TEST(FitOfHiddenParts, SaysWhatIsNotToldApart) {

@@ -52,6 +52,10 @@ TEST(FittedSteps, OfFirstBurstsAreAMisfitWhereManyAreVeryFarOff) {
   EXPECT_TRUE(sim::misfits_of(steps).empty());
   steps[21].deviation = 8.1;
   EXPECT_EQ(sim::misfits_of(steps).size(), 1U);
+  steps[21].recorded = -1;
+  EXPECT_TRUE(sim::misfits_of(steps).empty()) << "noise decides which burst is the first one";
+  steps[21].recorded = 1;
+  EXPECT_EQ(sim::misfits_of(steps).size(), 1U);
   steps.push_back(steps.front());
   EXPECT_TRUE(sim::misfits_of(steps).empty()) << "3 of 37";
 }

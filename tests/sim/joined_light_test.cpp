@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "sim/failure.hpp"
 
@@ -56,6 +58,21 @@ TEST(JoinedLight, IsOfOneCaptureWhatItIs) {
   EXPECT_EQ(light.steps.size(), plan.steps.size());
   EXPECT_EQ(light.recorded.size(), first_bursts(plan).back());
   EXPECT_NEAR(light.captures[0].alignment.start_s, 0.3, 1e-6);
+}
+
+TEST(JoinedLight, IsCutToTheFirstBurstsOfItsTrains) {
+  const Plan plan = some_plan();
+  const JoinedLight light = join({heard_capture(plan)}, error_db);
+  const JoinedLight cut = cut_trains(light, 3);
+  ASSERT_EQ(cut.plan.steps.size(), plan.steps.size());
+  EXPECT_EQ(cut.recorded.size(), 3U + 3U + 3 * 1U + 3U + 3U);
+  const auto first = first_bursts(plan), first_of_cut = first_bursts(cut.plan);
+  for (std::size_t s = 0; s < plan.steps.size(); ++s) {
+    EXPECT_EQ(cut.plan.steps[s].repeats, std::min<std::uint64_t>(3, plan.steps[s].repeats));
+    for (std::size_t i = 0; i < cut.plan.steps[s].repeats; ++i)
+      EXPECT_EQ(cut.recorded[first_of_cut[s] + i].low_s, light.recorded[first[s] + i].low_s);
+  }
+  EXPECT_EQ(cut_trains(light, 1000).plan, plan);
 }
 
 // Of the second one the train tells nothing new, and what comes behind it begins with less gain.

@@ -126,6 +126,34 @@ TEST(PlanSchedule, OfFiveMinutesHasShortTrainsOfManyGaps) {
       std::ranges::any_of(trains, [](const auto& t) { return t.first > 100 && t.second > 40; }));
 }
 
+// It sends 3500 edges a second, and has room for 128.
+TEST(PlanSchedule, HasNoMoreEdgesThanTheSketchCanSend) {
+  for (const PartFile& file : list_parts(shipped_parts.folders)) {
+    if (file.kind != "module" || file.name.starts_with("ideal")) continue;
+    for (const PlanStep& step : scheduled(file.name, 7).steps) {
+      const auto period_cycles = static_cast<double>(step.cycles_on + step.cycles_off);
+      if (step.repeats > 60) {
+        EXPECT_LE(2 * step.carrier_hz / period_cycles, 3500) << file.name;
+      }
+    }
+  }
+}
+
+// What a short burst charges a little shows in many of them.
+TEST(PlanSchedule, OfFiveMinutesHasDenseTrainsOfManyBursts) {
+  std::set<double> levels;
+  std::size_t trains = 0;
+  for (const PlanStep& step : scheduled("TSOP4856", 5).steps) {
+    if (step.repeats != 1000) continue;
+    ++trains;
+    levels.insert(step.level_db);
+    EXPECT_LT(step.cycles_on, 80U) << "short ones";
+    EXPECT_LT(step.cycles_off, 1.5 * 29 + 1);
+  }
+  EXPECT_EQ(trains, 12U);
+  EXPECT_EQ(levels.size(), 3U);
+}
+
 // Dense bursts hold the gain of some parts, so its way back from afar shows in seldom ones alone.
 TEST(PlanSchedule, OfFiveMinutesHasSeldomBurstsAloneBehindCarriers) {
   const Plan plan = scheduled("TSOP4856", 5);
