@@ -14,7 +14,7 @@
 // pulses: the module's band-pass sees the fundamental, sin(pi width / period).
 //
 // Serial line. An edge is a row of 14 characters, 0.28 ms at 500000 bits a second, so 3500 edges a second can last,
-// and the plan has 3400 at most. What comes faster for a while waits in a ring of 128 (512 bytes of the 2 KB of
+// and no train of a plan has more. What comes faster for a while waits in a ring of 128 (512 bytes of the 2 KB of
 // memory). If that is full, pairs of edges are left out, and the last line says how many. The line is polled and has
 // no interrupt, so it never delays the light.
 #include <avr/interrupt.h>

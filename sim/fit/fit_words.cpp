@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 
 #include "sim/columns/text_table.hpp"
@@ -178,6 +179,24 @@ std::vector<std::string> misfit_sentences(const FittedModule& fit) {
   return sentences;
 }
 
+/// Numbers that are far off by themselves, which the root of the mean square does not show, by the
+/// kind of light.
+std::optional<std::string> far_sentence(const FittedModule& fit) {
+  constexpr double far = 8;
+  std::map<std::string, int> numbers;
+  for (const FittedStep& step : fit.steps)
+    if (std::abs(step.deviation) > far)
+      ++numbers[step.quantity.substr(0, step.quantity.find(": "))];
+  if (numbers.empty()) return std::nullopt;
+  std::vector<std::string> words;
+  for (const auto& [light, n] : numbers) words.push_back(fmt::format("{} of {}", n, light));
+  return fmt::format(
+      "More than {} standard deviations off are {}. A few are usual of light near Emin and of "
+      "trains "
+      "that are just held; --page shows which they are.",
+      far, list_in_words(words));
+}
+
 /// To the left, as wide as need be.
 std::string lines_of_cells(const std::vector<std::vector<std::string>>& rows) {
   std::vector<TextColumn> columns(rows.front().size(), {{}, 0});
@@ -218,6 +237,7 @@ std::vector<std::string> answer_sentences(const MeasuredModule& measured) {
       "whole; 0.2 to {} is usual.",
       is_followed ? "The part follows the rule of the model:" : "In all,", fit.steps.size(),
       fit.usual_deviation, most_usual_deviation));
+  if (const auto far = far_sentence(fit)) sentences.push_back(*far);
   return sentences;
 }
 

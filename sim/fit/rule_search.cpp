@@ -92,7 +92,6 @@ class RuleSearch {
     search(few, whole, 2);
     searched_.take_wide_deviations();
     if (cost_of(whole, first) < cost_of(whole, x_)) x_ = first;
-    searched_.take_deviations_at(x_);
   }
 
   /// From wherever it is; another seed takes another way.

@@ -236,13 +236,16 @@ std::string broken_rule_lines(const Ranking& ranking) {
 
 /// Below all rows: what their doubts mean.
 std::string doubt_note(const Ranking& ranking) {
-  const auto doubted = std::ranges::find_if(
-      ranking.rows, [](const RowCrossing& row) { return row.doubt.has_value(); });
-  if (doubted == ranking.rows.end()) return "";
+  std::vector<RangeDoubt> doubts;
+  for (const RowCrossing& row : ranking.rows)
+    if (row.doubt) doubts.push_back(*row.doubt);
+  if (doubts.empty()) return "";
+  const bool all_measured = std::ranges::all_of(doubts, &RangeDoubt::is_measured);
   return fmt::format(
-      "as assumed; 8 of 10 units: of {} drawn within what is not known of a part (--doubt says "
-      "more; measure yours: cosys-sim fit)\n{}",
-      doubted->doubt->units, broken_rule_lines(ranking));
+      "as {}; 8 of 10 units: of {} drawn within what is not {} of a part (--doubt says "
+      "more{})\n{}",
+      all_measured ? "measured" : "assumed", doubts.front().units, all_measured ? "told" : "known",
+      all_measured ? "" : "; measure yours: cosys-sim fit", broken_rule_lines(ranking));
 }
 
 std::string list(const LinkResult& result, const Ranking& ranking) {

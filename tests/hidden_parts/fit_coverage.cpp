@@ -133,7 +133,9 @@ void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
   for (std::uint32_t k = first; k < std::min(request.parts, first + most_parts); ++k)
     parts.push_back(draw_part(request.draw, k, request.plan));
   const auto captures = captures_of(request, parts);
-  const auto heard = steps_heard(request, parts, captures);
+  const bool is_broken = request.draw.broken != Broken::nothing;
+  const auto heard =
+      is_broken ? steps_heard(request, parts, captures) : std::vector<std::size_t>(parts.size());
   channel::ModuleData like;
   like.centre_hz = request.draw.nominal_hz;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -141,8 +143,7 @@ void fit(const Request& request, std::uint32_t first, Outcome& outcome) {
     const sim::FittedModule fitted = sim::fit_module(captures[i], like);
     outcome.seconds.push_back(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
     fmt::print("{},seconds,{:.1f}\n", outcome.parts, outcome.seconds.back());
-    if (request.draw.broken != Broken::nothing)
-      fmt::print("{},steps heard to break the rule,{}\n", outcome.parts, heard[i]);
+    if (is_broken) fmt::print("{},steps heard to break the rule,{}\n", outcome.parts, heard[i]);
     if (fitted.misfits.empty() && heard[i] < few_steps) ++outcome.unheard;
     add(parts[i], fitted, outcome);
   }

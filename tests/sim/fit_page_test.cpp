@@ -94,6 +94,20 @@ TEST(FitWords, SayWhatTheNumbersDoNot) {
   EXPECT_EQ(nlohmann::json::parse(measured_json(measured))["output_width_cycles"]["most"], 2.31);
 }
 
+// The part may follow the rule on the whole, and a few of its steps not.
+TEST(FitWords, CountWhatIsFarOffByItself) {
+  MeasuredModule measured = made_up_measurement();
+  EXPECT_EQ(occurrences(measured_text(measured), "standard deviations off"), 0U);
+  measured.fit.steps[0].deviation = -8.1;
+  measured.fit.steps[1].deviation = 8;
+  measured.fit.steps[2].deviation = 900;
+  EXPECT_EQ(occurrences(measured_text(measured),
+                        "More than 8 standard deviations off are 1 of light and 1 of time until it "
+                        "lets go. A few are usual"),
+            1U)
+      << measured_text(measured);
+}
+
 // Noise decides where a train is just held: of a misfit of such a part, that is the likely reason.
 TEST(FitWords, DoubtAMisfitOfAPartWithoutMargin) {
   MeasuredModule measured = made_up_measurement();

@@ -271,6 +271,11 @@ TEST(Ranking, SaysTheDoubtsOfSeveralRowsInFewWords) {
             "as assumed; 8 of 10 units: of 16 drawn within what is not known of a part (--doubt "
             "says more; measure yours: cosys-sim fit)\n");
   const std::string sound = sim::ranking_lines(result, ranking);
+  ranking.rows[1].doubt->is_measured = true;
+  EXPECT_TRUE(sim::ranking_lines(result, ranking)
+                  .ends_with("as measured; 8 of 10 units: of 16 drawn within what is not told of a "
+                             "part (--doubt says more)\n"));
+  ranking.rows[1].doubt->is_measured = false;
   ranking.rows[0].doubt = ranking.rows[1].doubt;
   for (sim::RowCrossing& row : ranking.rows) row.doubt->breaks_rule = true;
   const std::string broken = sim::ranking_lines(result, ranking);
