@@ -24,7 +24,7 @@ StepKind kind_of(const Plan& plan, std::size_t s, double long_burst_cycles) {
     return is_next && !is_train(step) ? StepKind::way_back : StepKind::release;
   }
   constexpr std::uint64_t many = 500;  // what grows a little with each burst shows
-  if (step.repeats > many) return StepKind::train_of_many;
+  if (is_train(step) && step.repeats > many) return StepKind::train_of_many;
   if (step.repeats > 1 && static_cast<double>(step.cycles_on) > long_burst_cycles)
     return StepKind::long_train;
   const double period = static_cast<double>(step.cycles_on + step.cycles_off) / step.carrier_hz;

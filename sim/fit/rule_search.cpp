@@ -102,7 +102,6 @@ class RuleSearch {
     x_ = best_of_holds(few);
     for (int round = 0; round < 2; ++round) {
       searched_.take_deviations_at(x_);
-      x_ = best_of_lengths_and_gaps(whole);
       scan_jumps(whole);
       try_without_hold(whole);
       x_ = least_squares(whole, x_, 6).x;
@@ -170,23 +169,6 @@ class RuleSearch {
       point.x = least_squares(problem, point.x, 4).x;
       searched_.take_wide_deviations();
       point.cost = cost_of(problem, point.x);
-    }
-    return std::ranges::min(points, {}, &GridPoint::cost).x;
-  }
-
-  /// A length beyond which bursts are long that is wrong holds the gap that ends a burst where it
-  /// is wrong, so pairs of both are tried.
-  Numbers best_of_lengths_and_gaps(const LeastSquaresProblem& problem) const {
-    constexpr std::size_t tried = 4;
-    std::vector<GridPoint> points =
-        best_of_grid(problem, x_,
-                     {{place_of(long_burst), steps_between(std::log(35), std::log(130), 16)},
-                      {place_of(min_gap), steps_between(std::log(7), std::log(42), 14)}},
-                     tried);
-    points.push_back({0, x_});
-    for (GridPoint& point : points) {
-      LeastSquaresFit fit = least_squares(problem, point.x, 4);
-      point = {fit.cost, std::move(fit.x)};
     }
     return std::ranges::min(points, {}, &GridPoint::cost).x;
   }
